@@ -1,0 +1,35 @@
+#pragma once
+
+namespace bempd {
+
+enum class PlaneState { stress = 1, strain = 2 };
+
+// Isotropic linear elasticity in the plane. Stress vectors are ordered (xx, yy, xy).
+struct PlaneElasticity {
+  double young_modulus = 0;  // [Pa]
+  double poisson_ratio = 0;  // [-]
+  PlaneState state = PlaneState::stress;
+  double thickness = 1;  // [m]
+
+  double shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }
+
+  // Poisson's ratio to be used in plane-strain formulas: nu itself, or nu / (1 + nu) in plane stress.
+  double effective_poisson_ratio() const {
+    return state == PlaneState::strain ? poisson_ratio : poisson_ratio / (1 + poisson_ratio);
+  }
+
+  // sigma_xx = c11 eps_xx + c12 eps_yy, sigma_xy = 2 G eps_xy.
+  double c11() const {
+    const double nu = effective_poisson_ratio();
+    return 2 * shear_modulus() * (1 - nu) / (1 - 2 * nu);
+  }
+  double c12() const {
+    const double nu = effective_poisson_ratio();
+    return 2 * shear_modulus() * nu / (1 - 2 * nu);
+  }
+};
+
+// Poisson's ratio that a bond-based peridynamic solid has (its stiffness tensor is totally symmetric).
+inline double bond_based_poisson_ratio(PlaneState state) { return state == PlaneState::stress ? 1.0 / 3.0 : 0.25; }
+
+}  // namespace bempd

@@ -1,0 +1,61 @@
+#include "geometry/boundary_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bempd {
+
+namespace {
+
+Point point_at(const Panel& panel, double fraction) {
+  return fraction >= 1 ? panel.end : Point(panel.start + fraction * (panel.end - panel.start));
+}
+
+void add_loop(const std::vector<Panel>& panels, int first_panel, BoundaryMesh& mesh) {
+  const int first_node = static_cast<int>(mesh.nodes.size());
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const Panel& panel = panels[p];
+    const std::size_t element_count = panel.stations.size() - 1;
+    int traction = mesh.traction_node_count;
+    for (std::size_t e = 0; e < element_count; ++e) {
+      const bool closes = p + 1 == panels.size() && e + 1 == element_count;
+      const double from = panel.stations[e], to = panel.stations[e + 1];
+      const int node = static_cast<int>(mesh.nodes.size());
+      mesh.nodes.push_back(point_at(panel, from));
+      mesh.nodes.push_back(0.5 * (point_at(panel, from) + point_at(panel, to)));
+      mesh.elements.push_back({{node, node + 1, closes ? first_node : node + 2},
+                               {traction, traction + 1, traction + 2},
+                               first_panel + static_cast<int>(p)});
+      traction += 2;
+    }
+    mesh.traction_node_count = traction + 1;
+  }
+}
+
+}  // namespace
+
+BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops) {
+  BoundaryMesh mesh;
+  int first_panel = 0;
+  for (const auto& loop : loops) {
+    add_loop(loop, first_panel, mesh);
+    first_panel += static_cast<int>(loop.size());
+  }
+  return mesh;
+}
+
+std::vector<double> element_stations(double length, double target, double grading) {
+  // A count that is a whole number up to rounding must not gain an element.
+  const int count = std::max(1, static_cast<int>(std::ceil(length / target * (1 - 1e-9))));
+  std::vector<double> stations(count + 1, 0.0);
+  for (int i = 0; i < count; ++i) {
+    const int from_end = std::min(i, count - 1 - i);
+    stations[i + 1] = stations[i] + std::pow(grading, from_end);
+  }
+  const double total = stations.back();
+  for (double& s : stations) s /= total;
+  stations.back() = 1;
+  return stations;
+}
+
+}  // namespace bempd

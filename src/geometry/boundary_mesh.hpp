@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace bempd {
+
+// Quadratic element: nodes are (start, mid, end) in the direction that has the body on its left.
+struct BoundaryElement {
+  std::array<int, 3> nodes;           // displacement nodes
+  std::array<int, 3> traction_nodes;  // traction nodes; neighbours share one only inside a panel
+  int panel = 0;                      // index of the panel it came from
+};
+
+// Straight piece of a boundary between two places where the traction may jump: corners, ends of loads, supports and
+// interfaces. `stations` are the element ends as fractions of the length, 0 = first < ... < last = 1.
+struct Panel {
+  Point start, end;
+  std::vector<double> stations;
+};
+
+// Closed boundary of one body: the outer loop counter-clockwise, holes clockwise, every panel continuing the last one.
+// Displacement nodes are shared along each loop; the traction space is continuous inside a panel and double at its
+// ends.
+struct BoundaryMesh {
+  std::vector<Point> nodes;
+  std::vector<BoundaryElement> elements;
+  int traction_node_count = 0;
+};
+
+// `loops[l]` lists the panels of loop l in order; panels are numbered through all loops.
+BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops);
+
+// Element ends for a straight piece of the given length: `count = ceil(length / target)` equal elements when
+// `grading` is 1; otherwise neighbours' lengths differ by the factor `grading` >= 1, growing from both ends.
+std::vector<double> element_stations(double length, double target, double grading = 1.0);
+
+}  // namespace bempd

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace bempd {
+
+using Point = Eigen::Vector2d;
+
+// z component of a x b.
+inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace bempd

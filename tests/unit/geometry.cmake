@@ -1,0 +1,1 @@
+bempd_add_engine_test(geometry_test geometry_test.cpp)
