@@ -10,7 +10,7 @@
 namespace bempd::bem {
 
 struct AssemblyOptions {
-  double quadrature_tolerance = 1e-14;  // relative error of every pair of elements
+  double quadrature_tolerance = 1e-14;  // of every pair of elements; the stiffness is some ten times as far off
   int threads = 0;                      // 0: OpenMP's default
 };
 

@@ -66,6 +66,7 @@ InteriorEvaluator::InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasti
       return Quadratic(value(field, nodes[0], scale), value(field, nodes[1], scale), value(field, nodes[2], scale));
     };
     displacement_.push_back(quadratic(displacements, e.nodes, boundary_.length));
+    end_nodes_.push_back({e.nodes[0], e.nodes[2]});
     traction_.push_back(quadratic(tractions, e.traction_nodes, shear_modulus_));
   }
 }
@@ -104,6 +105,28 @@ InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& 
   return field;
 }
 
+// Displacement less the linear field, free of cancellation near the nearest point: the stress kernel divides it by the
+// square of the distance.
+Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, const LinearField& field) const {
+  const ElementGeometry& element = boundary_.elements[e];
+  const Quadratic& displacement = displacement_[e];
+  // On the nearest element value and slope are matched: only the second order of the quadratics is left.
+  const auto on_nearest = [&](double parameter) -> Point {
+    const double d = parameter - nearest.xi;
+    return d * d * (displacement_[nearest.element].a2 - field.gradient * boundary_.elements[nearest.element].c2);
+  };
+  if (e == nearest.element) return on_nearest(xi);
+  // On its neighbours: from the common end on.
+  for (int own = 0; own < 2; ++own)
+    for (int other = 0; other < 2; ++other)
+      if (end_nodes_[e][own] == end_nodes_[nearest.element][other]) {
+        const double end = 2 * own - 1;
+        return on_nearest(2 * other - 1) + (xi - end) * (displacement.difference_quotient(xi, end) -
+                                                         field.gradient * element.difference_quotient(xi, end));
+      }
+  return displacement.at(xi) - field.origin_displacement - field.gradient * (element.at(xi) - field.origin);
+}
+
 void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& x, const Nearest& nearest,
                                   const LinearField& field, bool with_stress, int depth, Sums& sums) const {
   const ElementGeometry& element = boundary_.elements[e];
@@ -122,20 +145,13 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
 
   const KelvinSolution kelvin{nu_};
   const GaussRule& rule = gauss_rule(std::min(needed, max_regular_points));
-  const Quadratic &displacement = displacement_[e], &traction = traction_[e];
+  const Quadratic& traction = traction_[e];
   const double length = interval.to - interval.from;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double xi = interval.at(rule.points[q]), weight = rule.weights[q] * length;
     const Point y = element.at(xi), dx = element.derivative(xi), normal = scaled_normal(dx), r = y - x;
     const Point t = traction.at(xi) * dx.norm() - field.stress * normal;
-    Point u;
-    if (e == nearest.element) {
-      // The linear part is matched: only the second order is left of the quadratics.
-      const double d = xi - nearest.xi;
-      u = d * d * (displacement.a2 - field.gradient * element.c2);
-    } else {
-      u = displacement.at(xi) - field.origin_displacement - field.gradient * (y - field.origin);
-    }
+    const Point u = remainder(e, xi, nearest, field);
     sums.displacement += weight * (kelvin.displacement(r) * t - kelvin.traction(r, normal) * u);
     if (with_stress)
       sums.stress += weight * (kelvin.stress_from_traction(r, t) - kelvin.stress_from_displacement(r, normal, u));

@@ -38,10 +38,12 @@ class InteriorEvaluator {
     Quadratic(const Point& start, const Point& mid, const Point& end);
     Point at(double xi) const { return a0 + xi * (a1 + xi * a2); }
     Point derivative(double xi) const { return a1 + (2 * xi) * a2; }
+    Point difference_quotient(double xi, double from) const { return a1 + (xi + from) * a2; }
   };
 
   Nearest nearest(const Point& x) const;
   LinearField matching_field(const Nearest& nearest) const;
+  Point remainder(int element, double xi, const Nearest& nearest, const LinearField& field) const;
   Value evaluate(const Point& x, bool with_stress) const;
   void integrate(int element, const Interval& interval, const Point& x, const Nearest& nearest,
                  const LinearField& field, bool with_stress, int depth, Sums& sums) const;
@@ -49,6 +51,7 @@ class InteriorEvaluator {
   ScaledBoundary boundary_;
   double nu_, shear_modulus_;
   std::vector<Quadratic> displacement_, traction_;  // per element, scaled
+  std::vector<std::array<int, 2>> end_nodes_;
 };
 
 }  // namespace bempd::bem

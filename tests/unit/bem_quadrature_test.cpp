@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bem/boundary_elements.hpp"
+#include "bem/pair_integrals.hpp"
+#include "bem/quadrature.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace bempd::bem;
+
+TEST(GaussRule, integrates_polynomials_up_to_twice_its_points) {
+  for (int n = 1; n <= max_gauss_points; ++n) {
+    const GaussRule& rule = gauss_rule(n);
+    for (int power = 0; power < 2 * n; ++power) {
+      double sum = 0;
+      for (int i = 0; i < n; ++i) sum += rule.weights[i] * std::pow(rule.points[i], power);
+      EXPECT_NEAR(sum, 1.0 / (power + 1), 2e-15) << n << " points, power " << power;
+    }
+  }
+}
+
+TEST(GaussRule, logarithmic_weights_are_exact_for_polynomials_below_the_point_count) {
+  for (int n = 1; n <= max_gauss_points; ++n) {
+    const GaussRule& rule = gauss_rule(n);
+    for (int power = 0; power < n; ++power) {
+      double sum = 0;
+      for (int i = 0; i < n; ++i) sum += rule.log_weights[i] * std::pow(rule.points[i], power);
+      EXPECT_NEAR(sum, -1.0 / ((power + 1.0) * (power + 1.0)), 2e-15) << n << " points, power " << power;
+    }
+  }
+}
+
+TEST(GaussRule, point_count_estimate_bounds_the_error_near_a_pole) {
+  // 1 / (x - pole) on [-1, 1].
+  for (const double pole : {1.5, 2.0, 3.0, 8.0}) {
+    for (const double tolerance : {1e-4, 1e-8, 1e-12}) {
+      const int n = gauss_points_needed(ellipse_size((pole - 1) + (pole + 1)), tolerance);
+      if (n > max_gauss_points) continue;
+      const GaussRule& rule = gauss_rule(n);
+      double sum = 0;
+      for (int i = 0; i < n; ++i) sum += 2 * rule.weights[i] / (pole - (2 * rule.points[i] - 1));
+      const double exact = std::log((pole + 1) / (pole - 1));
+      EXPECT_LE(std::abs(sum - exact) / exact, tolerance) << pole << ", " << n << " points";
+    }
+  }
+}
+
+TEST(ElementGeometry, difference_quotients_have_no_cancellation) {
+  const ElementGeometry element{{0.3, 0.1}, {0.5, 0.2}, {0.05, -0.1}};
+  const double from = 0.7, d = 1e-9;
+  EXPECT_NEAR((element.difference_quotient(from + d, from) - element.derivative(from + d / 2)).norm(), 0, 1e-15);
+  const auto quotient = shape_difference_quotient(-0.4, 0.9), a = shape(-0.4), b = shape(0.9);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(quotient[k], (a[k] - b[k]) / (-0.4 - 0.9), 1e-15);
+}
+
+// Integral of ln|x - y| over [0, 1] x [c, c + 1]; in extended precision, since large terms cancel.
+double log_double_integral(long double c) {
+  const auto f = [](long double z) { return z == 0 ? 0.0L : 0.5L * z * z * std::log(std::abs(z)) - 0.75L * z * z; };
+  return static_cast<double>(f(c + 1) - 2 * f(c) + f(c - 1));
+}
+
+std::vector<ElementGeometry> collinear(double second_start) {
+  return {{{0.5, 0}, {0.5, 0}, {0, 0}}, {{second_start + 0.5, 0}, {0.5, 0}, {0, 0}}};
+}
+
+double total(const PairMoments::Block& block) {
+  double sum = 0;
+  for (const auto& row : block)
+    for (const double value : row) sum += value;
+  return sum;
+}
+
+TEST(PairIntegrator, logarithm_agrees_with_closed_form_for_equal_touching_near_and_far_elements) {
+  const PairIntegrator same(collinear(1), 1e-14);
+  EXPECT_NEAR(total(same.integrate(0, 0, Contact::same, PairPart::everything).mass[0]), -1.5, 1e-14);
+  EXPECT_NEAR(total(same.integrate(0, 1, Contact::end_to_start, PairPart::everything).mass[0]), log_double_integral(1),
+              1e-14);
+  for (const double gap : {1e-6, 1e-3, 0.1, 1.0, 20.0}) {
+    const double start = 1 + gap;
+    const PairIntegrator apart(collinear(start), 1e-14);
+    const double value = total(apart.integrate(0, 1, Contact::none, PairPart::everything).mass[0]);
+    EXPECT_NEAR(value / log_double_integral(start), 1, 2e-14) << gap;
+  }
+}
+
+TEST(PairIntegrator, touching_elements_agree_with_their_halves) {
+  // A corner of 60 degrees between lengths 1 and 1/3, and a curved neighbour.
+  const Point tip{0.5, std::sqrt(0.75)};
+  for (const double bulge : {0.0, 0.04}) {
+    const std::vector<ElementGeometry> elements{{{0.5, bulge}, {0.5, 0}, {0, -bulge}},  // ends in (1, 0)
+                                                {Point(1, 0) - tip / 6, -tip / 6, {0, 0}},
+                                                {Point(1, 0) - tip / 12, -tip / 12, {0, 0}},
+                                                {Point(1, 0) - tip / 4, -tip / 12, {0, 0}}};
+    const PairIntegrator integrator(elements, 1e-15);
+    const PairMoments whole = integrator.integrate(0, 1, Contact::end_to_start, PairPart::everything);
+    const PairMoments near = integrator.integrate(0, 2, Contact::end_to_start, PairPart::everything);
+    const PairMoments far = integrator.integrate(0, 3, Contact::none, PairPart::everything);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(total(whole.mass[c]), total(near.mass[c]) + total(far.mass[c]), 3e-14) << c << ", bulge " << bulge;
+    // A test function that vanishes at the common end leaves the double layer of a constant integrable.
+    for (int c = 0; c < 4; ++c) {
+      const auto start = [c](const PairMoments& m) {
+        return m.double_layer[c][0][3] + m.double_layer[c][0][4];  // N_b(x) of the nodes apart from the common one
+      };
+      EXPECT_NEAR(start(whole), start(near) + start(far), 3e-14) << c << ", bulge " << bulge;
+    }
+  }
+}
+
+}  // namespace
