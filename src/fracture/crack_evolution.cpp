@@ -119,8 +119,9 @@ void CrackEvolution::record(std::int64_t event, double stretch_ratio) {
   const double difference = std::abs(state_.work - stored - state_.released_energy);
   const double error = state_.largest_work > 0 ? difference / state_.largest_work : difference;
   state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, error);
+  state_.residual = residual();
   state_.history.push_back({event, state_.broken_bonds, state_.load_factor, stretch_ratio, stored,
-                            state_.released_energy, state_.work, error, residual()});
+                            state_.released_energy, state_.work, error, state_.residual});
   for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
     const Eigen::Vector2d force = reaction(s);
     state_.reactions.push_back(force.x());
@@ -229,7 +230,10 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
         next = ratios_.next_break(system_.intact(), state_.load_factor, horizon);
       }
       const bool beyond = next && (target >= state_.load_factor ? *next > target : *next < target);
-      if (!next && goal != Goal::load_factor) return StopReason::no_further_event;
+      if (!next && goal != Goal::load_factor) {
+        record(0, 0);
+        return StopReason::no_further_event;
+      }
       if (!next || beyond) break;
       if (state_.events >= options.max_events) {
         fail(Failure::convergence, state_.events,

@@ -35,6 +35,7 @@ struct EvolutionState {
   double work = 0;
   double largest_work = 0;
   double worst_energy_balance_error = 0;
+  double residual = 0;                  // at the last line of the history
   coupling::Affine displacement;        // 2 * node + component
   Eigen::VectorXd total_displacement;   // at load_factor
   Eigen::VectorXd total_force;          // internal nodal forces at load_factor

@@ -99,12 +99,12 @@ void number_boundary_nodes(BoundaryPart& part, NodeRegistry& registry) {
 void add_bonds(const Scene& scene, LatticePart& part, Discretization& result) {
   const Region& region = scene.region(part.region);
   const Material& material = scene.material(region.material);
-  const pd::Network network = pd::build_network(*part.lattice, region.horizon_ratio, material.elasticity);
+  pd::Network network = pd::build_network(*part.lattice, region.horizon_ratio, material.elasticity);
   const double spacing = part.outline.spacing;
   const double critical = material.critical_stretch_for(region.horizon_ratio * spacing);
   part.first_bond = result.bonds.size();
-  part.bond_count = network.bonds.size();
-  for (const pd::Bond& bond : network.bonds) {
+  part.bonds = std::move(network.bonds);
+  for (const pd::Bond& bond : part.bonds) {
     const Point offset = (part.lattice->point(bond.second) - part.lattice->point(bond.first)).cast<double>();
     const double length = offset.norm();
     result.bonds.first.push_back(part.nodes[bond.first]);
@@ -167,7 +167,7 @@ Discretization discretize(const Scene& scene, const Options& options) {
     const bool is_lattice = region.kind == RegionKind::peridynamics;
     const Stopwatch watch(is_lattice ? result.seconds_lattice : result.seconds_boundary);
     if (is_lattice) {
-      LatticePart part{id, region.lattice, std::make_unique<pd::CellLattice>(region.lattice.loops), {}, 0, 0};
+      LatticePart part{id, region.lattice, std::make_unique<pd::CellLattice>(region.lattice.loops), {}, {}, 0};
       number_lattice_nodes(scene, result.arrangement, part, registry);
       add_bonds(scene, part, result);
       result.lattices.push_back(std::move(part));
@@ -175,7 +175,7 @@ Discretization discretize(const Scene& scene, const Options& options) {
       BoundaryPanels panels = mesh_edges(scene, result.arrangement, result.tolerance, id);
       BoundaryPart part{id, std::move(panels.sources), mesh_boundary(panels.loops), {}, {}, nullptr};
       number_boundary_nodes(part, registry);
-      const bem::AssemblyOptions assembly{options.whole_number("bem.outer_points"), options.whole_number("threads")};
+      const bem::AssemblyOptions assembly{options.number("bem.quadrature_tolerance"), options.whole_number("threads")};
       part.galerkin = std::make_unique<bem::GalerkinOperator>(part.mesh, scene.material(region.material).elasticity, assembly);
       result.boundaries.push_back(std::move(part));
     }

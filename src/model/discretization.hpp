@@ -43,9 +43,9 @@ struct LatticePart {
   int region;
   LatticeOutline outline;
   std::unique_ptr<pd::CellLattice> lattice;
-  std::vector<int> nodes;  // of the scene, per material point
-  std::size_t first_bond;  // in the scene's bonds
-  std::size_t bond_count;
+  std::vector<int> nodes;       // of the scene, per material point
+  std::vector<pd::Bond> bonds;  // between material points
+  std::size_t first_bond;       // index of bonds[0] among the scene's bonds
 
   Point position(int point) const;
   Point to_lattice(const Point& p) const { return (p - outline.origin) / outline.spacing; }
