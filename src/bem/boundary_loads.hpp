@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "geometry/boundary_mesh.hpp"
+
+namespace bempd::bem {
+
+// Adds the consistent nodal forces  thickness * integral of N_a t ds  [N] of a traction [Pa] on one panel; the function
+// is called with the position of every quadrature point. Forces are numbered 2 * node + component.
+void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
+                         double thickness, Eigen::Ref<Eigen::VectorXd> forces);
+
+}  // namespace bempd::bem

@@ -1,0 +1,181 @@
+#include "bem/galerkin_operator.hpp"
+
+#include <omp.h>
+
+#include <cassert>
+#include <numbers>
+
+#include "bem/pair_integrals.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+// Every matrix is filled in columns of the outer element: `single_layer` and `hypersingular` are to be completed by
+// adding their transposes, `double_layer` is B^T.
+struct Operators {
+  Eigen::MatrixXd single_layer, hypersingular, double_layer;
+};
+
+Contact contact_of(const BoundaryElement& outer, const BoundaryElement& inner) {
+  const bool end_to_start = outer.nodes[2] == inner.nodes[0], start_to_end = outer.nodes[0] == inner.nodes[2];
+  if (end_to_start && start_to_end) return Contact::both_ends;
+  if (end_to_start) return Contact::end_to_start;
+  return start_to_end ? Contact::start_to_end : Contact::none;
+}
+
+// Groups of elements of which no two share a node: one group can be assembled by many threads without conflict, and
+// sums keep their order.
+std::vector<std::vector<int>> independent_groups(const BoundaryMesh& mesh) {
+  const int count = static_cast<int>(mesh.elements.size());
+  std::vector<std::vector<int>> groups, touching(mesh.nodes.size());
+  std::vector<int> group_of(count, -1);
+  for (int e = 0; e < count; ++e)
+    for (const int end : {0, 2}) touching[mesh.elements[e].nodes[end]].push_back(e);
+  for (int e = 0; e < count; ++e) {
+    int group = 0;
+    const auto taken = [&] {
+      for (const int end : {0, 2})
+        for (const int other : touching[mesh.elements[e].nodes[end]])
+          if (other != e && group_of[other] == group) return true;
+      return false;
+    };
+    while (taken()) ++group;
+    group_of[e] = group;
+    if (group == static_cast<int>(groups.size())) groups.emplace_back();
+    groups[group].push_back(e);
+  }
+  return groups;
+}
+
+// Symmetric 2 x 2 blocks  isotropic * I + factor * (cosine, sine; sine, -cosine).
+Eigen::Matrix2d symmetric_block(double isotropic, double cosine, double sine) {
+  Eigen::Matrix2d block;
+  block << isotropic + cosine, sine, sine, isotropic - cosine;
+  return block;
+}
+
+class Assembler {
+ public:
+  Assembler(const BoundaryMesh& mesh, double nu, const AssemblyOptions& options)
+      : mesh_(mesh), nu_(nu), boundary_(mesh), integrator_(boundary_.elements, options.quadrature_tolerance) {
+    const int tractions = 2 * mesh.traction_node_count, displacements = 2 * static_cast<int>(mesh.nodes.size());
+    operators.single_layer.setZero(tractions, tractions);
+    operators.hypersingular.setZero(displacements, displacements);
+    operators.double_layer.setZero(displacements, tractions);
+    for (const ElementGeometry& e : boundary_.elements) node_lengths_.push_back(shape_integrals(e));
+  }
+
+  // All pairs whose outer element is given.
+  std::int64_t add_outer(int outer) {
+    std::int64_t evaluations = 0;
+    for (int inner = 0; inner < static_cast<int>(mesh_.elements.size()); ++inner) {
+      const Contact contact = inner == outer ? Contact::same : contact_of(mesh_.elements[outer], mesh_.elements[inner]);
+      const PairPart part = inner >= outer ? PairPart::everything : PairPart::double_layer_only;
+      const PairMoments moments = integrator_.integrate(outer, inner, contact, part);
+      add_double_layer(outer, inner, moments);
+      if (part == PairPart::everything) add_weakly_singular(outer, inner, moments);
+      evaluations += moments.evaluations;
+    }
+    return evaluations;
+  }
+
+  double length() const { return boundary_.length; }
+
+  Operators operators;
+
+ private:
+  static std::array<double, 3> shape_integrals(const ElementGeometry& element) {
+    ElementPoints points;
+    fill_points(element, {}, max_regular_points, points);
+    std::array<double, 3> sums{};
+    for (int k = 0; k < 3; ++k)
+      for (int p = 0; p < points.count; ++p) sums[k] += points.mass[k][p];
+    return sums;
+  }
+
+  void add_weakly_singular(int outer, int inner, const PairMoments& m) {
+    const BoundaryElement &x = mesh_.elements[outer], &y = mesh_.elements[inner];
+    // The block of an element with itself comes back with the transpose.
+    const double half = outer == inner ? 0.5 : 1.0;
+    const double single = half / (8 * std::numbers::pi * (1 - nu_)), hyper = half / (2 * std::numbers::pi * (1 - nu_));
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) {
+        // Trace part 1/2 of e e^T: a product of integrals here, nothing in the closed loops of D.
+        const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
+        operators.single_layer.block<2, 2>(2 * y.traction_nodes[b], 2 * x.traction_nodes[a]) +=
+            single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][a][b], m.mass[1][a][b], m.mass[2][a][b]);
+        operators.hypersingular.block<2, 2>(2 * y.nodes[b], 2 * x.nodes[a]) +=
+            hyper * symmetric_block(-m.derivative[0][a][b], m.derivative[1][a][b], m.derivative[2][a][b]);
+      }
+  }
+
+  void add_double_layer(int outer, int inner, const PairMoments& m) {
+    const BoundaryElement &x = mesh_.elements[outer], &y = mesh_.elements[inner];
+    const double factor = -1 / (4 * std::numbers::pi * (1 - nu_));
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 6; ++b) {
+        const int node = b < 3 ? y.nodes[b] : x.nodes[b - 3];
+        const auto& moment = m.double_layer;
+        const double rotation = (1 - 2 * nu_) * moment[1][a][b];
+        Eigen::Matrix2d transposed =
+            symmetric_block((2 - 2 * nu_) * moment[0][a][b], 2 * moment[2][a][b], 2 * moment[3][a][b]);
+        transposed(1, 0) += rotation;
+        transposed(0, 1) -= rotation;
+        operators.double_layer.block<2, 2>(2 * node, 2 * x.traction_nodes[a]) += factor * transposed;
+      }
+  }
+
+  const BoundaryMesh& mesh_;
+  double nu_;
+  ScaledBoundary boundary_;
+  PairIntegrator integrator_;
+  std::vector<std::array<double, 3>> node_lengths_;
+};
+
+// Lower triangle of a + a^T, in place.
+void complete_lower(Eigen::MatrixXd& a) {
+  for (Eigen::Index j = 0; j < a.cols(); ++j)
+    for (Eigen::Index i = j; i < a.rows(); ++i) a(i, j) += a(j, i);
+}
+
+void copy_lower_to_upper(Eigen::MatrixXd& a) {
+  for (Eigen::Index j = 0; j < a.cols(); ++j)
+    for (Eigen::Index i = 0; i < j; ++i) a(i, j) = a(j, i);
+}
+
+}  // namespace
+
+GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
+                                   const AssemblyOptions& options) {
+  Assembler assembler(mesh, elasticity.effective_poisson_ratio(), options);
+  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  std::int64_t evaluations = 0;
+  for (const std::vector<int>& group : independent_groups(mesh)) {
+#pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : evaluations)
+    for (std::size_t i = 0; i < group.size(); ++i) evaluations += assembler.add_outer(group[i]);
+  }
+  kernel_evaluations_ = evaluations;
+
+  Operators& operators = assembler.operators;
+  complete_lower(operators.single_layer);
+  single_layer_.compute(operators.single_layer);
+  assert(single_layer_.info() == Eigen::Success);
+  reduced_transpose_ = std::move(operators.double_layer);
+  single_layer_.matrixU().solveInPlace<Eigen::OnTheRight>(reduced_transpose_);
+
+  stiffness_ = std::move(operators.hypersingular);
+  complete_lower(stiffness_);
+  stiffness_.selfadjointView<Eigen::Lower>().rankUpdate(reduced_transpose_);
+  stiffness_ *= elasticity.thickness * elasticity.shear_modulus();
+  copy_lower_to_upper(stiffness_);
+  traction_scale_ = elasticity.shear_modulus() / assembler.length();
+}
+
+Eigen::MatrixXd GalerkinOperator::tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const {
+  Eigen::MatrixXd t = reduced_transpose_.transpose() * displacements;
+  single_layer_.matrixU().solveInPlace(t);
+  return traction_scale_ * t;
+}
+
+}  // namespace bempd::bem

@@ -1,0 +1,162 @@
+#include "bem/interior.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bem/kelvin_solution.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+constexpr double tolerance = 1e-14;
+// Closer than this part of the element's length is "on the boundary": differences of positions carry no more digits.
+constexpr double on_boundary = 1e-10;
+
+// Nearest parameter of one element: Newton's method on the distance from the best of a few samples.
+double nearest_parameter(const ElementGeometry& element, const Point& x) {
+  if (element.straight()) return std::clamp(element.c1.dot(x - element.c0) / element.c1.squaredNorm(), -1.0, 1.0);
+  constexpr int samples = 9;
+  double best = -1, best_distance = (element.at(-1) - x).squaredNorm();
+  for (int i = 1; i < samples; ++i) {
+    const double xi = -1 + 2.0 * i / (samples - 1), distance = (element.at(xi) - x).squaredNorm();
+    if (distance < best_distance) best = xi, best_distance = distance;
+  }
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Point r = element.at(best) - x, dx = element.derivative(best);
+    // Gauss-Newton where the curvature term would make the step point away from the minimum.
+    const double full = dx.squaredNorm() + 2 * r.dot(element.c2);
+    const double next = std::clamp(best - r.dot(dx) / (full > 0 ? full : dx.squaredNorm()), -1.0, 1.0);
+    const bool done = std::abs(next - best) < 1e-15;
+    best = next;
+    if (done) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+InteriorEvaluator::Quadratic::Quadratic(const Point& start, const Point& mid, const Point& end)
+    : a0(mid), a1(0.5 * (end - start)), a2(0.5 * ((start - mid) + (end - mid))) {}
+
+struct InteriorEvaluator::Nearest {
+  int element = 0;
+  double xi = 0, distance = 1e300;
+};
+
+// u(y) = origin_displacement + gradient (y - origin), in equilibrium, with its stress.
+struct InteriorEvaluator::LinearField {
+  Point origin, origin_displacement;
+  Eigen::Matrix2d gradient, stress;
+};
+
+struct InteriorEvaluator::Sums {
+  Point displacement = Point::Zero();
+  Eigen::Vector3d stress = Eigen::Vector3d::Zero();
+};
+
+InteriorEvaluator::InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
+                                     const Eigen::VectorXd& displacements, const Eigen::VectorXd& tractions)
+    : boundary_(mesh), nu_(elasticity.effective_poisson_ratio()), shear_modulus_(elasticity.shear_modulus()) {
+  for (const BoundaryElement& e : mesh.elements) {
+    const auto value = [](const Eigen::VectorXd& field, int node, double scale) -> Point {
+      return field.segment<2>(2 * node) / scale;
+    };
+    const auto quadratic = [&](const Eigen::VectorXd& field, const std::array<int, 3>& nodes, double scale) {
+      return Quadratic(value(field, nodes[0], scale), value(field, nodes[1], scale), value(field, nodes[2], scale));
+    };
+    displacement_.push_back(quadratic(displacements, e.nodes, boundary_.length));
+    traction_.push_back(quadratic(tractions, e.traction_nodes, shear_modulus_));
+  }
+}
+
+InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
+  Nearest best;
+  for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e) {
+    const ElementGeometry& element = boundary_.elements[e];
+    const double reach = element.c1.norm() + element.c2.norm();
+    if ((element.c0 - x).norm() - reach > best.distance) continue;
+    const double xi = nearest_parameter(element, x), distance = (element.at(xi) - x).norm();
+    if (distance < best.distance) best = {e, xi, distance};
+  }
+  return best;
+}
+
+// Displacement gradient H from H tau = du/ds and from the traction (unit shear modulus, plane strain with nu).
+InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& nearest) const {
+  const ElementGeometry& element = boundary_.elements[nearest.element];
+  const Point dx = element.derivative(nearest.xi);
+  const double jacobian = dx.norm();
+  const Point tangent = dx / jacobian, normal = scaled_normal(tangent);
+  const Point slope = displacement_[nearest.element].derivative(nearest.xi) / jacobian;
+  const Point traction = traction_[nearest.element].at(nearest.xi);
+  const double stress_nn = traction.dot(normal), stress_nt = traction.dot(tangent), strain_tt = slope.dot(tangent);
+  const double strain_nn = (0.5 * (1 - 2 * nu_) * stress_nn - nu_ * strain_tt) / (1 - nu_);
+  const double stress_tt = (2 * strain_tt + nu_ * stress_nn) / (1 - nu_);
+  const Point normal_slope = strain_nn * normal + (stress_nt - normal.dot(slope)) * tangent;
+
+  LinearField field;
+  field.origin = element.at(nearest.xi);
+  field.origin_displacement = displacement_[nearest.element].at(nearest.xi);
+  field.gradient = slope * tangent.transpose() + normal_slope * normal.transpose();
+  field.stress = stress_nn * normal * normal.transpose() + stress_tt * tangent * tangent.transpose() +
+                 stress_nt * (normal * tangent.transpose() + tangent * normal.transpose());
+  return field;
+}
+
+void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& x, const Nearest& nearest,
+                                  const LinearField& field, bool with_stress, int depth, Sums& sums) const {
+  const ElementGeometry& element = boundary_.elements[e];
+  const Point from = element.at(interval.from), mid = element.at(interval.mid()), to = element.at(interval.to);
+  const double half = 0.5 * ((mid - from).norm() + (to - mid).norm());
+  const double ellipse =
+      std::min(ellipse_size(((x - from).norm() + (x - to).norm()) / half), jacobian_ellipse(element, interval));
+  // The stress kernels are one order more singular.
+  const int needed = gauss_points_needed(ellipse, tolerance) + 1;
+  constexpr int max_depth = 60;
+  if (needed > max_regular_points && depth < max_depth) {
+    integrate(e, {interval.from, interval.mid()}, x, nearest, field, with_stress, depth + 1, sums);
+    integrate(e, {interval.mid(), interval.to}, x, nearest, field, with_stress, depth + 1, sums);
+    return;
+  }
+
+  const KelvinSolution kelvin{nu_};
+  const GaussRule& rule = gauss_rule(std::min(needed, max_regular_points));
+  const Quadratic &displacement = displacement_[e], &traction = traction_[e];
+  const double length = interval.to - interval.from;
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double xi = interval.at(rule.points[q]), weight = rule.weights[q] * length;
+    const Point y = element.at(xi), dx = element.derivative(xi), normal = scaled_normal(dx), r = y - x;
+    const Point t = traction.at(xi) * dx.norm() - field.stress * normal;
+    Point u;
+    if (e == nearest.element) {
+      // The linear part is matched: only the second order is left of the quadratics.
+      const double d = xi - nearest.xi;
+      u = d * d * (displacement.a2 - field.gradient * element.c2);
+    } else {
+      u = displacement.at(xi) - field.origin_displacement - field.gradient * (y - field.origin);
+    }
+    sums.displacement += weight * (kelvin.displacement(r) * t - kelvin.traction(r, normal) * u);
+    if (with_stress)
+      sums.stress += weight * (kelvin.stress_from_traction(r, t) - kelvin.stress_from_displacement(r, normal, u));
+  }
+}
+
+InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool with_stress) const {
+  const Point x = boundary_.scaled(position);
+  const Nearest closest = nearest(x);
+  const LinearField field = matching_field(closest);
+  Sums sums;
+  if (closest.distance > on_boundary * boundary_.elements[closest.element].c1.norm())
+    for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e)
+      integrate(e, {}, x, closest, field, with_stress, 0, sums);
+  const Point displacement = field.origin_displacement + field.gradient * (x - field.origin) + sums.displacement;
+  const Eigen::Vector3d stress = Eigen::Vector3d(field.stress(0, 0), field.stress(1, 1), field.stress(0, 1));
+  return {boundary_.length * displacement, shear_modulus_ * (stress + sums.stress)};
+}
+
+InteriorEvaluator::Value InteriorEvaluator::at(const Point& x) const { return evaluate(x, true); }
+
+Point InteriorEvaluator::displacement_at(const Point& x) const { return evaluate(x, false).displacement; }
+
+}  // namespace bempd::bem

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "bem/boundary_elements.hpp"
+#include "elasticity/plane_elasticity.hpp"
+
+namespace bempd::bem {
+
+// Displacement and stress inside a body from its boundary values, by Somigliana's identity. The linear field that has
+// the displacement, tangential strain and traction of the nearest boundary point is taken out first and put back in
+// closed form: what is integrated vanishes where the kernels are singular, so points may lie arbitrarily close to the
+// boundary. On the boundary itself the boundary's own values come back.
+class InteriorEvaluator {
+ public:
+  struct Value {
+    Point displacement;
+    Eigen::Vector3d stress;  // xx, yy, xy [Pa]
+  };
+
+  // `displacements` [m] are numbered 2 * node + component, `tractions` [Pa] 2 * traction_node + component.
+  InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const Eigen::VectorXd& displacements,
+                    const Eigen::VectorXd& tractions);
+
+  Value at(const Point& x) const;
+  Point displacement_at(const Point& x) const;
+
+ private:
+  struct Nearest;
+  struct LinearField;
+  struct Sums;
+
+  // Quadratic a0 + a1 xi + a2 xi^2 through three nodal values.
+  struct Quadratic {
+    Point a0, a1, a2;
+    Quadratic(const Point& start, const Point& mid, const Point& end);
+    Point at(double xi) const { return a0 + xi * (a1 + xi * a2); }
+    Point derivative(double xi) const { return a1 + (2 * xi) * a2; }
+  };
+
+  Nearest nearest(const Point& x) const;
+  LinearField matching_field(const Nearest& nearest) const;
+  Value evaluate(const Point& x, bool with_stress) const;
+  void integrate(int element, const Interval& interval, const Point& x, const Nearest& nearest,
+                 const LinearField& field, bool with_stress, int depth, Sums& sums) const;
+
+  ScaledBoundary boundary_;
+  double nu_, shear_modulus_;
+  std::vector<Quadratic> displacement_, traction_;  // per element, scaled
+};
+
+}  // namespace bempd::bem

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bem/boundary_elements.hpp"
+
+namespace bempd::bem {
+
+// Double integrals over a pair of elements, x on `outer` and y on `inner`, r = y - x, from which the Galerkin blocks
+// of every operator follow. With e = r / |r| = (cos, sin) the kernels are
+//   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (e e^T without its trace part),
+//   double layer:     (e . n) / r, (n x e) / r, and the first one times the last two of the line above,
+// n being the normal at y.
+struct PairMoments {
+  using Block = std::array<std::array<double, 3>, 3>;      // [outer node][inner node]
+  using WideBlock = std::array<std::array<double, 6>, 3>;  // [outer node][inner nodes, then outer nodes]
+  std::array<Block, 3> mass{};                             // times N_a(x) N_b(y), per length
+  std::array<Block, 3> derivative{};                       // times N_a'(xi) N_b'(eta), per parameter
+  std::array<WideBlock, 4> double_layer{};  // times N_a(x) (N_b(y) - N_b(x)); the second half holds the terms in N_b(x)
+  std::int64_t evaluations = 0;             // point pairs at which kernels were evaluated
+};
+
+// Which integrals a pair needs: the weakly singular kernels are symmetric, so one order of the pair is enough.
+enum class PairPart { everything, double_layer_only };
+
+// How two elements meet; the outer element's end is named first.
+enum class Contact { none, same, end_to_start, start_to_end, both_ends };
+
+// Integrates over pairs of elements, each pair with the relative error `tolerance`. Pairs apart: products of Gauss
+// rules, halving intervals until they are short enough for their distance. Touching pairs: polar-like coordinates
+// around the common point, in which all that is singular is a factor ln(radius).
+class PairIntegrator {
+ public:
+  PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance);
+
+  PairMoments integrate(int outer, int inner, Contact contact, PairPart part) const;
+
+ private:
+  struct Side {
+    int element;
+    Interval interval;
+  };
+  void apart(const Side& outer, const Side& inner, PairPart part, int depth, PairMoments& moments) const;
+  void touching(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
+  void same(int element, PairMoments& moments) const;
+  const ElementPoints& points(const Side& side, int rule, ElementPoints& scratch) const;
+
+  std::vector<ElementGeometry> elements_;
+  double tolerance_;
+  std::vector<std::array<ElementPoints, regular_point_counts.size()>> whole_;  // tables for whole elements
+};
+
+}  // namespace bempd::bem

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace bempd::bem {
+
+// Gauss-Legendre rule on [0, 1]. `log_weights` belong to the same points and integrate f(s) ln(s), exactly when f is a
+// polynomial of a degree below the number of points.
+struct GaussRule {
+  std::vector<double> points, weights, log_weights;
+};
+
+inline constexpr int max_gauss_points = 32;
+
+// Rules are built once; the reference stays valid.
+const GaussRule& gauss_rule(int point_count);
+
+// Size rho of the largest ellipse with the foci +-1 inside which an integrand on [-1, 1] is analytic, from the sum of
+// the distances of its nearest singularity to both ends (in units where the interval has the length 2).
+double ellipse_size(double sum_of_distances);
+
+// Points that Gauss's rule needs for the relative error `tolerance`: its error falls like rho^(-2 n).
+int gauss_points_needed(double ellipse, double tolerance);
+
+// Point counts that are used for smooth integrals; few, so that they can be tabulated for every element.
+inline constexpr std::array<int, 8> regular_point_counts{4, 5, 6, 7, 8, 10, 12, 16};
+inline constexpr int max_regular_points = 16;
+
+// Index into `regular_point_counts`; `regular_point_counts.size()` when even the largest is too small.
+int regular_rule(int points_needed);
+
+}  // namespace bempd::bem

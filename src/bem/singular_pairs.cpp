@@ -1,0 +1,162 @@
+// Pairs of elements that share a point, or are the same. Coordinates are chosen in which r = radius * chord, where the
+// chord is a polynomial that does not vanish: Duffy's coordinates around a common end, the distance of the parameters
+// inside one element. What is left of ln r is the smooth ln|chord| and ln(radius), which a product rule integrates;
+// the 1 / r of the double layer cancels against N(y) - N(x), which vanishes with the radius.
+
+#include <cmath>
+#include <complex>
+
+#include "bem/pair_integrals.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+// Pair of parameters with everything the kernels need there.
+struct PointPair {
+  double outer_xi, inner_xi;
+  Point outer_derivative, inner_derivative;  // dx/dxi
+  Point chord;                               // r / radius
+  double weight, log_weight;                 // log_weight integrates ln(radius)
+  std::array<double, 6> difference;          // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
+};
+
+void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMoments& moments) {
+  const auto outer_shape = shape(p.outer_xi), inner_shape = shape(p.inner_xi);
+  const auto outer_slope = shape_derivative(p.outer_xi), inner_slope = shape_derivative(p.inner_xi);
+  const double jacobians = p.outer_derivative.norm() * p.inner_derivative.norm();
+  const double kernels[3] = {p.log_weight + p.weight * 0.5 * std::log(p.chord.squaredNorm()), p.weight * cosine,
+                             p.weight * sine};
+  for (int c = 0; c < 3; ++c)
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) {
+        moments.mass[c][a][b] += kernels[c] * jacobians * outer_shape[a] * inner_shape[b];
+        moments.derivative[c][a][b] += kernels[c] * outer_slope[a] * inner_slope[b];
+      }
+}
+
+void add_point(const PointPair& p, bool weak, PairMoments& moments) {
+  ++moments.evaluations;
+  const double inverse = 1 / p.chord.squaredNorm();
+  const double cosine = 0.5 * (p.chord.x() * p.chord.x() - p.chord.y() * p.chord.y()) * inverse;
+  const double sine = p.chord.x() * p.chord.y() * inverse;
+  if (weak) add_weakly_singular(p, cosine, sine, moments);
+
+  const Point normal = scaled_normal(p.inner_derivative);
+  const double along = p.chord.dot(normal) * inverse, across = cross(normal, p.chord) * inverse;
+  const double kernels[4] = {along, across, along * cosine, along * sine};
+  const auto outer_shape = shape(p.outer_xi);
+  const double weight = p.weight * p.outer_derivative.norm();
+  for (int c = 0; c < 4; ++c)
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 6; ++b)
+        moments.double_layer[c][a][b] += weight * kernels[c] * outer_shape[a] * p.difference[b];
+}
+
+// Polynomials of straight elements reach degree five in the radius; curved ones need more, and Jacobians are roots.
+int radial_points(bool straight) { return straight ? 6 : 14; }
+
+// Angular variable w on [0, 1]: the chord vanishes at one complex w, so intervals shrink towards it.
+struct AngularRule {
+  std::vector<double> points, weights;
+
+  AngularRule(std::complex<double> zero, double tolerance, int extra_points) {
+    add({0, 1}, zero, tolerance, extra_points, 0);
+  }
+
+ private:
+  void add(const Interval& interval, std::complex<double> zero, double tolerance, int extra_points, int depth) {
+    constexpr int max_points = 20, max_depth = 50;
+    const double length = interval.to - interval.from;
+    const double ellipse =
+        ellipse_size((std::abs(zero - interval.from) + std::abs(zero - interval.to)) / (0.5 * length));
+    const int needed = gauss_points_needed(ellipse, tolerance) + extra_points;
+    if (needed > max_points && depth < max_depth) {
+      add({interval.from, interval.mid()}, zero, tolerance, extra_points, depth + 1);
+      add({interval.mid(), interval.to}, zero, tolerance, extra_points, depth + 1);
+      return;
+    }
+    const GaussRule& rule = gauss_rule(std::min(needed, max_points));
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      points.push_back(interval.at(rule.points[i]));
+      weights.push_back(rule.weights[i] * length);
+    }
+  }
+};
+
+}  // namespace
+
+// The intervals start at the common point: parameters from + s (to - from), with s = radius, t = radius * w in one
+// triangle of the unit square and s = radius * w, t = radius in the other (M. G. Duffy, SIAM J. Numer. Anal. 19, 1982).
+void PairIntegrator::touching(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const {
+  const ElementGeometry &a = elements_[outer.element], &b = elements_[inner.element];
+  const double a0 = outer.interval.from, a_length = outer.interval.to - a0;
+  const double b0 = inner.interval.from, b_length = inner.interval.to - b0;
+  const bool straight = a.straight() && b.straight();
+  const GaussRule& radial = gauss_rule(radial_points(straight));
+  const Point a_tangent = a_length * a.derivative(a0), b_tangent = b_length * b.derivative(b0);
+  const std::complex<double> ratio =
+      std::complex<double>(a_tangent.x(), a_tangent.y()) / std::complex<double>(b_tangent.x(), b_tangent.y());
+
+  for (const bool inner_is_nearer : {true, false}) {
+    const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, straight ? 1 : 5);
+    for (std::size_t j = 0; j < angular.points.size(); ++j) {
+      const double s_over_radius = inner_is_nearer ? 1 : angular.points[j];
+      const double t_over_radius = inner_is_nearer ? angular.points[j] : 1;
+      for (std::size_t i = 0; i < radial.points.size(); ++i) {
+        const double radius = radial.points[i];
+        PointPair p;
+        p.outer_xi = a0 + a_length * s_over_radius * radius;
+        p.inner_xi = b0 + b_length * t_over_radius * radius;
+        p.outer_derivative = a.derivative(p.outer_xi);
+        p.inner_derivative = b.derivative(p.inner_xi);
+        p.chord = b_length * t_over_radius * b.difference_quotient(p.inner_xi, b0) -
+                  a_length * s_over_radius * a.difference_quotient(p.outer_xi, a0);
+        const double area = angular.weights[j] * radius * std::abs(a_length * b_length);
+        p.weight = radial.weights[i] * area;
+        p.log_weight = radial.log_weights[i] * area;
+        // N_b is one and the same at the common point, so its value there drops out of the difference.
+        const auto inner_part = shape_difference_quotient(p.inner_xi, b0);
+        const auto outer_part = shape_difference_quotient(p.outer_xi, a0);
+        for (int k = 0; k < 3; ++k) {
+          p.difference[k] = b_length * t_over_radius * inner_part[k];
+          p.difference[3 + k] = -a_length * s_over_radius * outer_part[k];
+        }
+        add_point(p, part == PairPart::everything, moments);
+      }
+    }
+  }
+}
+
+// The radius is half the distance of the parameters, 2 s = |eta - xi|; the lower one runs over -1 .. 1 - 2 s.
+void PairIntegrator::same(int element, PairMoments& moments) const {
+  const ElementGeometry& geometry = elements_[element];
+  const GaussRule& radial = gauss_rule(radial_points(geometry.straight()));
+  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 14);
+  const double log_two = std::log(2.0);
+  for (std::size_t i = 0; i < radial.points.size(); ++i)
+    for (std::size_t j = 0; j < along.points.size(); ++j) {
+      const double s = radial.points[i];
+      const double lower = -1 + 2 * along.points[j] * (1 - s), upper = lower + 2 * s;
+      const double area = 4 * (1 - s) * along.weights[j];
+      for (const bool outer_is_lower : {true, false}) {
+        PointPair p;
+        p.outer_xi = outer_is_lower ? lower : upper;
+        p.inner_xi = outer_is_lower ? upper : lower;
+        p.outer_derivative = geometry.derivative(p.outer_xi);
+        p.inner_derivative = geometry.derivative(p.inner_xi);
+        // Signed radius eta - xi: even kernels do not see the sign, in the double layer it cancels.
+        p.chord = geometry.difference_quotient(upper, lower);
+        p.weight = radial.weights[i] * area;
+        p.log_weight = radial.log_weights[i] * area + p.weight * log_two;
+        const auto difference = shape_difference_quotient(p.inner_xi, p.outer_xi);
+        for (int k = 0; k < 3; ++k) {
+          p.difference[k] = difference[k];
+          p.difference[3 + k] = 0;
+        }
+        add_point(p, true, moments);
+      }
+    }
+}
+
+}  // namespace bempd::bem
