@@ -11,11 +11,11 @@ namespace bempd::coupling {
 
 namespace {
 
-// Residual of the sparse system relative to its right-hand side. One application of an up-to-date factor reaches it.
-constexpr double solution_tolerance = 1e-13;
-
-// More iterations than this with a changed factor and a fresh factorization pays.
-constexpr int stale_factor_iterations = 40;
+// Wanted residual of the sparse system relative to its right-hand side; one application of an up-to-date factor reaches
+// it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
+constexpr double solution_tolerance = 1e-14;
+constexpr double acceptable_residual = 1e-12;
+constexpr int most_iterations = 40;
 
 }  // namespace
 
@@ -270,16 +270,20 @@ Affine EquilibriumSystem::right_hand_side() const {
 }
 
 Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
-  const auto multiply = [this](const Eigen::VectorXd& x) { return apply(x); };
-  auto result = linalg::conjugate_gradient(multiply, *factor_, rhs, solution_tolerance, stale_factor_iterations);
-  counters_.iterations += result.iterations;
-  if (!result.converged) {
-    forget_factor();
-    factorize();
-    result = linalg::conjugate_gradient(multiply, *factor_, rhs, solution_tolerance, stale_factor_iterations);
+  const auto multiply = [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); };
+  const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
+  const linalg::ConjugateGradientOptions options{solution_tolerance, most_iterations};
+  for (bool fresh : {false, true}) {
+    if (fresh) {
+      forget_factor();
+      factorize();
+    }
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(rhs.size());
+    const auto result = linalg::conjugate_gradient(multiply, precondition, rhs, solution, options);
     counters_.iterations += result.iterations;
+    if (result.relative_residual <= acceptable_residual) return solution;
   }
-  return std::move(result.solution);
+  fail(Failure::unsolvable, "the stiffness matrix is numerically singular; check supports and very slender parts");
 }
 
 Affine EquilibriumSystem::solve() {

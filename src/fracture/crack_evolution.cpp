@@ -12,6 +12,7 @@ namespace bempd::fracture {
 namespace {
 
 using coupling::Affine;
+using coupling::evaluate;
 
 // Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
 constexpr double separated_energy_ratio = 1e-10;

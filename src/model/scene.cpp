@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "error.hpp"
+#include "geometry/outline_check.hpp"
 #include "pd/critical_stretch.hpp"
 
 namespace bempd::model {
@@ -56,7 +57,7 @@ std::string describe(const OutlineCheck& check) {
 
 void require_sound(const Outline& outline) {
   const OutlineCheck check = check_outline(outline);
-  require(!check, describe(check));
+  require(check.sound(), describe(check));
 }
 
 std::string list_of(const std::vector<double>& values) {
@@ -148,7 +149,10 @@ int Scene::add_material(const Material& material) {
 int Scene::add_boundary_region(int material_id, const std::vector<Point>& vertices, double element_length) {
   material(material_id);
   require_points(vertices, "vertex");
-  Region region{RegionKind::boundary_elements, material_id, {{vertices}}};
+  Region region;
+  region.kind = RegionKind::boundary_elements;
+  region.material = material_id;
+  region.outline.loops = {vertices};
   require_sound(region.outline);
   require_element_length(element_length, perimeter(region.outline));
   region.element_length = element_length;
@@ -165,7 +169,10 @@ int Scene::add_lattice_region(int material_id, const std::vector<Point>& vertice
   require(horizon_ratio >= 2 && horizon_ratio <= 8, "horizon_ratio is ", horizon_ratio, "; it must be 2 .. 8");
   require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
   require_points(vertices, "vertex");
-  Region region{RegionKind::peridynamics, material_id, {{vertices}}};
+  Region region;
+  region.kind = RegionKind::peridynamics;
+  region.material = material_id;
+  region.outline.loops = {vertices};
   require_sound(region.outline);
   const double cells = area(region.outline) / (spacing * spacing);
   require(cells <= most_cells, "spacing ", spacing, " would need ", cells, " cells; the limit is ", most_cells, ": choose a larger one");

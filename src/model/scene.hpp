@@ -35,8 +35,8 @@ struct EdgeMesh {
 enum class RegionKind { boundary_elements, peridynamics };
 
 struct Region {
-  RegionKind kind;
-  int material;  // id
+  RegionKind kind = RegionKind::boundary_elements;
+  int material = 0;  // id
   Outline outline;
   double element_length = 0;         // boundary elements
   std::map<int, EdgeMesh> edge_mesh; // by edge number
