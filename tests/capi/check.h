@@ -1,12 +1,11 @@
 /**
- * Checks for the tests of the C interface. A failed check prints where, what, the status and the message of the library,
- * and is counted; the program goes on. A program that checked nothing fails.
+ * Checks for the tests of the C interface. A failed check prints where, what, the status and the message of the
+ * library, and is counted; the program goes on. A program that checked nothing fails.
  */
 #ifndef BEMPD_TESTS_CAPI_CHECK_H
 #define BEMPD_TESTS_CAPI_CHECK_H
 
 #include <bempd.h>
-
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -16,7 +15,7 @@
 static int check_count = 0;
 static int check_failures = 0;
 
-static inline void check_report(int good, const char *text, const char *why, const char *message, const char *file,
+static inline void check_report(int good, const char* text, const char* why, const char* message, const char* file,
                                 int line) {
   ++check_count;
   if (good) return;
@@ -26,14 +25,13 @@ static inline void check_report(int good, const char *text, const char *why, con
 }
 
 /** Whether text holds one of the words, which are separated by '|'; capitals do not matter. */
-static inline int check_has_word(const char *text, const char *words) {
+static inline int check_has_word(const char* text, const char* words) {
   while (*words != '\0') {
     const size_t length = strcspn(words, "|");
-    const char *start;
+    const char* start;
     for (start = text; *start != '\0'; ++start) {
       size_t k = 0;
-      while (k < length && start[k] != '\0' &&
-             tolower((unsigned char)start[k]) == tolower((unsigned char)words[k]))
+      while (k < length && start[k] != '\0' && tolower((unsigned char)start[k]) == tolower((unsigned char)words[k]))
         ++k;
       if (k == length) return 1;
     }
@@ -44,7 +42,7 @@ static inline int check_has_word(const char *text, const char *words) {
 }
 
 /** Whether text holds the name of the function that the expression `call` calls. */
-static inline int check_has_name(const char *text, const char *call) {
+static inline int check_has_name(const char* text, const char* call) {
   char name[64] = "";
   const size_t length = strcspn(call, "( ");
   if (length >= sizeof name) return 0;
@@ -52,16 +50,16 @@ static inline int check_has_name(const char *text, const char *call) {
   return strstr(text, name) != NULL;
 }
 
-static inline void check_ok(const bempd_model *model, bempd_status status, const char *call, const char *file,
+static inline void check_ok(const bempd_model* model, bempd_status status, const char* call, const char* file,
                             int line) {
   char why[128];
   snprintf(why, sizeof why, "came %s, expected BEMPD_OK", bempd_status_name(status));
   check_report(status == BEMPD_OK, call, why, bempd_last_error(model), file, line);
 }
 
-static inline void check_message(const bempd_model *model, const char *words, const char *call, const char *file,
+static inline void check_message(const bempd_model* model, const char* words, const char* call, const char* file,
                                  int line) {
-  const char *message = bempd_last_error(model);
+  const char* message = bempd_last_error(model);
   char why[256];
   check_report(message != NULL && message[0] != '\0', call, "the message is empty", message, file, line);
   if (message == NULL) return;
@@ -70,8 +68,8 @@ static inline void check_message(const bempd_model *model, const char *words, co
   check_report(check_has_word(message, words), call, why, message, file, line);
 }
 
-static inline void check_fails(const bempd_model *model, bempd_status expected, const char *words, bempd_status status,
-                               const char *call, const char *file, int line) {
+static inline void check_fails(const bempd_model* model, bempd_status expected, const char* words, bempd_status status,
+                               const char* call, const char* file, int line) {
   char why[128];
   snprintf(why, sizeof why, "came %s, expected %s", bempd_status_name(status), bempd_status_name(expected));
   check_report(status == expected, call, why, bempd_last_error(model), file, line);
@@ -84,23 +82,23 @@ static inline int check_is_refusal(bempd_status status) {
          status == BEMPD_ERROR_MEMORY;
 }
 
-static inline void check_refused(const bempd_model *model, const char *words, bempd_status status, const char *call,
-                                 const char *file, int line) {
+static inline void check_refused(const bempd_model* model, const char* words, bempd_status status, const char* call,
+                                 const char* file, int line) {
   char why[128];
   snprintf(why, sizeof why, "came %s, expected a refusal", bempd_status_name(status));
   check_report(check_is_refusal(status), call, why, bempd_last_error(model), file, line);
   if (status != BEMPD_OK) check_message(model, words, call, file, line);
 }
 
-static inline void check_refused_by_prepare(bempd_model *model, const char *words, bempd_status status,
-                                            const char *call, const char *file, int line) {
+static inline void check_refused_by_prepare(bempd_model* model, const char* words, bempd_status status,
+                                            const char* call, const char* file, int line) {
   if (status == BEMPD_OK)
     check_refused(model, words, bempd_prepare(model), "bempd_prepare", file, line);
   else
     check_refused(model, words, status, call, file, line);
 }
 
-static inline void check_close(double value, double reference, double tolerance, const char *text, const char *file,
+static inline void check_close(double value, double reference, double tolerance, const char* text, const char* file,
                                int line) {
   char why[160];
   snprintf(why, sizeof why, "%.17g against %.17g, difference %.3g, allowed %.3g", value, reference, value - reference,

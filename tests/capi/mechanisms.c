@@ -1,7 +1,7 @@
 /* Bodies that are not held: the motion left is named, and the missing support can still be added. */
 #include "scenes.h"
 
-typedef bempd_model *(*block_maker)(void);
+typedef bempd_model* (*block_maker)(void);
 
 static const block_maker block_makers[2] = {bem_block, pd_block};
 
@@ -10,7 +10,7 @@ static const block_maker block_makers[2] = {bem_block, pd_block};
 static void body_without_supports_is_refused(void) {
   int k;
   for (k = 0; k < 2; ++k) {
-    bempd_model *model = block_makers[k]();
+    bempd_model* model = block_makers[k]();
     FREE_TO("translat", model);
     CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
     CHECK_OK(model, bempd_prepare(model));
@@ -21,7 +21,7 @@ static void body_without_supports_is_refused(void) {
 static void body_on_rollers_can_translate(void) {
   int k;
   for (k = 0; k < 2; ++k) {
-    bempd_model *model = block_makers[k]();
+    bempd_model* model = block_makers[k]();
     CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_X, NULL));
     FREE_TO("translat", model);
     CHECK_OK(model, bempd_fix_point(model, 0.0, 4.0, BEMPD_Y, NULL));
@@ -33,7 +33,7 @@ static void body_on_rollers_can_translate(void) {
 static void body_on_a_pin_can_rotate(void) {
   int k;
   for (k = 0; k < 2; ++k) {
-    bempd_model *model = block_makers[k]();
+    bempd_model* model = block_makers[k]();
     CHECK_OK(model, bempd_fix_point(model, 0.0, 0.0, BEMPD_BOTH, NULL));
     FREE_TO("rotat", model);
     CHECK_OK(model, bempd_fix_point(model, 10.0, 0.0, BEMPD_X, NULL));
@@ -45,7 +45,7 @@ static void body_on_a_pin_can_rotate(void) {
 }
 
 static void loads_do_not_hold_a_body(void) {
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   const double one = 1.0;
   CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &one, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_Y, NULL));
@@ -54,7 +54,7 @@ static void loads_do_not_hold_a_body(void) {
 }
 
 static void every_separate_body_needs_its_own_supports(void) {
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   add_bem_rectangle(model, 1, 20.0, 0.0, 30.0, 8.0, 2.0);
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   FREE_TO("translat|rotat", model);
@@ -65,7 +65,7 @@ static void every_separate_body_needs_its_own_supports(void) {
 }
 
 static void a_step_finds_the_mechanism_too(void) {
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   double load_factor = 1.0;
   const bempd_status status = bempd_step(model, 1.0, NULL);
   CHECK(status == BEMPD_ERROR_UNSOLVABLE);
@@ -78,7 +78,7 @@ static void a_step_finds_the_mechanism_too(void) {
 }
 
 static void a_crack_through_the_body_leaves_a_loose_piece(void) {
-  bempd_model *model = pd_block();
+  bempd_model* model = pd_block();
   const double crack[] = {4.5, 0.0, 4.5, 8.0};
   CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));

@@ -1,20 +1,20 @@
 /* Supports and loads that cannot be applied. */
-#include "scenes.h"
-
 #include <limits.h>
+
+#include "scenes.h"
 
 static const double one = 1.0;
 
-static int32_t unit_value(double x, double y, double *constant, double *proportional, void *user) {
+static int32_t unit_value(double x, double y, double* constant, double* proportional, void* user) {
   (void)x, (void)y, (void)constant, (void)user;
   proportional[0] = 1.0;
   return 0;
 }
 
 static void parts_of_an_edge_run_from_less_to_more(void) {
-  static const double wrong[][2] = {{0.5, 0.5}, {0.7, 0.3}, {-0.1, 0.5}, {0.5, 1.1},
+  static const double wrong[][2] = {{0.5, 0.5}, {0.7, 0.3}, {-0.1, 0.5},     {0.5, 1.1},
                                     {NAN, 1.0}, {0.0, NAN}, {0.0, INFINITY}, {-INFINITY, 1.0}};
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   size_t k;
   for (k = 0; k < sizeof wrong / sizeof wrong[0]; ++k) {
     const double from = wrong[k][0];
@@ -32,7 +32,7 @@ static void parts_of_an_edge_run_from_less_to_more(void) {
 }
 
 static void both_components_only_where_the_function_says_so(void) {
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "component|BOTH",
               bempd_prescribe_edge(model, 1, 2, 0.0, 1.0, BEMPD_BOTH, 1, &one, NULL, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "component|BOTH",
@@ -49,7 +49,7 @@ static void both_components_only_where_the_function_says_so(void) {
 static void values_are_finite_and_counted(void) {
   static const int64_t wrong_counts[] = {0, -1, INT64_MIN, INT64_MAX};
   static const double wrong_values[] = {NAN, INFINITY, -INFINITY};
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   double values[3] = {0.0, 0.0, 0.0};
   size_t k;
   for (k = 0; k < sizeof wrong_counts / sizeof wrong_counts[0]; ++k) {
@@ -111,7 +111,7 @@ static void points_are_on_nodes(void) {
 }
 
 static void supports_agree_where_they_meet(void) {
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_REFUSED_BY_PREPARE(model, "contradict|conflict|differ|already|both|two|same",
                            bempd_prescribe_point(model, 0.0, 8.0, BEMPD_X, 0.5, 0.0, NULL));
@@ -130,7 +130,7 @@ static void supports_agree_where_they_meet(void) {
 
 static void new_values_fit_what_is_there(void) {
   static const int32_t unknown[] = {0, -1, 9, INT32_MAX, INT32_MIN};
-  bempd_model *model = bem_block();
+  bempd_model* model = bem_block();
   const double values[3] = {1.0, 2.0, NAN};
   int32_t load = 0;
   int32_t function_load = 0;
@@ -151,8 +151,7 @@ static void new_values_fit_what_is_there(void) {
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "count|values", bempd_set_load_values(model, load, 3, values, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "count|values", bempd_set_load_values(model, load, -2, values, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite|nan", bempd_set_load_values(model, load, 2, values + 1, NULL));
-    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "function",
-                bempd_set_load_values(model, function_load, 1, values, NULL));
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "function", bempd_set_load_values(model, function_load, 1, values, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "count|values", bempd_set_support_values(model, support, 2, values, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite|nan",
                 bempd_set_support_values(model, support, 1, NULL, values + 2));

@@ -2,20 +2,21 @@
 #include "scenes.h"
 
 /** The coupled plate's regions and supports with this crack, which the call or bempd_prepare() must refuse. */
-static void refused(const char *words, int64_t count, const double *points, int line) {
-  bempd_model *model = new_model();
+static void refused(const char* words, int64_t count, const double* points, int line) {
+  bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
   const int32_t left = add_bem_rectangle(model, material, 0.0, 0.0, 10.0, 8.0, 2.0);
   add_pd_rectangle(model, material, 10.0, 0.0, 19.0, 8.0, 1.0);
   CHECK_OK(model, bempd_fix_edge(model, left, 4, BEMPD_BOTH, NULL));
-  check_refused_by_prepare(model, words, bempd_add_crack(model, count, points, NULL), "bempd_add_crack", __FILE__, line);
+  check_refused_by_prepare(model, words, bempd_add_crack(model, count, points, NULL), "bempd_add_crack", __FILE__,
+                           line);
   bempd_model_free(model);
 }
 
-#define REFUSED(words, count, ...)               \
-  do {                                           \
-    const double points_[] = {__VA_ARGS__};      \
-    refused(words, count, points_, __LINE__);    \
+#define REFUSED(words, count, ...)            \
+  do {                                        \
+    const double points_[] = {__VA_ARGS__};   \
+    refused(words, count, points_, __LINE__); \
   } while (0)
 
 static void cracks_have_points_and_length(void) {
@@ -44,7 +45,7 @@ static void cracks_keep_off_the_material_points(void) {
 }
 
 static void cracks_that_cut_nothing_of_the_rules_are_accepted(void) {
-  bempd_model *model = pd_block();
+  bempd_model* model = pd_block();
   const double to_the_edge[] = {4.5, 0.0, 4.5, 3.5};
   const double bent[] = {7.5, 2.5, 7.5, 4.5, 8.5, 5.5};
   int32_t crack = 0;

@@ -1,19 +1,19 @@
 /* Outlines, holes and arrangements of regions that are no body. */
 #include "scenes.h"
 
-#define BAD_BEM(words, count, ...)                                                                                    \
-  do {                                                                                                                \
-    const double vertices_[] = {__VA_ARGS__};                                                                         \
-    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, words, bempd_add_bem_region(model, 1, count, vertices_, 1.0, NULL));     \
+#define BAD_BEM(words, count, ...)                                                                                \
+  do {                                                                                                            \
+    const double vertices_[] = {__VA_ARGS__};                                                                     \
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, words, bempd_add_bem_region(model, 1, count, vertices_, 1.0, NULL)); \
   } while (0)
-#define BAD_PD(words, count, ...)                                                                                     \
-  do {                                                                                                                \
-    const double vertices_[] = {__VA_ARGS__};                                                                         \
-    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, words, bempd_add_pd_region(model, 1, count, vertices_, 1.0, 3, NULL));   \
+#define BAD_PD(words, count, ...)                                                                                   \
+  do {                                                                                                              \
+    const double vertices_[] = {__VA_ARGS__};                                                                       \
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, words, bempd_add_pd_region(model, 1, count, vertices_, 1.0, 3, NULL)); \
   } while (0)
 
 static void outlines_are_refused_by_the_call_that_brings_them(void) {
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   int32_t regions = -1;
   add_sound_material(model);
   BAD_BEM("vert", 2, 0, 0, 4, 0);
@@ -40,7 +40,7 @@ static void outlines_are_refused_by_the_call_that_brings_them(void) {
 }
 
 static void spacing_must_divide_the_edges(void) {
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   const rectangle r = rectangle_of(0.0, 0.0, 1.0, 0.2);
   add_sound_material(model);
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "divide", bempd_add_pd_region(model, 1, 4, r.vertices, 0.03, 3, NULL));
@@ -59,7 +59,7 @@ static void spacing_must_divide_the_edges(void) {
 
 static void horizon_ratio_has_limits(void) {
   static const int32_t wrong[] = {1, 9, -3, INT32_MAX, INT32_MIN};
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   const rectangle r = rectangle_of(0.0, 0.0, 10.0, 8.0);
   size_t k;
   add_sound_material(model);
@@ -73,7 +73,7 @@ static void horizon_ratio_has_limits(void) {
 static void peridynamics_fixes_poisson_ratio(void) {
   const rectangle r = rectangle_of(0.0, 0.0, 10.0, 8.0);
   bempd_material material = sound_material();
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   material.poisson_ratio = 0.3;
   CHECK_OK(model, bempd_add_material(model, &material, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "poisson", bempd_add_pd_region(model, 1, 4, r.vertices, 1.0, 3, NULL));
@@ -90,7 +90,7 @@ static void peridynamics_fixes_poisson_ratio(void) {
 static void unknown_ids_are_refused(void) {
   static const int32_t unknown[] = {0, -1, 4, INT32_MAX, INT32_MIN};
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   const rectangle r = rectangle_of(40.0, 0.0, 50.0, 8.0);
   const double hole[] = {2, 2, 2, 4, 4, 4, 4, 2};
   int32_t count = 0;
@@ -110,16 +110,16 @@ static void unknown_ids_are_refused(void) {
   bempd_model_free(model);
 }
 
-#define BAD_HOLE(words, count, ...)                                                                            \
-  do {                                                                                                         \
-    const double vertices_[] = {__VA_ARGS__};                                                                  \
-    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, words, bempd_add_hole(model, region, count, vertices_, NULL));    \
+#define BAD_HOLE(words, count, ...)                                                                         \
+  do {                                                                                                      \
+    const double vertices_[] = {__VA_ARGS__};                                                               \
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, words, bempd_add_hole(model, region, count, vertices_, NULL)); \
   } while (0)
 
 static void holes_lie_inside_and_apart(void) {
   int kind;
   for (kind = 0; kind < 2; ++kind) {
-    bempd_model *model = new_model();
+    bempd_model* model = new_model();
     const int32_t material = add_sound_material(model);
     const int32_t region = kind == 0 ? add_bem_rectangle(model, material, 0.0, 0.0, 20.0, 10.0, 2.0)
                                      : add_pd_rectangle(model, material, 0.0, 0.0, 20.0, 10.0, 1.0);
@@ -144,8 +144,8 @@ static void holes_lie_inside_and_apart(void) {
 }
 
 /** Two rectangles, BEM or PD with spacing 1, on a good left support. */
-static bempd_model *two_rectangles(int first_is_pd, rectangle first, int second_is_pd, rectangle second) {
-  bempd_model *model = new_model();
+static bempd_model* two_rectangles(int first_is_pd, rectangle first, int second_is_pd, rectangle second) {
+  bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
   if (first_is_pd)
     CHECK_OK(model, bempd_add_pd_region(model, material, 4, first.vertices, 1.0, 3, NULL));
@@ -165,7 +165,7 @@ static void regions_may_not_overlap_or_hang_on_a_point(void) {
   for (kind = 0; kind < 4; ++kind) {
     const int first = kind & 1;
     const int second = kind >> 1;
-    bempd_model *model = two_rectangles(first, base, second, rectangle_of(5.0, 4.0, 15.0, 12.0));
+    bempd_model* model = two_rectangles(first, base, second, rectangle_of(5.0, 4.0, 15.0, 12.0));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "overlap|cross", bempd_prepare(model));
     bempd_model_free(model);
     model = two_rectangles(first, base, second, rectangle_of(2.0, 2.0, 6.0, 6.0));
@@ -183,7 +183,7 @@ static void regions_may_not_overlap_or_hang_on_a_point(void) {
 static void interfaces_follow_one_lattice(void) {
   const rectangle base = rectangle_of(0.0, 0.0, 10.0, 8.0);
   const rectangle finer = rectangle_of(10.0, 0.0, 15.0, 8.0);
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
   CHECK_OK(model, bempd_add_pd_region(model, material, 4, base.vertices, 1.0, 3, NULL));
   CHECK_OK(model, bempd_add_pd_region(model, material, 4, finer.vertices, 0.5, 3, NULL));

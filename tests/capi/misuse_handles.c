@@ -1,18 +1,18 @@
 /* NULL handles, NULL outputs and unknown enumerators are argument errors, never crashes. */
-#include "scenes.h"
-
 #include <limits.h>
+
+#include "scenes.h"
 
 #define NO_MODEL(...) CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "model|NULL", __VA_ARGS__)
 #define NO_OUTPUT(model, ...) CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "NULL", __VA_ARGS__)
 
-static int32_t no_displacement(double x, double y, double *constant, double *proportional, void *user) {
+static int32_t no_displacement(double x, double y, double* constant, double* proportional, void* user) {
   (void)x, (void)y, (void)constant, (void)proportional, (void)user;
   return 0;
 }
 
 static void library_speaks_without_a_model(void) {
-  const char *version = bempd_version_string();
+  const char* version = bempd_version_string();
   CHECK(version != NULL && strchr(version, '.') != NULL);
   CHECK(bempd_build_info() != NULL && bempd_build_info()[0] != '\0');
   CHECK(strcmp(bempd_status_name(BEMPD_OK), "BEMPD_OK") == 0);
@@ -62,8 +62,8 @@ static void null_model_is_refused_while_running(void) {
   bempd_step_report report;
   bempd_statistics statistics;
   bempd_history_entry entry;
-  bempd_state *state = NULL;
-  const double *view = NULL;
+  bempd_state* state = NULL;
+  const double* view = NULL;
   double values[8] = {0};
   int32_t integers[8] = {0};
   int64_t count = 0;
@@ -100,10 +100,10 @@ static void null_model_is_refused_while_running(void) {
 
 static void null_structs_and_arrays_are_refused(void) {
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   const bempd_material material = sound_material();
   uint8_t byte = 0;
-  bempd_state *state = NULL;
+  bempd_state* state = NULL;
   NO_OUTPUT(NULL, bempd_material_init(NULL));
   NO_OUTPUT(NULL, bempd_step_report_init(NULL));
   NO_OUTPUT(NULL, bempd_statistics_init(NULL));
@@ -136,7 +136,7 @@ static void null_structs_and_arrays_are_refused(void) {
 
 static void null_outputs_of_results_are_refused(void) {
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   const double place[2] = {1.0, 1.0};
   CHECK_OK(model, bempd_step(model, 0.1, NULL));
   NO_OUTPUT(model, bempd_load_factor(model, NULL));
@@ -162,7 +162,7 @@ static void unknown_enumerators_are_refused(void) {
   static const int32_t unknown_components[] = {0, 4, -1, INT32_MAX, INT32_MIN};
   static const int32_t unknown_fields[] = {0, 7, -1, INT32_MAX, INT32_MIN};
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   const double value = 1.0;
   double values[4];
   size_t k;
@@ -183,7 +183,7 @@ static void unknown_enumerators_are_refused(void) {
   }
   for (k = 0; k < sizeof unknown_fields / sizeof unknown_fields[0]; ++k) {
     const int32_t field = unknown_fields[k];
-    const double *view = NULL;
+    const double* view = NULL;
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "field", bempd_field_size(model, plate.strip, field, NULL, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "field", bempd_copy_field(model, plate.strip, field, 4, values));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "field",

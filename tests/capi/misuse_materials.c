@@ -1,17 +1,17 @@
 /* Materials that no body can have. */
 #include "scenes.h"
 
-#define REFUSED(words, material)                                                                       \
-  do {                                                                                                 \
-    bempd_model *model_ = new_model();                                                                 \
-    int32_t id_ = 77;                                                                                  \
-    CHECK_FAILS(model_, BEMPD_ERROR_ARGUMENT, words, bempd_add_material(model_, &(material), &id_));   \
-    add_good_material_first(model_);                                                                   \
-    bempd_model_free(model_);                                                                          \
+#define REFUSED(words, material)                                                                     \
+  do {                                                                                               \
+    bempd_model* model_ = new_model();                                                               \
+    int32_t id_ = 77;                                                                                \
+    CHECK_FAILS(model_, BEMPD_ERROR_ARGUMENT, words, bempd_add_material(model_, &(material), &id_)); \
+    add_good_material_first(model_);                                                                 \
+    bempd_model_free(model_);                                                                        \
   } while (0)
 
 /** A refused material leaves no trace: the next one is the first. */
-static void add_good_material_first(bempd_model *model) { CHECK(add_sound_material(model) == 1); }
+static void add_good_material_first(bempd_model* model) { CHECK(add_sound_material(model) == 1); }
 
 static void defaults_come_from_init(void) {
   bempd_material material;
@@ -69,7 +69,7 @@ static void both_fracture_measures_are_refused(void) {
 }
 
 static void planes_are_known_and_not_mixed(void) {
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   bempd_material material = sound_material();
   int32_t id = 0;
   material.plane = 0;
@@ -100,7 +100,7 @@ static void extreme_units_are_accepted(void) {
   static const double scales[] = {1e-6, 1.0, 1e15};
   size_t k;
   for (k = 0; k < sizeof scales / sizeof scales[0]; ++k) {
-    bempd_model *model = new_model();
+    bempd_model* model = new_model();
     bempd_material material = sound_material();
     material.young_modulus = scales[k];
     CHECK_OK(model, bempd_add_material(model, &material, NULL));

@@ -10,7 +10,7 @@ static bempd_option_info option_at(int64_t index) {
 }
 
 static void unknown_names_list_the_near_ones(void) {
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   double value = 5.0;
   int64_t needed = 0;
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "pd.horizon_ratio", bempd_set_option(model, "pd.horizon_ratoi", 4.0));
@@ -39,7 +39,7 @@ static void options_are_described_within_their_count(void) {
   CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "struct_size", bempd_option_describe(0, &info));
 }
 
-static void number_option_keeps_to_its_limits(bempd_model *model, const bempd_option_info *info) {
+static void number_option_keeps_to_its_limits(bempd_model* model, const bempd_option_info* info) {
   double value = NAN;
   CHECK_OK(model, bempd_get_option(model, info->name, &value));
   CHECK(value == info->default_value && value >= info->minimum && value <= info->maximum);
@@ -61,7 +61,7 @@ static void number_option_keeps_to_its_limits(bempd_model *model, const bempd_op
   CHECK(value == info->minimum);
 }
 
-static void text_option_keeps_to_its_words(bempd_model *model, const bempd_option_info *info) {
+static void text_option_keeps_to_its_words(bempd_model* model, const bempd_option_info* info) {
   char text[64] = "";
   char longer[128];
   double number = 0.0;
@@ -70,7 +70,8 @@ static void text_option_keeps_to_its_words(bempd_model *model, const bempd_optio
   CHECK(needed == (int64_t)strlen(info->default_text) + 1);
   CHECK_OK(model, bempd_get_option_text(model, info->name, text, (int64_t)sizeof text, NULL));
   CHECK(strcmp(text, info->default_text) == 0 && check_has_word(info->choices, text));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "capacity|buffer|bytes", bempd_get_option_text(model, info->name, text, 1, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "capacity|buffer|bytes",
+              bempd_get_option_text(model, info->name, text, 1, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "capacity", bempd_get_option_text(model, info->name, text, -1, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "NULL|buffer", bempd_get_option_text(model, info->name, NULL, 64, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, info->default_text, bempd_set_option_text(model, info->name, "nonsense"));
@@ -83,7 +84,7 @@ static void text_option_keeps_to_its_words(bempd_model *model, const bempd_optio
 }
 
 static void every_option_is_described_and_watched(void) {
-  bempd_model *model = new_model();
+  bempd_model* model = new_model();
   int64_t count = 0;
   int64_t k;
   CHECK_OK(NULL, bempd_option_count(&count));

@@ -2,8 +2,8 @@
 #include "scenes.h"
 
 static void an_empty_model_has_nothing_to_step(void) {
-  bempd_model *model = new_model();
-  bempd_state *state = NULL;
+  bempd_model* model = new_model();
+  bempd_state* state = NULL;
   int64_t count = 0;
   int32_t regions = -1;
   double place[2] = {0.0, 0.0};
@@ -31,7 +31,7 @@ static void an_empty_model_has_nothing_to_step(void) {
 
 static void nothing_can_be_added_to_a_prepared_model(void) {
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   const bempd_material material = sound_material();
   const rectangle r = rectangle_of(50.0, 0.0, 60.0, 8.0);
   const double hole[] = {2, 2, 2, 4, 4, 4, 4, 2};
@@ -60,7 +60,7 @@ static void nothing_can_be_added_to_a_prepared_model(void) {
 static void steps_go_to_finite_load_factors(void) {
   static const double nowhere[] = {NAN, INFINITY, -INFINITY};
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   bempd_step_report report;
   double load_factor = 7.0;
   int prepared;
@@ -83,7 +83,7 @@ static void steps_go_to_finite_load_factors(void) {
 
 static void structs_that_come_back_say_their_size(void) {
   const coupled_plate plate = coupled_plate_create();
-  bempd_model *model = plate.model;
+  bempd_model* model = plate.model;
   bempd_step_report report;
   bempd_statistics statistics;
   bempd_history_entry entry;

@@ -6,8 +6,8 @@
 
 #include "check.h"
 
-static inline bempd_model *new_model(void) {
-  bempd_model *model = NULL;
+static inline bempd_model* new_model(void) {
+  bempd_model* model = NULL;
   CHECK_OK(NULL, bempd_model_create(&model));
   return model;
 }
@@ -22,7 +22,7 @@ static inline bempd_material sound_material(void) {
   return material;
 }
 
-static inline int32_t add_sound_material(bempd_model *model) {
+static inline int32_t add_sound_material(bempd_model* model) {
   const bempd_material material = sound_material();
   int32_t id = 0;
   CHECK_OK(model, bempd_add_material(model, &material, &id));
@@ -43,7 +43,7 @@ static inline rectangle rectangle_of(double left, double bottom, double right, d
   return r;
 }
 
-static inline int32_t add_bem_rectangle(bempd_model *model, int32_t material, double left, double bottom, double right,
+static inline int32_t add_bem_rectangle(bempd_model* model, int32_t material, double left, double bottom, double right,
                                         double top, double element_length) {
   const rectangle r = rectangle_of(left, bottom, right, top);
   int32_t id = 0;
@@ -51,7 +51,7 @@ static inline int32_t add_bem_rectangle(bempd_model *model, int32_t material, do
   return id;
 }
 
-static inline int32_t add_pd_rectangle(bempd_model *model, int32_t material, double left, double bottom, double right,
+static inline int32_t add_pd_rectangle(bempd_model* model, int32_t material, double left, double bottom, double right,
                                        double top, double spacing) {
   const rectangle r = rectangle_of(left, bottom, right, top);
   int32_t id = 0;
@@ -60,30 +60,30 @@ static inline int32_t add_pd_rectangle(bempd_model *model, int32_t material, dou
 }
 
 /** A model with one BEM rectangle, 10 x 8 with elements of length 2, and no support. */
-static inline bempd_model *bem_block(void) {
-  bempd_model *model = new_model();
+static inline bempd_model* bem_block(void) {
+  bempd_model* model = new_model();
   add_bem_rectangle(model, add_sound_material(model), 0.0, 0.0, 10.0, 8.0, 2.0);
   return model;
 }
 
 /** A model with one PD rectangle, 10 x 8 cells of size 1, and no support. */
-static inline bempd_model *pd_block(void) {
-  bempd_model *model = new_model();
+static inline bempd_model* pd_block(void) {
+  bempd_model* model = new_model();
   add_pd_rectangle(model, add_sound_material(model), 0.0, 0.0, 10.0, 8.0, 1.0);
   return model;
 }
 
 /**
- * BEM 10 x 8 | PD 9 x 8 cells of size 1 with a crack across the middle three rows | BEM 10 x 8, pulled apart by 0.01 per
- * unit of the load factor at each end.
+ * BEM 10 x 8 | PD 9 x 8 cells of size 1 with a crack across the middle three rows | BEM 10 x 8, pulled apart by 0.01
+ * per unit of the load factor at each end.
  */
 typedef struct coupled_plate {
-  bempd_model *model;
+  bempd_model* model;
   int32_t material, left, strip, right, crack, pulled_left, pulled_right, pinned;
 } coupled_plate;
 
 /** Build the plate; after every call that adds something, call `between` (NULL for nothing). */
-static inline coupled_plate coupled_plate_build(void (*between)(coupled_plate *)) {
+static inline coupled_plate coupled_plate_build(void (*between)(coupled_plate*)) {
   static const double crack[4] = {14.5, 2.5, 14.5, 5.5};
   const double pull_left = -0.01;
   const double pull_right = 0.01;
@@ -93,11 +93,21 @@ static inline coupled_plate coupled_plate_build(void (*between)(coupled_plate *)
   for (part = 0; part < 8; ++part) {
     if (between != NULL) between(&plate);
     switch (part) {
-      case 0: plate.material = add_sound_material(plate.model); break;
-      case 1: plate.left = add_bem_rectangle(plate.model, plate.material, 0.0, 0.0, 10.0, 8.0, 2.0); break;
-      case 2: plate.strip = add_pd_rectangle(plate.model, plate.material, 10.0, 0.0, 19.0, 8.0, 1.0); break;
-      case 3: plate.right = add_bem_rectangle(plate.model, plate.material, 19.0, 0.0, 29.0, 8.0, 2.0); break;
-      case 4: CHECK_OK(plate.model, bempd_add_crack(plate.model, 2, crack, &plate.crack)); break;
+      case 0:
+        plate.material = add_sound_material(plate.model);
+        break;
+      case 1:
+        plate.left = add_bem_rectangle(plate.model, plate.material, 0.0, 0.0, 10.0, 8.0, 2.0);
+        break;
+      case 2:
+        plate.strip = add_pd_rectangle(plate.model, plate.material, 10.0, 0.0, 19.0, 8.0, 1.0);
+        break;
+      case 3:
+        plate.right = add_bem_rectangle(plate.model, plate.material, 19.0, 0.0, 29.0, 8.0, 2.0);
+        break;
+      case 4:
+        CHECK_OK(plate.model, bempd_add_crack(plate.model, 2, crack, &plate.crack));
+        break;
       case 5:
         CHECK_OK(plate.model, bempd_prescribe_edge(plate.model, plate.left, 4, 0.0, 1.0, BEMPD_X, 1, NULL, &pull_left,
                                                    &plate.pulled_left));
@@ -106,7 +116,9 @@ static inline coupled_plate coupled_plate_build(void (*between)(coupled_plate *)
         CHECK_OK(plate.model, bempd_prescribe_edge(plate.model, plate.right, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull_right,
                                                    &plate.pulled_right));
         break;
-      default: CHECK_OK(plate.model, bempd_fix_point(plate.model, 0.0, 4.0, BEMPD_Y, &plate.pinned)); break;
+      default:
+        CHECK_OK(plate.model, bempd_fix_point(plate.model, 0.0, 4.0, BEMPD_Y, &plate.pinned));
+        break;
     }
   }
   if (between != NULL) between(&plate);
@@ -131,20 +143,20 @@ static inline double coupled_plate_first_event(void) {
 
 /** All that a host can see of a run. Free it with outcome_free(). */
 typedef struct outcome {
-  unsigned char *bytes;
+  unsigned char* bytes;
   size_t size;
 } outcome;
 
-static inline void outcome_append(outcome *seen, const void *bytes, size_t size) {
-  unsigned char *longer = (unsigned char *)realloc(seen->bytes, seen->size + size + 1);
+static inline void outcome_append(outcome* seen, const void* bytes, size_t size) {
+  unsigned char* longer = (unsigned char*)realloc(seen->bytes, seen->size + size + 1);
   if (longer == NULL) abort();
   memcpy(longer + seen->size, bytes, size);
   seen->bytes = longer;
   seen->size += size;
 }
 
-static inline void outcome_append_field(outcome *seen, bempd_model *model, int32_t region, int32_t field) {
-  const double *values = NULL;
+static inline void outcome_append_field(outcome* seen, bempd_model* model, int32_t region, int32_t field) {
+  const double* values = NULL;
   int64_t count = 0;
   int32_t components = 0;
   CHECK_OK(model, bempd_view_field(model, region, field, &values, &count, &components, NULL));
@@ -152,18 +164,18 @@ static inline void outcome_append_field(outcome *seen, bempd_model *model, int32
   if (values != NULL) outcome_append(seen, values, (size_t)count * (size_t)components * sizeof(double));
 }
 
-static inline void outcome_append_bonds(outcome *seen, bempd_model *model, int32_t region) {
+static inline void outcome_append_bonds(outcome* seen, bempd_model* model, int32_t region) {
   int64_t count = 0;
-  int32_t *states;
+  int32_t* states;
   CHECK_OK(model, bempd_bond_count(model, region, &count));
-  states = (int32_t *)calloc((size_t)count + 1, sizeof *states);
+  states = (int32_t*)calloc((size_t)count + 1, sizeof *states);
   if (states == NULL) abort();
   CHECK_OK(model, bempd_copy_bonds(model, region, count, NULL, states));
   outcome_append(seen, states, (size_t)count * sizeof *states);
   free(states);
 }
 
-static inline outcome coupled_plate_outcome(const coupled_plate *plate) {
+static inline outcome coupled_plate_outcome(const coupled_plate* plate) {
   outcome seen = {NULL, 0};
   double numbers[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
   CHECK_OK(plate->model, bempd_load_factor(plate->model, &numbers[0]));
@@ -182,11 +194,11 @@ static inline outcome coupled_plate_outcome(const coupled_plate *plate) {
   return seen;
 }
 
-static inline int outcome_same(const outcome *one, const outcome *other) {
+static inline int outcome_same(const outcome* one, const outcome* other) {
   return one->size > 0 && one->size == other->size && memcmp(one->bytes, other->bytes, one->size) == 0;
 }
 
-static inline void outcome_free(outcome *seen) {
+static inline void outcome_free(outcome* seen) {
   free(seen->bytes);
   seen->bytes = NULL;
   seen->size = 0;
