@@ -124,8 +124,8 @@ static void null_structs_and_arrays_are_refused(void) {
   NO_OUTPUT(model, bempd_set_option_text(model, NULL, "symmetric"));
   NO_OUTPUT(model, bempd_set_option_text(model, "scheme", NULL));
   NO_OUTPUT(model, bempd_get_option(model, "threads", NULL));
-  NO_OUTPUT(model, bempd_write_snapshot(model, NULL));
-  NO_OUTPUT(model, bempd_write_history(model, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "NULL|empty", bempd_write_snapshot(model, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "NULL|empty", bempd_write_history(model, NULL));
   NO_OUTPUT(model, bempd_state_save(model, NULL));
   NO_OUTPUT(model, bempd_state_restore(model, NULL));
   NO_OUTPUT(NULL, bempd_state_to_bytes(NULL, 1, &byte, NULL));

@@ -72,7 +72,7 @@ static void text_option_keeps_to_its_words(bempd_model* model, const bempd_optio
   CHECK(strcmp(text, info->default_text) == 0 && check_has_word(info->choices, text));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "capacity|buffer|bytes",
               bempd_get_option_text(model, info->name, text, 1, NULL));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "capacity", bempd_get_option_text(model, info->name, text, -1, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "capacity|buffer", bempd_get_option_text(model, info->name, text, -1, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "NULL|buffer", bempd_get_option_text(model, info->name, NULL, 64, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, info->default_text, bempd_set_option_text(model, info->name, "nonsense"));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, info->default_text, bempd_set_option_text(model, info->name, ""));

@@ -37,9 +37,9 @@ static void buffers_have_to_be_large_enough(const bempd_state* state, const byte
   uint8_t* buffer = (uint8_t*)malloc((size_t)saved->size);
   int64_t needed = 0;
   if (buffer == NULL) abort();
-  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "capacity|bytes",
+  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "capacity|buffer",
               bempd_state_to_bytes(state, saved->size - 1, buffer, &needed));
-  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "capacity", bempd_state_to_bytes(state, -1, buffer, NULL));
+  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "capacity|buffer", bempd_state_to_bytes(state, -1, buffer, NULL));
   CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "NULL|buffer", bempd_state_to_bytes(state, saved->size, NULL, NULL));
   free(buffer);
 }
