@@ -70,20 +70,31 @@ TEST_F(CrackPath, forces_balance_after_the_last_event) {
   for (const bempd_history_entry& line : run->model.history()) EXPECT_LE(line.residual, 1e-9) << "event " << line.event;
 }
 
-// Restoring a state into a new model factorizes afresh what the first one has updated bond by bond.
+// Restoring a state into a new model factorizes afresh what a run without interruption has updated bond by bond.
 TEST_F(CrackPath, updated_factors_answer_as_fresh_ones) {
-  Model updated, fresh;
-  build(updated, run->scene), build(fresh, run->scene);
-  int64_t done = 0;
+  Model updated, saved;
+  build(updated, run->scene), build(saved, run->scene);
+  const auto go = [](Model& model, int64_t& done, int64_t stop) {
+    for (; done < stop; ++done) ASSERT_EQ(model.next_event(1000).stop_reason, BEMPD_STOP_EVENT);
+  };
+  int64_t with_updates = 0, with_saves = 0;
   for (int64_t stop : {run->end.total_events / 2, run->end.total_events - 1}) {
-    for (; done < stop; ++done) ASSERT_EQ(updated.next_event(1000).stop_reason, BEMPD_STOP_EVENT);
-    fresh.restore(updated.save());
+    go(updated, with_updates, stop);
+    go(saved, with_saves, stop - 1);
+    Model fresh;
+    build(fresh, run->scene);
+    fresh.restore(saved.save());
+    ASSERT_EQ(fresh.next_event(1000).total_events, stop);
     const std::vector<double> u = updated.displacements();
     const double difference = largest_difference(u, fresh.displacements()) / largest(u);
     std::printf("after %lld events: ", static_cast<long long>(stop));
     EXPECT_LE(report("largest difference of u", difference, 0, "fresh factorization"), 1e-8);
+
+    const bempd_step_report end = fresh.run(1000);
+    EXPECT_EQ(end.total_broken_bonds, run->end.total_broken_bonds);
+    EXPECT_EQ(end.stop_reason, BEMPD_STOP_SEPARATED);
+    EXPECT_LE(report("energy balance to the end", end.energy_balance_error, 0, "first law"), 1e-8);
   }
-  EXPECT_EQ(fresh.run(1000).total_broken_bonds, run->end.total_broken_bonds);
 }
 
 }  // namespace
