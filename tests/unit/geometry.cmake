@@ -1,1 +1,4 @@
 bempd_add_engine_test(geometry_test geometry_test.cpp)
+bempd_add_engine_test(geometry_outline_test geometry_outline_test.cpp)
+bempd_add_engine_test(geometry_arrangement_test geometry_arrangement_test.cpp)
+bempd_add_engine_test(geometry_rectilinear_test geometry_rectilinear_test.cpp)

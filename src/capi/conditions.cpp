@@ -1,0 +1,139 @@
+#include <map>
+#include <memory>
+
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+namespace {
+
+using model::BoundaryFunction;
+using model::BoundaryValue;
+using model::Condition;
+using model::SampledValues;
+
+std::vector<double> copy_samples(std::int64_t count, const double* values) {
+  if (!values) return std::vector<double>(static_cast<std::size_t>(count), 0.0);
+  return {values, values + count};
+}
+
+SampledValues samples(std::int64_t count, const double* constant, const double* proportional) {
+  require(count >= 1 && count < (std::int64_t{1} << 31), "value_count is ", count, "; give at least 1 value");
+  return {copy_samples(count, constant), copy_samples(count, proportional)};
+}
+
+SampledValues single(double constant, double proportional) { return {{constant}, {proportional}}; }
+
+// The host is asked once per place; later questions get the remembered answer.
+BoundaryFunction remember(bempd_boundary_function function, void* user) {
+  require(function != nullptr, "function is NULL; give a function of the position");
+  auto known = std::make_shared<std::map<std::pair<double, double>, BoundaryValue>>();
+  return [known, function, user](const Point& p) {
+    const auto key = std::make_pair(p.x(), p.y());
+    if (const auto found = known->find(key); found != known->end()) return found->second;
+    double constant[2] = {0, 0}, proportional[2] = {0, 0};
+    if (function(p.x(), p.y(), constant, proportional, user) != 0) {
+      fail(Failure::cancelled, "the boundary function asked to stop at (", p.x(), ", ", p.y(), ")");
+    }
+    const BoundaryValue value{Point(constant[0], constant[1]), Point(proportional[0], proportional[1])};
+    known->emplace(key, value);
+    return value;
+  };
+}
+
+void require_single(std::int32_t component) {
+  require(component == BEMPD_X || component == BEMPD_Y, "component is ", component,
+          "; it must be BEMPD_X (1) or BEMPD_Y (2)");
+}
+
+bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id,
+                         const std::function<Condition()>& make) {
+  return with_model(handle, function, [&](model::Model& m) {
+    const int added = m.editable_scene().add_support(make());
+    if (id) *id = added;
+  });
+}
+
+bempd_status add_load(bempd_model* handle, const char* function, std::int32_t* id,
+                      const std::function<Condition()>& make) {
+  return with_model(handle, function, [&](model::Model& m) {
+    const int added = m.editable_scene().add_load(make());
+    if (id) *id = added;
+  });
+}
+
+}  // namespace
+
+bempd_status bempd_fix_edge(bempd_model* model, int32_t region, int32_t edge, int32_t component, int32_t* support) {
+  return add_support(model, __func__, support, [&] {
+    return Condition{model::EdgePart{region, edge, 0, 1}, component, single(0, 0)};
+  });
+}
+
+bempd_status bempd_fix_point(bempd_model* model, double x, double y, int32_t component, int32_t* support) {
+  return add_support(model, __func__, support, [&] { return Condition{Point(x, y), component, single(0, 0)}; });
+}
+
+bempd_status bempd_prescribe_edge(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                  int32_t component, int64_t value_count, const double* constant,
+                                  const double* proportional, int32_t* support) {
+  return add_support(model, __func__, support, [&] {
+    require_single(component);
+    return Condition{model::EdgePart{region, edge, from, to}, component, samples(value_count, constant, proportional)};
+  });
+}
+
+bempd_status bempd_prescribe_edge_function(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                           int32_t component, bempd_boundary_function function, void* user,
+                                           int32_t* support) {
+  return add_support(model, __func__, support, [&] {
+    return Condition{model::EdgePart{region, edge, from, to}, component, remember(function, user)};
+  });
+}
+
+bempd_status bempd_prescribe_point(bempd_model* model, double x, double y, int32_t component, double constant,
+                                   double proportional, int32_t* support) {
+  return add_support(model, __func__, support, [&] {
+    require_single(component);
+    return Condition{Point(x, y), component, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_traction(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                int32_t component, int64_t value_count, const double* constant,
+                                const double* proportional, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    require_single(component);
+    return Condition{model::EdgePart{region, edge, from, to}, component, samples(value_count, constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                         bempd_boundary_function function, void* user, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{model::EdgePart{region, edge, from, to}, BEMPD_BOTH, remember(function, user)};
+  });
+}
+
+bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
+                                   double proportional, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    require_single(component);
+    return Condition{Point(x, y), component, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_set_load_values(bempd_model* model, int32_t load, int64_t value_count, const double* constant,
+                                   const double* proportional) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.set_load_values(load, samples(value_count, constant, proportional));
+  });
+}
+
+bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count, const double* constant,
+                                      const double* proportional) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.set_support_values(support, samples(value_count, constant, proportional));
+  });
+}

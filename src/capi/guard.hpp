@@ -1,0 +1,126 @@
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "bempd.h"
+#include "error.hpp"
+#include "model/model.hpp"
+
+// The handles of the C interface.
+struct bempd_model {
+  bempd::model::Model engine;
+  std::string error;
+  std::atomic<bool> busy{false};
+  bool broken = false;  // after an internal error
+};
+
+struct bempd_state {
+  bempd::model::SavedState saved;
+};
+
+namespace bempd::capi {
+
+// Message of the last failure of a call without a model.
+std::string& thread_error();
+
+bempd_status status_of(Failure failure);
+
+// Runs `body`, turning every exception into a status and a message that starts with the function's name.
+template <class Body>
+bempd_status catch_all(const char* function, std::string& error, bool* broken, const Body& body) noexcept {
+  try {
+    const auto report = [&](bempd_status status, const char* what) {
+      error = std::string(function) + ": " + what;
+      return status;
+    };
+    try {
+      error.clear();
+      body();
+      return BEMPD_OK;
+    } catch (const Error& e) {
+      return report(status_of(e.failure()), e.what());
+    } catch (const std::bad_alloc&) {
+      return report(BEMPD_ERROR_MEMORY, "not enough memory; use fewer elements or a coarser lattice");
+    } catch (const std::exception& e) {
+      if (broken) *broken = true;
+      return report(BEMPD_ERROR_INTERNAL, (std::string("internal error: ") + e.what()).c_str());
+    } catch (...) {
+      if (broken) *broken = true;
+      return report(BEMPD_ERROR_INTERNAL, "internal error");
+    }
+  } catch (...) {
+    return BEMPD_ERROR_MEMORY;  // not even the message found room
+  }
+}
+
+// A call that has no model.
+template <class Body>
+bempd_status without_model(const char* function, const Body& body) noexcept {
+  return catch_all(function, thread_error(), nullptr, body);
+}
+
+// A call on a model; `body` receives its engine.
+template <class Body>
+bempd_status with_model(const bempd_model* handle, const char* function, const Body& body) noexcept {
+  if (!handle) {
+    return without_model(function, [] { require(false, "model is NULL; create one with bempd_model_create()"); });
+  }
+  // Errors and the busy mark are bookkeeping, not part of what a const model promises to keep.
+  auto* model = const_cast<bempd_model*>(handle);
+  if (model->busy.exchange(true)) {
+    return without_model(function, [] {
+      fail(Failure::order, "the model is in another call; from a callback or another thread only bempd_request_cancel() is allowed");
+    });
+  }
+  const bempd_status status = catch_all(function, model->error, &model->broken, [&] {
+    if (model->broken) throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
+    body(model->engine);
+  });
+  model->busy = false;
+  return status;
+}
+
+template <class T>
+T& out(T* pointer, const char* name) {
+  require(pointer != nullptr, name, " is NULL; give a place for the result");
+  return *pointer;
+}
+
+inline void require_finite(double value, const char* name) {
+  require(std::isfinite(value), name, " is ", value, "; it must be a finite number");
+}
+
+std::vector<Point> points_from(const double* values, std::int64_t count, const char* name);
+
+// Size that a caller's struct must have at least and what it says.
+template <class T>
+std::size_t struct_bytes(const T* given, const char* name, std::size_t least) {
+  require(given != nullptr, name, " is NULL; give a struct filled by its _init function");
+  require(given->struct_size >= static_cast<std::int64_t>(least) && given->struct_size < (1 << 20), name,
+          "->struct_size is ", given->struct_size, "; fill the struct with its _init function first");
+  return static_cast<std::size_t>(given->struct_size);
+}
+
+// Copies into a caller's struct as much as its size allows, keeping that size.
+template <class T>
+void write_struct(T* target, const T& values, const char* name) {
+  const std::size_t size = std::min(struct_bytes(target, name, sizeof(std::int64_t)), sizeof(T));
+  const std::int64_t keep = target->struct_size;
+  std::memcpy(target, &values, size);
+  target->struct_size = keep;
+}
+
+template <class T>
+bempd_status init_struct(const char* function, const char* name, T* target, const T& defaults) {
+  return without_model(function, [&] {
+    out(target, name) = defaults;
+    target->struct_size = sizeof(T);
+  });
+}
+
+}  // namespace bempd::capi

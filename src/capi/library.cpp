@@ -1,0 +1,116 @@
+#include <cstring>
+
+#include "capi/guard.hpp"
+#include "capi/version.hpp"
+#include "linalg/sparse_cholesky.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+const char* bempd_version_string(void) { return version_string; }
+
+const char* bempd_build_info(void) {
+  static const std::string info = [] {
+    return std::string("bempd ") + version_string + ", sparse factorization " + linalg::backend_name() + ", Eigen " +
+           std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+           std::to_string(EIGEN_MINOR_VERSION) + ", compiler " + __VERSION__;
+  }();
+  return info.c_str();
+}
+
+const char* bempd_status_name(bempd_status status) {
+  switch (status) {
+    case BEMPD_OK:
+      return "BEMPD_OK";
+    case BEMPD_ERROR_ARGUMENT:
+      return "BEMPD_ERROR_ARGUMENT";
+    case BEMPD_ERROR_ORDER:
+      return "BEMPD_ERROR_ORDER";
+    case BEMPD_ERROR_UNSOLVABLE:
+      return "BEMPD_ERROR_UNSOLVABLE";
+    case BEMPD_ERROR_CONVERGENCE:
+      return "BEMPD_ERROR_CONVERGENCE";
+    case BEMPD_ERROR_CANCELLED:
+      return "BEMPD_ERROR_CANCELLED";
+    case BEMPD_ERROR_MEMORY:
+      return "BEMPD_ERROR_MEMORY";
+    case BEMPD_ERROR_IO:
+      return "BEMPD_ERROR_IO";
+    case BEMPD_ERROR_INTERNAL:
+      return "BEMPD_ERROR_INTERNAL";
+  }
+  return "unknown status";
+}
+
+const char* bempd_last_error(const bempd_model* model) {
+  if (!model) return thread_error().c_str();
+  return model->error.c_str();
+}
+
+bempd_status bempd_model_create(bempd_model** model) {
+  return without_model(__func__, [&] { out(model, "model") = new bempd_model; });
+}
+
+void bempd_model_free(bempd_model* model) { delete model; }
+
+bempd_status bempd_option_count(int64_t* count) {
+  return without_model(
+      __func__, [&] { out(count, "count") = static_cast<int64_t>(model::option_descriptions().size()); });
+}
+
+bempd_status bempd_option_describe(int64_t index, bempd_option_info* info) {
+  return without_model(__func__, [&] {
+    const auto& all = model::option_descriptions();
+    require(index >= 0 && index < static_cast<int64_t>(all.size()), "index is ", index, "; options are 0 .. ",
+            all.size() - 1);
+    const model::OptionDescription& o = all[static_cast<std::size_t>(index)];
+    const bempd_option_info values{sizeof(bempd_option_info),
+                                   o.name,
+                                   o.summary,
+                                   o.unit,
+                                   o.choices,
+                                   o.default_text,
+                                   o.is_text ? BEMPD_OPTION_TEXT : BEMPD_OPTION_NUMBER,
+                                   o.whole_number ? 1 : 0,
+                                   o.default_value,
+                                   o.minimum,
+                                   o.maximum};
+    write_struct(info, values, "info");
+  });
+}
+
+bempd_status bempd_set_option(bempd_model* model, const char* name, double value) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(name != nullptr, "name is NULL; give an option's name");
+    m.options().set(name, value);
+  });
+}
+
+bempd_status bempd_get_option(const bempd_model* model, const char* name, double* value) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(name != nullptr, "name is NULL; give an option's name");
+    out(value, "value") = m.options().number(name);
+  });
+}
+
+bempd_status bempd_set_option_text(bempd_model* model, const char* name, const char* value) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(name != nullptr, "name is NULL; give an option's name");
+    require(value != nullptr, "value is NULL; give one of the option's words");
+    m.options().set_text(name, value);
+  });
+}
+
+bempd_status bempd_get_option_text(const bempd_model* model, const char* name, char* buffer, int64_t capacity,
+                                   int64_t* needed) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(name != nullptr, "name is NULL; give an option's name");
+    const std::string& value = m.options().text_value(name);
+    const auto size = static_cast<int64_t>(value.size()) + 1;
+    if (needed) *needed = size;
+    if (!buffer && capacity == 0) return;
+    require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
+    require(capacity >= size, "buffer has room for ", capacity, " bytes; ", size, " are needed");
+    std::memcpy(buffer, value.c_str(), static_cast<std::size_t>(size));
+  });
+}

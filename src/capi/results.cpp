@@ -1,0 +1,179 @@
+#include <algorithm>
+
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+namespace {
+
+model::Field field_of(std::int32_t field) {
+  require(field >= BEMPD_POSITION && field <= BEMPD_BOND_STRETCH, "field is ", field,
+          "; it must be a bempd_field, 1 .. 6");
+  return static_cast<model::Field>(field);
+}
+
+void require_capacity(std::int64_t capacity, std::int64_t needed, const char* what) {
+  require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
+}
+
+}  // namespace
+
+bempd_status bempd_load_factor(const bempd_model* model, double* load_factor) {
+  return with_model(model, __func__, [&](model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });
+}
+
+bempd_status bempd_generation(const bempd_model* model, int64_t* generation) {
+  return with_model(model, __func__, [&](model::Model& m) { out(generation, "generation") = m.generation(); });
+}
+
+bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = m.node_count(region);
+  });
+}
+
+bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = m.element_count(region);
+  });
+}
+
+bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const std::vector<std::int32_t> elements = m.elements(region);
+    require_capacity(capacity, static_cast<std::int64_t>(elements.size()), "integers");
+    std::copy(elements.begin(), elements.end(), &out(nodes, "nodes"));
+  });
+}
+
+bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field, int64_t* count, int32_t* components) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const model::FieldSize size = m.field_size(region, field_of(field));
+    if (count) *count = size.count;
+    if (components) *components = size.components;
+  });
+}
+
+bempd_status bempd_copy_field(bempd_model* model, int32_t region, int32_t field, int64_t capacity, double* values) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const model::FieldSize size = m.field_size(region, field_of(field));
+    require_capacity(capacity, size.count * size.components, "numbers");
+    out(values, "values");
+    const model::FieldValues& f = m.field(region, field_of(field));
+    std::copy(f.values.begin(), f.values.end(), values);
+  });
+}
+
+bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field, const double** values, int64_t* count,
+                              int32_t* components, int64_t* generation) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(values, "values");
+    const model::FieldValues& f = m.field(region, field_of(field));
+    *values = f.values.data();
+    if (count) *count = f.count();
+    if (components) *components = f.components;
+    if (generation) *generation = m.generation();
+  });
+}
+
+bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = static_cast<std::int64_t>(m.lattice(region).bonds.size());
+  });
+}
+
+bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const auto& bonds = m.lattice(region).bonds;
+    require_capacity(capacity, static_cast<std::int64_t>(bonds.size()), "bonds");
+    const std::vector<model::BondState> known = m.bond_states(region);
+    for (std::size_t b = 0; b < bonds.size(); ++b) {
+      if (points) {
+        points[2 * b] = bonds[b].first;
+        points[2 * b + 1] = bonds[b].second;
+      }
+      if (states) states[b] = static_cast<std::int32_t>(known[b]);
+    }
+  });
+}
+
+bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(force, "force");
+    const Eigen::Vector2d reaction = m.reaction(support);
+    force[0] = reaction.x();
+    force[1] = reaction.y();
+  });
+}
+
+bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
+                            double* stress, int32_t* regions) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const auto values = m.evaluate(points_from(points, count, "points"), stress != nullptr);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
+      if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
+      if (regions) regions[i] = values[i].region;
+    }
+  });
+}
+
+bempd_status bempd_statistics_init(bempd_statistics* statistics) {
+  return init_struct(__func__, "statistics", statistics, {});
+}
+
+bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    bempd_statistics s{};
+    if (const model::PreparedScene* p = m.prepared_or_null()) {
+      const auto& c = p->system->counters();
+      for (const auto& part : p->discretization.boundaries) {
+        s.boundary_nodes += static_cast<int64_t>(part.mesh.nodes.size());
+        s.boundary_elements += static_cast<int64_t>(part.mesh.elements.size());
+        s.kernel_evaluations += part.galerkin->kernel_evaluations();
+      }
+      for (const auto& part : p->discretization.lattices) s.material_points += part.lattice->point_count();
+      s.bonds = static_cast<int64_t>(p->system->bonds().size());
+      s.cut_bonds = static_cast<int64_t>(p->cut_bonds.size());
+      s.broken_bonds = p->evolution->state().broken_bonds;
+      s.sparse_unknowns = c.sparse_unknowns;
+      s.factor_nonzeros = c.factor_nonzeros;
+      s.dense_factorizations = c.dense_factorizations;
+      s.sparse_factorizations = c.sparse_factorizations;
+      s.factor_updates = c.factor_updates;
+      s.solves = c.solves;
+      s.solver_iterations = c.iterations;
+      s.seconds_boundary = p->discretization.seconds_boundary;
+      s.seconds_lattice = p->discretization.seconds_lattice;
+      s.seconds_assembly = c.seconds_assembly;
+      s.seconds_factorization = c.seconds_factorization;
+      s.seconds_solve = c.seconds_solve;
+      s.seconds_update = c.seconds_update;
+      s.seconds_search = p->evolution->seconds_search();
+    }
+    write_struct(statistics, s, "statistics");
+  });
+}
+
+bempd_status bempd_history_entry_init(bempd_history_entry* entry) { return init_struct(__func__, "entry", entry, {}); }
+
+bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const model::PreparedScene* p = m.prepared_or_null();
+    out(count, "count") = p ? static_cast<int64_t>(p->evolution->state().history.size()) : 0;
+  });
+}
+
+bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const model::PreparedScene* p = m.prepared_or_null();
+    const auto count = p ? static_cast<int64_t>(p->evolution->state().history.size()) : 0;
+    require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
+    const fracture::HistoryEntry& h = p->evolution->state().history[static_cast<std::size_t>(index)];
+    write_struct(entry,
+                 {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
+                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
+                 "entry");
+  });
+}

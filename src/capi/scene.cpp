@@ -1,0 +1,84 @@
+#include <algorithm>
+
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+bempd_status bempd_material_init(bempd_material* material) {
+  return init_struct(__func__, "material", material,
+                     {sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0});
+}
+
+bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const std::size_t size = struct_bytes(material, "material", offsetof(bempd_material, thickness));
+    bempd_material given{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0};
+    std::memcpy(&given, material, std::min(size, sizeof given));
+    const auto* bytes = reinterpret_cast<const unsigned char*>(material);
+    require(size <= sizeof given || std::all_of(bytes + sizeof given, bytes + size, [](unsigned char b) { return b == 0; }),
+            "material was filled by a program made for a newer bempd, with members this version does not know");
+    require(given.plane == BEMPD_PLANE_STRESS || given.plane == BEMPD_PLANE_STRAIN, "plane is ", given.plane,
+            "; it must be BEMPD_PLANE_STRESS (1) or BEMPD_PLANE_STRAIN (2)");
+    model::Material values;
+    values.elasticity = {given.young_modulus, given.poisson_ratio,
+                         given.plane == BEMPD_PLANE_STRESS ? PlaneState::stress : PlaneState::strain, given.thickness};
+    values.critical_stretch = given.critical_stretch;
+    values.fracture_energy = given.fracture_energy;
+    const int added = m.editable_scene().add_material(values);
+    if (id) *id = added;
+  });
+}
+
+bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
+                                  double element_length, int32_t* region) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const auto points = points_from(vertices, vertex_count, "vertices");
+    const int added = m.editable_scene().add_boundary_region(material, points, element_length);
+    if (region) *region = added;
+  });
+}
+
+bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
+                                 double spacing, int32_t horizon_ratio, int32_t* region) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const auto points = points_from(vertices, vertex_count, "vertices");
+    const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
+    const int added = m.editable_scene().add_lattice_region(material, points, spacing, ratio);
+    if (region) *region = added;
+  });
+}
+
+bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
+                            int32_t* first_edge) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const int edge = m.editable_scene().add_hole(region, points_from(vertices, vertex_count, "vertices"));
+    if (first_edge) *first_edge = edge;
+  });
+}
+
+bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
+                                 double grading) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.editable_scene().set_edge_mesh(region, edge, {element_length, grading});
+  });
+}
+
+bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const int added = m.editable_scene().add_crack(points_from(points, point_count, "points"));
+    if (crack) *crack = added;
+  });
+}
+
+bempd_status bempd_region_count(const bempd_model* model, int32_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = static_cast<int32_t>(m.scene().regions().size());
+  });
+}
+
+bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = m.scene().region(region).edge_count();
+  });
+}

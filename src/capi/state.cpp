@@ -1,0 +1,42 @@
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+bempd_status bempd_state_save(bempd_model* model, bempd_state** state) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(state, "state");
+    *state = new bempd_state{m.save()};
+  });
+}
+
+bempd_status bempd_state_restore(bempd_model* model, const bempd_state* state) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(state != nullptr, "state is NULL; save one with bempd_state_save()");
+    m.restore(state->saved);
+  });
+}
+
+void bempd_state_free(bempd_state* state) { delete state; }
+
+bempd_status bempd_state_to_bytes(const bempd_state* state, int64_t capacity, uint8_t* buffer, int64_t* needed) {
+  return without_model(__func__, [&] {
+    require(state != nullptr, "state is NULL; save one with bempd_state_save()");
+    const std::vector<std::uint8_t> bytes = model::to_bytes(state->saved);
+    const auto size = static_cast<int64_t>(bytes.size());
+    if (needed) *needed = size;
+    if (!buffer && capacity == 0) return;
+    require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
+    require(capacity >= size, "buffer has room for ", capacity, " bytes; ", size, " are needed");
+    std::copy(bytes.begin(), bytes.end(), buffer);
+  });
+}
+
+bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_state** state) {
+  return without_model(__func__, [&] {
+    require(bytes != nullptr, "bytes is NULL; give what bempd_state_to_bytes() wrote");
+    require(size >= 0, "size is ", size, "; it must be the number of bytes");
+    out(state, "state");
+    *state = new bempd_state{model::from_bytes(bytes, static_cast<std::size_t>(size))};
+  });
+}

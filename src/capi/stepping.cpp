@@ -1,0 +1,100 @@
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+namespace {
+
+bempd_step_report report_of(const model::StepResult& result, const fracture::EvolutionState& state) {
+  bempd_step_report r{};
+  switch (result.reason) {
+    case fracture::StopReason::load_factor:
+      r.stop_reason = BEMPD_STOP_LOAD_FACTOR;
+      break;
+    case fracture::StopReason::event:
+      r.stop_reason = BEMPD_STOP_EVENT;
+      break;
+    case fracture::StopReason::separated:
+      r.stop_reason = BEMPD_STOP_SEPARATED;
+      break;
+    case fracture::StopReason::no_further_event:
+      r.stop_reason = BEMPD_STOP_NO_FURTHER_EVENT;
+      break;
+  }
+  r.separated = state.separated ? 1 : 0;
+  r.events = result.events;
+  r.broken_bonds = result.broken_bonds;
+  r.total_events = state.events;
+  r.total_broken_bonds = state.broken_bonds;
+  r.fragments = state.fragments;
+  r.load_factor = state.load_factor;
+  r.stored_energy = 0.5 * state.total_displacement.dot(state.total_force);
+  r.released_energy = state.released_energy;
+  r.work = state.work;
+  r.energy_balance_error = state.worst_energy_balance_error;
+  r.residual = state.residual;
+  r.seconds_total = result.seconds_total;
+  r.seconds_solve = result.seconds_solve;
+  r.seconds_update = result.seconds_update;
+  r.seconds_search = result.seconds_search;
+  return r;
+}
+
+bempd_status advance(bempd_model* handle, const char* function, const char* target_name, double target,
+                     fracture::Goal goal, bempd_step_report* report) {
+  return with_model(handle, function, [&](model::Model& m) {
+    require_finite(target, target_name);
+    if (report) struct_bytes(report, "report", sizeof(int64_t));
+    const model::StepResult result = m.advance(target, goal);
+    if (report) write_struct(report, report_of(result, m.prepared().evolution->state()), "report");
+  });
+}
+
+}  // namespace
+
+bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function function, void* user) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    if (!function) {
+      m.set_progress(nullptr);
+    } else {
+      m.set_progress([=](double load_factor, std::int64_t events, std::int64_t broken) {
+        return function(load_factor, events, broken, user) == 0;
+      });
+    }
+  });
+}
+
+bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    if (!function) {
+      m.set_log(nullptr);
+    } else {
+      m.set_log([=](int level, const std::string& message) { function(level, message.c_str(), user); });
+    }
+  });
+}
+
+bempd_status bempd_request_cancel(bempd_model* model) {
+  // Runs beside another call on the same model, so it touches nothing but one atomic flag.
+  if (!model) return with_model(model, __func__, [](model::Model&) {});
+  model->engine.request_cancel();
+  return BEMPD_OK;
+}
+
+bempd_status bempd_step_report_init(bempd_step_report* report) { return init_struct(__func__, "report", report, {}); }
+
+bempd_status bempd_prepare(bempd_model* model) {
+  return with_model(model, __func__, [](model::Model& m) { m.prepare(); });
+}
+
+bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report) {
+  return advance(model, __func__, "load_factor", load_factor, fracture::Goal::load_factor, report);
+}
+
+bempd_status bempd_step_to_next_event(bempd_model* model, double load_factor_limit, bempd_step_report* report) {
+  return advance(model, __func__, "load_factor_limit", load_factor_limit, fracture::Goal::next_event, report);
+}
+
+bempd_status bempd_run_to_separation(bempd_model* model, double load_factor_limit, bempd_step_report* report) {
+  return advance(model, __func__, "load_factor_limit", load_factor_limit, fracture::Goal::separation, report);
+}

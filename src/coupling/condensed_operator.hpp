@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/operators.hpp"
+
+namespace bempd::coupling {
+
+enum class DofKind : char { prescribed, private_free, shared_free };
+
+// A dense operator whose private unknowns (free, and touched by no other operator) are eliminated once, so that only
+// the unknowns it shares with others enter the sparse system.
+class CondensedOperator {
+ public:
+  // `kind` tells for each global degree of freedom what it is. Throws Error (unsolvable) if the private part is singular.
+  CondensedOperator(DenseOperator source, const std::vector<DofKind>& kind);
+
+  const std::vector<int>& shared_dofs() const { return shared_; }
+  const Eigen::MatrixXd& schur_complement() const { return schur_; }
+  bool has_private_unknowns() const { return !private_.empty(); }
+
+  // Condenses loads: adds to `load` (global) what the private forces and the prescribed displacements leave on the
+  // shared unknowns, and keeps the private part for recover().
+  void condense_load(const Affine& force, const Affine& prescribed, Affine& load);
+
+  // Private displacements from the shared ones.
+  void recover(Affine& displacement) const;
+
+  // force += stiffness * displacement, on all of the operator's nodes.
+  void add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const;
+
+ private:
+  std::vector<int> all_, private_, shared_;  // global degrees of freedom
+  Eigen::MatrixXd stiffness_;                // on all_
+  Eigen::LLT<Eigen::MatrixXd> factor_;       // of the private block
+  Eigen::MatrixXd transfer_;                 // private displacements per shared displacement, sign reversed
+  Eigen::MatrixXd schur_;
+  std::vector<int> private_local_, shared_local_;
+  Affine private_load_;  // private displacements with the shared unknowns held at 0
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,312 @@
+#include "coupling/equilibrium_system.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "error.hpp"
+#include "linalg/conjugate_gradient.hpp"
+#include "stopwatch.hpp"
+
+namespace bempd::coupling {
+
+namespace {
+
+// Wanted residual of the sparse system relative to its right-hand side; one application of an up-to-date factor reaches
+// it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
+constexpr double solution_tolerance = 1e-14;
+constexpr double acceptable_residual = 1e-12;
+constexpr int most_iterations = 40;
+
+}  // namespace
+
+EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
+                                     std::vector<char> prescribed_dofs)
+    : node_count_(node_count),
+      in_operator_(node_count, 0),
+      bonds_(std::move(bonds)),
+      active_stiffness_(bonds_.stiffness),
+      intact_(bonds_.size(), 1),
+      force_(Affine::Zero(2 * node_count, 2)),
+      prescribed_(Affine::Zero(2 * node_count, 2)) {
+  classify(operators, prescribed_dofs);
+  pending_ = std::move(operators);
+}
+
+void EquilibriumSystem::classify(const std::vector<DenseOperator>& operators, const std::vector<char>& prescribed) {
+  std::vector<char> has_bond(node_count_, 0);
+  for (std::size_t b = 0; b < bonds_.size(); ++b) has_bond[bonds_.first[b]] = has_bond[bonds_.second[b]] = 1;
+  for (const DenseOperator& op : operators) {
+    bodies_.push_back(op.nodes);
+    for (int node : op.nodes) in_operator_[node] = static_cast<char>(in_operator_[node] < 2 ? in_operator_[node] + 1 : 2);
+  }
+  kind_.resize(2 * node_count_);
+  unknown_of_.assign(2 * node_count_, -1);
+  for (int node = 0; node < node_count_; ++node) {
+    const bool shared = has_bond[node] || in_operator_[node] != 1;
+    for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
+      kind_[dof] = prescribed[dof] ? DofKind::prescribed : shared ? DofKind::shared_free : DofKind::private_free;
+      if (kind_[dof] != DofKind::shared_free) continue;
+      unknown_of_[dof] = static_cast<int>(dof_of_.size());
+      dof_of_.push_back(dof);
+    }
+  }
+  counters_.sparse_unknowns = static_cast<std::int64_t>(dof_of_.size());
+}
+
+void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
+  force_ = std::move(force);
+  prescribed_ = std::move(prescribed);
+  for (int dof = 0; dof < 2 * node_count_; ++dof) {
+    if (kind_[dof] != DofKind::prescribed) prescribed_.row(dof).setZero();
+  }
+  load_condensed_ = false;
+}
+
+void EquilibriumSystem::condense() {
+  if (condensed_) return;
+  const Stopwatch watch(counters_.seconds_assembly);
+  operators_.reserve(pending_.size());
+  for (DenseOperator& op : pending_) {
+    operators_.emplace_back(op, kind_);
+    counters_.dense_factorizations += operators_.back().has_private_unknowns() ? 1 : 0;
+  }
+  pending_.clear();
+  condensed_ = true;
+}
+
+void EquilibriumSystem::condense_load() {
+  if (load_condensed_) return;
+  condensed_load_ = force_;
+  for (CondensedOperator& op : operators_) op.condense_load(force_, prescribed_, condensed_load_);
+  load_condensed_ = true;
+}
+
+Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(10 * bonds_.size());
+  const auto add = [&](int row_dof, int column_dof, double value) {
+    const int row = unknown_of_[row_dof], column = unknown_of_[column_dof];
+    if (row >= 0 && column >= 0 && row >= column) entries.emplace_back(row, column, value);
+  };
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    const int dof[4] = {2 * bonds_.first[b], 2 * bonds_.first[b] + 1, 2 * bonds_.second[b], 2 * bonds_.second[b] + 1};
+    const double d[4] = {-bonds_.cosine[b], -bonds_.sine[b], bonds_.cosine[b], bonds_.sine[b]};
+    // Broken bonds stay as explicit zeros, so that the pattern and its analysis do not change.
+    for (int r = 0; r < 4; ++r) {
+      for (int c = 0; c < 4; ++c) add(dof[r], dof[c], active_stiffness_[b] * d[r] * d[c]);
+    }
+  }
+  for (const CondensedOperator& op : operators_) {
+    const auto& dofs = op.shared_dofs();
+    for (std::size_t c = 0; c < dofs.size(); ++c) {
+      for (std::size_t r = 0; r < dofs.size(); ++r) {
+        add(dofs[r], dofs[c], op.schur_complement()(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)));
+      }
+    }
+  }
+  for (const HoldingSpring& s : springs_) {
+    const int dof[2] = {2 * s.node, 2 * s.node + 1};
+    const double d[2] = {s.cosine, s.sine};
+    for (int r = 0; r < 2; ++r) {
+      for (int c = 0; c < 2; ++c) add(dof[r], dof[c], s.stiffness * d[r] * d[c]);
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(dof_of_.size());
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+void EquilibriumSystem::factorize() {
+  if (has_factor_) return;
+  Eigen::SparseMatrix<double> matrix;
+  {
+    const Stopwatch watch(counters_.seconds_assembly);
+    matrix = assemble_lower();
+  }
+  const Stopwatch watch(counters_.seconds_factorization);
+  if (!factor_) factor_ = linalg::make_sparse_cholesky();
+  if (!factor_->factorize(matrix)) {
+    fail(Failure::unsolvable,
+         "the stiffness matrix is not positive definite: a part of the body can move freely; check supports, and cracks "
+         "that leave a part hanging on a single point");
+  }
+  has_factor_ = true;
+  ++counters_.sparse_factorizations;
+  counters_.factor_nonzeros = factor_->factor_nonzeros();
+}
+
+void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns,
+                                      linalg::Change change) {
+  if (!has_factor_ || entries.empty()) return;
+  const Stopwatch watch(counters_.seconds_update);
+  Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(dof_of_.size()), columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  factor_->update(matrix, change);  // a factor left stale still preconditions the iteration in solve_column()
+  counters_.factor_updates += columns;
+}
+
+void EquilibriumSystem::mark_broken(std::span<const int> bonds) {
+  for (int b : bonds) intact_[b] = 0;
+}
+
+void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const HoldingSpring> springs) {
+  std::vector<Eigen::Triplet<double>> entries;
+  int column = 0;
+  const auto add = [&](int node, double c, double s) {
+    if (const int x = unknown_of_[2 * node]; x >= 0 && c != 0) entries.emplace_back(x, column, c);
+    if (const int y = unknown_of_[2 * node + 1]; y >= 0 && s != 0) entries.emplace_back(y, column, s);
+  };
+  for (const HoldingSpring& spring : springs) {
+    springs_.push_back(spring);
+    const double root = std::sqrt(spring.stiffness);
+    add(spring.node, root * spring.cosine, root * spring.sine);
+    ++column;
+  }
+  change_factor(entries, column, linalg::Change::add);
+
+  entries.clear();
+  column = 0;
+  for (int b : bonds) {
+    const double root = std::sqrt(active_stiffness_[b]);
+    add(bonds_.first[b], -root * bonds_.cosine[b], -root * bonds_.sine[b]);
+    add(bonds_.second[b], root * bonds_.cosine[b], root * bonds_.sine[b]);
+    active_stiffness_[b] = 0;
+    ++column;
+  }
+  change_factor(entries, column, linalg::Change::remove);
+}
+
+Eigen::VectorXd EquilibriumSystem::softest_motion() const {
+  // Inverse iteration with a shift that makes a singular matrix factorizable without hiding its null space.
+  Eigen::SparseMatrix<double> matrix = assemble_lower();
+  const double shift = 1e-9 * matrix.diagonal().maxCoeff();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
+  const auto factor = linalg::make_sparse_cholesky();
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(2 * node_count_);
+  if (!factor->factorize(matrix)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
+  Eigen::VectorXd vector = Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0).array().sin();
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    factor->solve_in_place(vector);
+    vector /= vector.cwiseAbs().maxCoeff();
+  }
+  motion(dof_of_) = vector;
+  return motion;
+}
+
+void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
+  intact_ = std::move(intact);
+  springs_ = std::move(springs);
+  for (std::size_t b = 0; b < bonds_.size(); ++b) active_stiffness_[b] = intact_[b] ? bonds_.stiffness[b] : 0.0;
+  forget_factor();
+}
+
+void EquilibriumSystem::forget_factor() { has_factor_ = false; }
+
+void EquilibriumSystem::add_bond_forces(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const {
+  const double* u = displacement.data();
+  double* f = force.data();
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    const double tension = active_stiffness_[b] * bonds_.elongation(b, u);
+    const double fx = tension * bonds_.cosine[b], fy = tension * bonds_.sine[b];
+    f[2 * bonds_.first[b]] -= fx;
+    f[2 * bonds_.first[b] + 1] -= fy;
+    f[2 * bonds_.second[b]] += fx;
+    f[2 * bonds_.second[b] + 1] += fy;
+  }
+}
+
+Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displacement) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
+  add_bond_forces(displacement, force);
+  for (const CondensedOperator& op : operators_) op.add_internal_force(displacement, force);
+  return force;
+}
+
+Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
+  Eigen::VectorXd displacement = Eigen::VectorXd::Zero(2 * node_count_);
+  displacement(dof_of_) = unknowns;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);
+  add_bond_forces(displacement, force);
+  for (const CondensedOperator& op : operators_) {
+    const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
+    force(op.shared_dofs()) += local;
+  }
+  for (const HoldingSpring& s : springs_) {
+    const double tension =
+        s.stiffness * (s.cosine * displacement[2 * s.node] + s.sine * displacement[2 * s.node + 1]);
+    force[2 * s.node] += tension * s.cosine;
+    force[2 * s.node + 1] += tension * s.sine;
+  }
+  return force(dof_of_);
+}
+
+Affine EquilibriumSystem::right_hand_side() const {
+  Affine load = condensed_load_;
+  // Bonds and holding springs that end on prescribed displacements pull with them.
+  const Affine& support = prescribed_;
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    const int i = 2 * bonds_.first[b], j = 2 * bonds_.second[b];
+    const bool touches = !(unknown_of_[i] >= 0 && unknown_of_[i + 1] >= 0 && unknown_of_[j] >= 0 && unknown_of_[j + 1] >= 0);
+    if (!touches || active_stiffness_[b] == 0) continue;
+    const double c = bonds_.cosine[b], s = bonds_.sine[b];
+    const Eigen::RowVector2d tension =
+        active_stiffness_[b] *
+        (c * (support.row(j) - support.row(i)) + s * (support.row(j + 1) - support.row(i + 1)));
+    load.row(i) += c * tension;
+    load.row(i + 1) += s * tension;
+    load.row(j) -= c * tension;
+    load.row(j + 1) -= s * tension;
+  }
+  for (const HoldingSpring& s : springs_) {
+    const int x = 2 * s.node;
+    const Eigen::RowVector2d moved = s.cosine * support.row(x) + s.sine * support.row(x + 1);
+    Eigen::RowVector2d pull = -s.stiffness * moved;
+    pull[0] += s.stiffness * s.anchor;
+    load.row(x) += s.cosine * pull;
+    load.row(x + 1) += s.sine * pull;
+  }
+  return load(dof_of_, Eigen::all);
+}
+
+Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
+  const auto multiply = [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); };
+  const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
+  const linalg::ConjugateGradientOptions options{solution_tolerance, most_iterations};
+  for (bool fresh : {false, true}) {
+    if (fresh) {
+      forget_factor();
+      factorize();
+    }
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(rhs.size());
+    const auto result = linalg::conjugate_gradient(multiply, precondition, rhs, solution, options);
+    counters_.iterations += result.iterations;
+    if (result.relative_residual <= acceptable_residual) return solution;
+  }
+  fail(Failure::unsolvable, "the stiffness matrix is numerically singular; check supports and very slender parts");
+}
+
+Affine EquilibriumSystem::solve() {
+  condense();
+  if (!dof_of_.empty()) factorize();
+  const Stopwatch watch(counters_.seconds_solve);
+  condense_load();
+  Affine displacement = prescribed_;
+  if (!dof_of_.empty()) {
+    const Affine rhs = right_hand_side();
+    for (int column = 0; column < 2; ++column) {
+      if (rhs.col(column).isZero(0)) continue;
+      const Eigen::VectorXd unknowns = solve_column(rhs.col(column));
+      for (std::size_t i = 0; i < dof_of_.size(); ++i) {
+        displacement(dof_of_[i], column) = unknowns[static_cast<Eigen::Index>(i)];
+      }
+    }
+  }
+  for (int column = 0; column < 2; ++column) {
+    counters_.solves += force_.col(column).isZero(0) && prescribed_.col(column).isZero(0) ? 0 : 1;
+  }
+  for (const CondensedOperator& op : operators_) op.recover(displacement);
+  return displacement;
+}
+
+}  // namespace bempd::coupling

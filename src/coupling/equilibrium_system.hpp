@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/condensed_operator.hpp"
+#include "coupling/operators.hpp"
+#include "linalg/sparse_cholesky.hpp"
+
+namespace bempd::coupling {
+
+struct SolverCounters {
+  std::int64_t sparse_unknowns = 0;
+  std::int64_t factor_nonzeros = 0;
+  std::int64_t dense_factorizations = 0;
+  std::int64_t sparse_factorizations = 0;
+  std::int64_t factor_updates = 0;
+  std::int64_t solves = 0;
+  std::int64_t iterations = 0;
+  double seconds_assembly = 0;
+  double seconds_factorization = 0;
+  double seconds_solve = 0;
+  double seconds_update = 0;
+};
+
+// Equilibrium of all nodes: dense operators condensed onto the unknowns they share, bonds, and holding springs, in one
+// sparse symmetric positive definite system. Nothing is condensed or factorized before the first solve().
+class EquilibriumSystem {
+ public:
+  EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
+                    std::vector<char> prescribed_dofs);
+
+  int node_count() const { return node_count_; }
+  const BondSet& bonds() const { return bonds_; }
+  bool is_prescribed(int dof) const { return kind_[dof] == DofKind::prescribed; }
+  bool is_unknown(int dof) const { return unknown_of_[dof] >= 0; }
+  bool in_dense_operator(int node) const { return in_operator_[node] != 0; }
+  // Nodes of each dense operator: a body that cannot break.
+  const std::vector<std::vector<int>>& dense_bodies() const { return bodies_; }
+
+  const std::vector<char>& intact() const { return intact_; }
+  const std::vector<HoldingSpring>& springs() const { return springs_; }
+
+  // Forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
+  void set_load(Affine force, Affine prescribed);
+  const Affine& force() const { return force_; }
+
+  // Breaking takes two calls, so that the parts it frees can be found in between and held before the matrix loses
+  // their resistance: mark the bonds, then change the matrix (rank-one changes of the factor where there is one).
+  void mark_broken(std::span<const int> bonds);
+  void commit_break(std::span<const int> bonds, std::span<const HoldingSpring> springs);
+
+  // Replaces the state; the next solve factorizes afresh.
+  void restore(std::vector<char> intact, std::vector<HoldingSpring> springs);
+  void forget_factor();
+
+  // Throws Error (unsolvable) if something can move freely.
+  Affine solve();
+
+  // The motion that meets the least resistance, scaled to a largest component of 1: what moves freely, after solve()
+  // has failed or run away.
+  Eigen::VectorXd softest_motion() const;
+
+  // Nodal forces of operators and bonds (not of holding springs) under a displacement.
+  Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement) const;
+
+  // Lower triangle of the sparse matrix, for factorization and tests.
+  Eigen::SparseMatrix<double> assemble_lower() const;
+
+  const SolverCounters& counters() const { return counters_; }
+
+ private:
+  void classify(const std::vector<DenseOperator>& operators, const std::vector<char>& prescribed_dofs);
+  void condense();
+  void condense_load();
+  void factorize();
+  Affine right_hand_side() const;
+  Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
+  Eigen::VectorXd solve_column(const Eigen::VectorXd& rhs);
+  void add_bond_forces(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const;
+  void change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns, linalg::Change change);
+
+  int node_count_;
+  std::vector<DenseOperator> pending_;  // until condensed
+  std::vector<CondensedOperator> operators_;
+  std::vector<std::vector<int>> bodies_;
+  std::vector<char> in_operator_;  // per node
+  BondSet bonds_;
+  std::vector<double> active_stiffness_;  // 0 for a bond that is not intact
+  std::vector<char> intact_;
+  std::vector<HoldingSpring> springs_;
+  std::vector<DofKind> kind_;
+  std::vector<int> unknown_of_;   // dof -> unknown of the sparse system, or -1
+  std::vector<int> dof_of_;       // unknown -> dof
+  Affine force_, prescribed_, condensed_load_;
+  bool load_condensed_ = false;
+  bool condensed_ = false;
+  std::unique_ptr<linalg::SparseCholesky> factor_;
+  bool has_factor_ = false;
+  SolverCounters counters_;
+};
+
+}  // namespace bempd::coupling

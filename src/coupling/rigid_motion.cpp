@@ -1,0 +1,115 @@
+#include "coupling/rigid_motion.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace bempd::coupling {
+
+namespace {
+
+// Held directions count as independent above this share of the strongest one (a ratio of squares).
+constexpr double rank_tolerance = 1e-12;
+
+Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(gram, Eigen::ComputeFullV);
+  const double largest = svd.singularValues()(0);
+  int rank = 0;
+  while (rank < 3 && largest > 0 && svd.singularValues()(rank) > rank_tolerance * largest) ++rank;
+  return svd.matrixV().rightCols(3 - rank);
+}
+
+}  // namespace
+
+RigidMotion::RigidMotion(const std::vector<Point>& positions, const std::vector<int>& nodes,
+                         const std::vector<HeldDirection>& held) {
+  for (int node : nodes) centre_ += positions[node];
+  centre_ /= static_cast<double>(std::max<std::size_t>(nodes.size(), 1));
+  double radius = 0;
+  for (int node : nodes) radius = std::max(radius, (positions[node] - centre_).norm());
+  if (radius > 0) radius_ = radius;
+
+  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+  for (const HeldDirection& h : held) {
+    const Eigen::RowVector3d r = row(positions[h.node], h.cosine, h.sine);
+    gram += r.transpose() * r;
+  }
+  free_ = null_space(gram);
+  if (radius == 0) {
+    // A single node does not rotate.
+    Eigen::Matrix2d translation = gram.topLeftCorner<2, 2>();
+    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(translation, Eigen::ComputeFullV);
+    int rank = 0;
+    while (rank < 2 && svd.singularValues()(rank) > rank_tolerance) ++rank;
+    free_.setZero(3, 2 - rank);
+    free_.topRows<2>() = svd.matrixV().rightCols(2 - rank);
+  }
+}
+
+Eigen::RowVector3d RigidMotion::row(const Point& position, double cosine, double sine) const {
+  const Point arm = (position - centre_) / radius_;
+  return {cosine, sine, -arm.y() * cosine + arm.x() * sine};
+}
+
+Point RigidMotion::displacement(int motion, const Point& position) const {
+  return {row(position, 1, 0).dot(free_.col(motion)), row(position, 0, 1).dot(free_.col(motion))};
+}
+
+double RigidMotion::work(int motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
+                         const Eigen::Ref<const Eigen::VectorXd>& forces) const {
+  double sum = 0;
+  for (int node : nodes) sum += forces.segment<2>(2 * node).dot(displacement(motion, positions[node]));
+  return sum;
+}
+
+std::vector<HeldDirection> RigidMotion::missing_supports(const std::vector<Point>& positions,
+                                                         const std::vector<int>& nodes) const {
+  std::vector<HeldDirection> supports;
+  Eigen::MatrixXd remaining = free_;
+  while (remaining.cols() > 0) {
+    HeldDirection best{nodes.front(), 1, 0};
+    double largest = -1;
+    for (int node : nodes) {
+      for (int component = 0; component < 2; ++component) {
+        const double c = component == 0 ? 1 : 0, s = 1 - c;
+        const double size = (row(positions[node], c, s) * remaining).norm();
+        if (size > largest * (1 + 1e-12)) {
+          largest = size;
+          best = {node, c, s};
+        }
+      }
+    }
+    supports.push_back(best);
+    // Take the motion now held out of the remaining ones.
+    const Eigen::RowVectorXd held = row(positions[best.node], best.cosine, best.sine) * remaining;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);
+    remaining = (remaining * svd.matrixV().rightCols(remaining.cols() - 1)).eval();
+  }
+  return supports;
+}
+
+std::string RigidMotion::describe() const {
+  if (free_count() == 3) return "translate in x and y, and rotate";
+  std::string sentence;
+  const auto add = [&](const std::string& part) { sentence += (sentence.empty() ? "" : ", and ") + part; };
+  const auto translation = [](const Eigen::Vector3d& m) -> std::string {
+    if (std::abs(m.y()) < 1e-6) return "translate in x";
+    if (std::abs(m.x()) < 1e-6) return "translate in y";
+    return "translate along (" + std::to_string(m.x()) + ", " + std::to_string(m.y()) + ")";
+  };
+  // Among the free motions look for pure translations first: they are what a person recognises.
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(free_.row(2), Eigen::ComputeFullV);
+  const bool rotates = free_count() > 0 && free_.row(2).norm() > 1e-9;
+  const Eigen::MatrixXd sorted = free_ * svd.matrixV();
+  const int translations = free_count() - (rotates ? 1 : 0);
+  if (translations == 2) {
+    add("translate in x and y");
+  } else if (translations == 1) {
+    add(translation(sorted.col(free_count() - 1)));
+  }
+  if (rotates) add("rotate");
+  return sentence;
+}
+
+}  // namespace bempd::coupling

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace bempd::coupling {
+
+// A displacement component that something holds.
+struct HeldDirection {
+  int node;
+  double cosine, sine;
+};
+
+// Rigid motions (two translations, one rotation) of a rigid set of nodes that the held directions leave free.
+class RigidMotion {
+ public:
+  RigidMotion(const std::vector<Point>& positions, const std::vector<int>& nodes,
+              const std::vector<HeldDirection>& held);
+
+  int free_count() const { return static_cast<int>(free_.cols()); }
+
+  // Displacement of a node under the k-th free motion (motions are scaled to displacements of order 1).
+  Point displacement(int motion, const Point& position) const;
+
+  // Work of nodal forces (2 * node + component) on the k-th free motion.
+  double work(int motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
+              const Eigen::Ref<const Eigen::VectorXd>& forces) const;
+
+  // Directions to hold, one per free motion, each where that motion is largest.
+  std::vector<HeldDirection> missing_supports(const std::vector<Point>& positions, const std::vector<int>& nodes) const;
+
+  // "move along x and rotate"
+  std::string describe() const;
+
+ private:
+  Eigen::RowVector3d row(const Point& position, double cosine, double sine) const;
+
+  Point centre_ = Point::Zero();
+  double radius_ = 1;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> free_;  // columns: (x, y, rotation * radius)
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace bempd {
+
+// What the caller can do about a failure.
+enum class Failure { argument, order, unsolvable, convergence, cancelled, io };
+
+class Error : public std::runtime_error {
+ public:
+  Error(Failure failure, const std::string& message) : std::runtime_error(message), failure_(failure) {}
+  Failure failure() const { return failure_; }
+
+ private:
+  Failure failure_;
+};
+
+// Text from pieces, numbers with the digits a person wants to read.
+template <class... Parts>
+std::string text(const Parts&... parts) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(10);
+  (stream << ... << parts);
+  return stream.str();
+}
+
+template <class... Parts>
+[[noreturn]] void fail(Failure failure, const Parts&... parts) {
+  throw Error(failure, text(parts...));
+}
+
+template <class... Parts>
+void require(bool condition, const Parts&... parts) {
+  if (!condition) throw Error(Failure::argument, text(parts...));
+}
+
+}  // namespace bempd

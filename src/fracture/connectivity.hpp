@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+
+namespace bempd::fracture {
+
+// Which nodes hang together through intact bonds and bodies that cannot break.
+class Connectivity {
+ public:
+  explicit Connectivity(const coupling::EquilibriumSystem& system);
+
+  // Pieces of the body: lists of nodes, each in ascending order, in the order of their first nodes.
+  std::vector<std::vector<int>> pieces() const;
+
+  // True if both ends of each bond share an intact neighbour or a rigidly connected body, so that without these bonds
+  // the pieces are still the same. False means: unknown.
+  bool still_joined(const std::vector<int>& removed_bonds) const;
+
+  // Intact bonds at a node.
+  std::vector<int> intact_bonds_at(int node) const;
+
+ private:
+  const coupling::EquilibriumSystem& system_;
+  std::vector<int> offset_, bond_at_;  // bonds of node n: bond_at_[offset_[n] .. offset_[n + 1])
+};
+
+}  // namespace bempd::fracture

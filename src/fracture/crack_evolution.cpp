@@ -1,0 +1,264 @@
+#include "fracture/crack_evolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+#include "stopwatch.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+using coupling::Affine;
+using coupling::evaluate;
+
+// Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
+constexpr double separated_energy_ratio = 1e-10;
+
+// A bond that lengthens by this factor when it breaks was the last resistance to some motion.
+constexpr double runaway_elongation = 1e8;
+constexpr int most_holds_per_event = 16;
+
+}  // namespace
+
+CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                               std::vector<double> critical_stretch, const std::vector<int>& cut,
+                               std::vector<std::vector<int>> reaction_dofs)
+    : system_(system),
+      freed_parts_(system, positions),
+      ratios_(system.bonds(), std::move(critical_stretch)),
+      reaction_dofs_(std::move(reaction_dofs)) {
+  const Eigen::Index dofs = 2 * system.node_count();
+  force_ = prescribed_ = state_.displacement = Affine::Zero(dofs, 2);
+  state_.total_displacement = state_.total_force = Eigen::VectorXd::Zero(dofs);
+  state_.unloaded.assign(system.node_count(), 0);
+  system_.mark_broken(cut);
+  system_.commit_break(cut, {});
+  state_.intact = system_.intact();
+  state_.springs = system_.springs();
+}
+
+void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
+  force_ = force;
+  prescribed_ = prescribed;
+  state_.in_equilibrium = false;
+  apply_load();
+}
+
+void CrackEvolution::apply_load() {
+  Affine force = force_;
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (state_.unloaded[node]) force.middleRows<2>(2 * node).setZero();
+  }
+  system_.set_load(std::move(force), prescribed_);
+}
+
+void CrackEvolution::drop_loads(const std::vector<int>& nodes) {
+  for (int node : nodes) state_.unloaded[node] = 1;
+  apply_load();
+}
+
+void CrackEvolution::find_equilibrium() {
+  if (state_.in_equilibrium) return;
+  if (state_.first_unit_energy < 0) hold_pieces_cut_off_by_initial_cracks();
+  state_.displacement = system_.solve();
+  {
+    const Stopwatch watch(seconds_search_);
+    ratios_.update(state_.displacement);
+  }
+  state_.work += absorb(state_.load_factor);
+  state_.in_equilibrium = true;
+  if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
+}
+
+void CrackEvolution::hold_pieces_cut_off_by_initial_cracks() {
+  const FreedParts freed = freed_parts_.all_pieces(state_.total_displacement);
+  system_.commit_break({}, freed.springs);
+  if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
+  state_.fragments = freed.fragments;
+  state_.springs = system_.springs();
+}
+
+double CrackEvolution::absorb(double load_factor) {
+  const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
+  const Eigen::VectorXd force = system_.internal_force(displacement);
+  // On the straight way between two states the trapezoid rule is exact. In equilibrium internal forces equal the loads.
+  const double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
+  state_.total_displacement = displacement;
+  state_.total_force = force;
+  state_.load_factor = load_factor;
+  return work;
+}
+
+void CrackEvolution::move_to(double load_factor) {
+  if (load_factor != state_.load_factor) state_.work += absorb(load_factor);
+}
+
+double CrackEvolution::stored_energy() const { return 0.5 * state_.total_displacement.dot(state_.total_force); }
+
+double CrackEvolution::unit_energy() const {
+  const Eigen::VectorXd unit = state_.displacement.col(1);
+  return 0.5 * unit.dot(system_.internal_force(unit));
+}
+
+double CrackEvolution::residual() const {
+  double unbalanced = 0;
+  const Eigen::VectorXd load = evaluate(system_.force(), state_.load_factor);
+  for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
+    if (system_.is_prescribed(static_cast<int>(dof))) continue;
+    unbalanced = std::max(unbalanced, std::abs(state_.total_force[dof] - load[dof]));
+  }
+  const double largest = state_.total_force.cwiseAbs().maxCoeff();
+  return largest > 0 ? unbalanced / largest : unbalanced;
+}
+
+void CrackEvolution::record(std::int64_t event, double stretch_ratio) {
+  const double stored = stored_energy();
+  state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
+  const double difference = std::abs(state_.work - stored - state_.released_energy);
+  const double error = state_.largest_work > 0 ? difference / state_.largest_work : difference;
+  state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, error);
+  state_.residual = residual();
+  state_.history.push_back({event, state_.broken_bonds, state_.load_factor, stretch_ratio, stored,
+                            state_.released_energy, state_.work, error, state_.residual});
+  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
+    const Eigen::Vector2d force = reaction(s);
+    state_.reactions.push_back(force.x());
+    state_.reactions.push_back(force.y());
+  }
+}
+
+Eigen::Vector2d CrackEvolution::reaction(std::size_t support) const {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int dof : reaction_dofs_[support]) {
+    const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
+    sum[dof % 2] += state_.total_force[dof] - load;
+  }
+  return sum;
+}
+
+void CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
+                                       const Eigen::VectorXd& before) {
+  for (int hold = 0;; ++hold) {
+    bool free_motion = false;
+    try {
+      state_.displacement = system_.solve();
+      const Eigen::VectorXd after = evaluate(state_.displacement, state_.load_factor);
+      for (std::size_t i = 0; i < bonds.size(); ++i) {
+        const double now = std::abs(system_.bonds().elongation(bonds[i], after.data()));
+        free_motion = free_motion || !(now < runaway_elongation * std::abs(elongation[i]));
+      }
+    } catch (const Error& error) {
+      if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
+      free_motion = true;
+    }
+    if (!free_motion) return;
+    if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");
+    const coupling::HoldingSpring spring = freed_parts_.against(system_.softest_motion(), before);
+    system_.commit_break({}, {&spring, 1});
+    system_.forget_factor();
+  }
+}
+
+void CrackEvolution::perform_event(double load_factor, const SteppingOptions& options) {
+  move_to(load_factor);
+  const coupling::BondSet& bonds = system_.bonds();
+  const Eigen::VectorXd before = state_.total_displacement;
+  std::vector<int> chosen;
+  std::vector<double> elongation;
+  FreedParts freed;
+  double ratio = 0;
+  {
+    const Stopwatch watch(seconds_search_);
+    chosen = ratios_.most_stretched(system_.intact(), load_factor, options.tie_band, options.max_breaks_per_solve);
+    for (int b : chosen) {
+      ratio = std::max(ratio, ratios_.at(b, load_factor));
+      elongation.push_back(bonds.elongation(b, before.data()));
+    }
+    system_.mark_broken(chosen);
+    freed = freed_parts_.after_break(chosen, before);
+  }
+  const double stored_before = stored_energy();
+  system_.commit_break(chosen, freed.springs);
+  if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
+  solve_after_break(chosen, elongation, before);
+  {
+    const Stopwatch watch(seconds_search_);
+    ratios_.update(state_.displacement);
+  }
+  const double work = absorb(load_factor);
+  state_.work += work;
+  if (freed.nodes_with_lost_loads.empty()) {
+    // Potential energy lost: k e^2 / (2 gamma) for a single bond, whose elongation grows from e to e / gamma.
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const double after = bonds.elongation(chosen[i], state_.total_displacement.data());
+      state_.released_energy += 0.5 * bonds.stiffness[chosen[i]] * elongation[i] * after;
+    }
+  } else {
+    state_.released_energy += work + stored_before - stored_energy();  // goes with the piece and its loads
+  }
+  ++state_.events;
+  state_.broken_bonds += static_cast<std::int64_t>(chosen.size());
+  state_.fragments += freed.fragments;
+  state_.intact = system_.intact();
+  state_.springs = system_.springs();
+  note_separation();
+  record(state_.events, ratio);
+}
+
+void CrackEvolution::note_separation() {
+  if (unit_energy() < separated_energy_ratio * state_.first_unit_energy) state_.separated = true;
+}
+
+StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
+                                   const std::function<void(const EvolutionState&)>& on_event) {
+  std::optional<EvolutionState> start;
+  try {
+    if (!state_.in_equilibrium) {
+      start = state_;
+      find_equilibrium();
+    }
+    for (;;) {
+      if (goal == Goal::separation && state_.separated) return StopReason::separated;
+      const double horizon = goal == Goal::load_factor ? target
+                             : target >= state_.load_factor ? std::numeric_limits<double>::infinity()
+                                                            : -std::numeric_limits<double>::infinity();
+      std::optional<double> next;
+      {
+        const Stopwatch watch(seconds_search_);
+        next = ratios_.next_break(system_.intact(), state_.load_factor, horizon);
+      }
+      const bool beyond = next && (target >= state_.load_factor ? *next > target : *next < target);
+      if (!next && goal != Goal::load_factor) {
+        record(0, 0);
+        return StopReason::no_further_event;
+      }
+      if (!next || beyond) break;
+      if (state_.events >= options.max_events) {
+        fail(Failure::convergence, state_.events,
+             " events happened, as many as the option stepping.max_events allows; raise it to go on");
+      }
+      if (!start) start = state_;
+      perform_event(*next, options);
+      if (on_event) on_event(state_);
+      if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
+    }
+    move_to(target);
+    record(0, 0);
+    return state_.separated ? StopReason::separated : StopReason::load_factor;
+  } catch (...) {
+    if (start) restore(std::move(*start));
+    throw;
+  }
+}
+
+void CrackEvolution::restore(EvolutionState state) {
+  state_ = std::move(state);
+  system_.restore(state_.intact, state_.springs);
+  apply_load();
+  ratios_.update(state_.displacement);
+}
+
+}  // namespace bempd::fracture

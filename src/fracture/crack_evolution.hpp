@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/critical_events.hpp"
+#include "fracture/evolution_state.hpp"
+#include "fracture/freed_parts.hpp"
+
+namespace bempd::fracture {
+
+struct SteppingOptions {
+  double tie_band = 1e-3;
+  int max_breaks_per_solve = 0;  // 0: no limit
+  std::int64_t max_events = 10'000'000;
+};
+
+enum class Goal { load_factor, next_event, separation };
+enum class StopReason { load_factor, event, separated, no_further_event };
+
+// Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
+// found in closed form; a break is a low-rank change of the system. An event is one batch of bonds broken at one load
+// factor; events follow each other at the same load factor until no bond exceeds its critical stretch.
+class CrackEvolution {
+ public:
+  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are gone from the start.
+  CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                 std::vector<double> critical_stretch, const std::vector<int>& cut,
+                 std::vector<std::vector<int>> reaction_dofs);
+
+  void set_load(const coupling::Affine& force, const coupling::Affine& prescribed);
+
+  // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
+  StopReason advance(double target, Goal goal, const SteppingOptions& options,
+                     const std::function<void(const EvolutionState&)>& on_event);
+
+  // Makes the state consistent with the present loads, at the present load factor.
+  void find_equilibrium();
+
+  const EvolutionState& state() const { return state_; }
+  void restore(EvolutionState state);
+  // From here on the run is the same, bit for bit, as one restored from a copy of the present state.
+  void synchronize() { system_.forget_factor(); }
+
+  double stretch(std::size_t bond) const { return ratios_.stretch(bond, state_.load_factor); }
+  Eigen::Vector2d reaction(std::size_t support) const;
+  double seconds_search() const { return seconds_search_; }
+
+ private:
+  void hold_pieces_cut_off_by_initial_cracks();
+  void move_to(double load_factor);
+  void perform_event(double load_factor, const SteppingOptions& options);
+  void solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
+                         const Eigen::VectorXd& before);
+  void drop_loads(const std::vector<int>& nodes);
+  void apply_load();
+  double absorb(double load_factor);  // takes over the displacement at a load factor; returns the work done
+  double stored_energy() const;
+  double unit_energy() const;
+  void note_separation();
+  void record(std::int64_t event, double stretch_ratio);
+  double residual() const;
+
+  coupling::EquilibriumSystem& system_;
+  FreedPartFinder freed_parts_;
+  StretchRatios ratios_;
+  std::vector<std::vector<int>> reaction_dofs_;
+  coupling::Affine force_, prescribed_;  // as the host gave them
+  EvolutionState state_;
+  double seconds_search_ = 0;
+};
+
+}  // namespace bempd::fracture

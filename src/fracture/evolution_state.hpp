@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/operators.hpp"
+
+namespace bempd::fracture {
+
+// One line of the history: an event, or (event 0) the end of a step.
+struct HistoryEntry {
+  std::int64_t event = 0;
+  std::int64_t total_broken_bonds = 0;
+  double load_factor = 0;
+  double stretch_ratio = 0;  // largest stretch over critical stretch just before the break
+  double stored_energy = 0;
+  double released_energy = 0;
+  double work = 0;
+  double energy_balance_error = 0;
+  double residual = 0;
+};
+
+// Everything that a run changes. Copying it saves the run; the factorization is rebuilt from it.
+struct EvolutionState {
+  double load_factor = 0;
+  bool in_equilibrium = false;  // false before the first solution and after the host changed loads
+  bool separated = false;
+  std::int64_t events = 0;
+  std::int64_t broken_bonds = 0;
+  std::int64_t fragments = 0;
+  double first_unit_energy = -1;  // energy of the proportional load alone in the undamaged scene; < 0: not known yet
+  double released_energy = 0;
+  double work = 0;
+  double largest_work = 0;
+  double worst_energy_balance_error = 0;
+  double residual = 0;                  // at the last line of the history
+  coupling::Affine displacement;        // 2 * node + component
+  Eigen::VectorXd total_displacement;   // at load_factor
+  Eigen::VectorXd total_force;          // internal nodal forces at load_factor
+  std::vector<char> intact;             // per bond
+  std::vector<coupling::HoldingSpring> springs;
+  std::vector<char> unloaded;           // nodes whose loads have gone with a piece that came free
+  std::vector<HistoryEntry> history;
+  std::vector<double> reactions;        // per line of the history: x and y of every support
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/connectivity.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::fracture {
+
+// What has to be held so that equilibrium stays unique after bonds have gone.
+struct FreedParts {
+  std::vector<coupling::HoldingSpring> springs;
+  std::vector<int> nodes_with_lost_loads;  // their loads push a free part for which there is no equilibrium
+  std::int64_t fragments = 0;              // pieces that have come free of all supports
+};
+
+// Finds parts that can move freely: pieces cut off from supports, and points whose remaining bonds lie on one line.
+// They are held where they are by springs that carry no force.
+class FreedPartFinder {
+ public:
+  FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
+
+  // Pieces of the scene as it is; `displacement` anchors the springs.
+  FreedParts all_pieces(const Eigen::VectorXd& displacement) const;
+
+  // After these bonds were taken out of the system's intact bonds.
+  FreedParts after_break(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
+
+  // A spring against the largest component of a motion that met no resistance.
+  coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
+
+ private:
+  void hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const;
+  void hold_piece(const std::vector<int>& nodes, const Eigen::VectorXd& displacement, FreedParts& found) const;
+  coupling::HoldingSpring spring(int node, double cosine, double sine, const Eigen::VectorXd& displacement) const;
+
+  const coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  Connectivity connectivity_;
+  double spring_stiffness_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,197 @@
+#include "geometry/arrangement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/hinges.hpp"
+
+namespace bempd {
+
+namespace {
+
+using Fractions = std::vector<double>;
+
+struct Body {
+  std::vector<Segment> edges;
+  Box box;
+};
+
+// Exactly 0 or 1 when the place is an end of the edge. Twice the tolerance, since two places that were each matched to
+// a third one may be that far apart.
+double snap_to_ends(const Segment& edge, double fraction, double tolerance) {
+  const double reach = 2 * tolerance / edge.length();
+  if (fraction <= reach) return 0;
+  return fraction >= 1 - reach ? 1 : fraction;
+}
+
+double snap_to(const Fractions& candidates, double fraction) {
+  if (fraction <= 0 || fraction >= 1 || candidates.empty()) return fraction;
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [fraction](double a, double b) { return std::abs(a - fraction) < std::abs(b - fraction); });
+}
+
+// Sorted, without the ends, places closer than twice the tolerance made one.
+Fractions distinct_inner(const Segment& edge, Fractions fractions, double tolerance) {
+  std::sort(fractions.begin(), fractions.end());
+  const double reach = 2 * tolerance / edge.length();
+  Fractions kept;
+  for (double f : fractions)
+    if (f > 0 && f < 1 && (kept.empty() || f - kept.back() > reach)) kept.push_back(f);
+  return kept;
+}
+
+class Arranger {
+ public:
+  explicit Arranger(const std::vector<Outline>& regions) {
+    Box all;
+    for (const Outline& outline : regions) {
+      bodies_.push_back({edges_of(outline), bounding_box(outline)});
+      all.extend(bodies_.back().box);
+      result_.breakpoints.emplace_back(bodies_.back().edges.size());
+    }
+    tolerance_ = geometric_tolerance(all);
+  }
+
+  Arrangement run() {
+    const int count = static_cast<int>(bodies_.size());
+    for (int a = 0; a < count; ++a)
+      for (int b = a + 1; b < count; ++b)
+        if (may_meet(bodies_[a].box, bodies_[b].box)) compare(a, b);
+    finish_breakpoints();
+    finish_contacts();
+    std::vector<std::vector<Segment>> boundaries;
+    for (Body& body : bodies_) boundaries.push_back(std::move(body.edges));
+    result_.hinges = find_hinges(boundaries, result_.contacts, tolerance_);
+    return std::move(result_);
+  }
+
+ private:
+  bool may_meet(const Box& a, const Box& b) const {
+    const Point margin = Point::Constant(2 * tolerance_);
+    return Box(a.min() - margin, a.max() + margin).intersects(b);
+  }
+
+  static Box box_of(const Segment& s) { return Box(s.start.cwiseMin(s.end), s.start.cwiseMax(s.end)); }
+
+  void compare(int a, int b) {
+    const auto &edges_a = bodies_[a].edges, &edges_b = bodies_[b].edges;
+    std::vector<Fractions> splits_a(edges_a.size()), splits_b(edges_b.size());
+    for (std::size_t i = 0; i < edges_a.size(); ++i)
+      for (std::size_t j = 0; j < edges_b.size(); ++j)
+        if (may_meet(box_of(edges_a[i]), box_of(edges_b[j]))) split(edges_a[i], edges_b[j], splits_a[i], splits_b[j]);
+    classify(a, b, splits_a, true);
+    classify(b, a, splits_b, false);
+  }
+
+  void split(const Segment& a, const Segment& b, Fractions& on_a, Fractions& on_b) const {
+    bool touching = false;
+    const auto touch = [&](const Segment& edge, const Point& vertex, Fractions& on_edge) {
+      const double fraction = closest_fraction(edge, vertex);
+      if ((edge.at(fraction) - vertex).norm() > tolerance_) return;
+      touching = true;
+      on_edge.push_back(snap_to_ends(edge, fraction, tolerance_));
+    };
+    touch(a, b.start, on_a);
+    touch(a, b.end, on_a);
+    touch(b, a.start, on_b);
+    touch(b, a.end, on_b);
+    // A crossing next to a touching vertex is the same place, or rounding on a shared piece.
+    if (touching) return;
+    if (const auto crossing = proper_crossing(a, b)) {
+      on_a.push_back(crossing->fraction_a);
+      on_b.push_back(crossing->fraction_b);
+    }
+  }
+
+  // Between two splits an edge of `a` keeps its relation to `b`, so the middle of each piece decides. Shared pieces
+  // are found from one side only and entered for both, so that the two sides cannot disagree.
+  void classify(int a, int b, const std::vector<Fractions>& splits, bool enter_contacts) {
+    for (std::size_t k = 0; k < splits.size(); ++k) {
+      const Segment& edge = bodies_[a].edges[k];
+      Fractions stations = distinct_inner(edge, splits[k], tolerance_);
+      auto& breakpoints = result_.breakpoints[a][k];
+      breakpoints.insert(breakpoints.end(), stations.begin(), stations.end());
+      stations.insert(stations.begin(), 0.0);
+      stations.push_back(1.0);
+      for (std::size_t s = 0; s + 1 < stations.size(); ++s)
+        classify_piece(a, static_cast<int>(k), stations[s], stations[s + 1], b, enter_contacts);
+    }
+  }
+
+  void classify_piece(int a, int edge, double from, double to, int b, bool enter_contacts) {
+    const Segment& whole = bodies_[a].edges[edge];
+    const Point middle = whole.at(0.5 * (from + to));
+    const Location location = locate(bodies_[b].edges, middle, tolerance_);
+    if (location == Location::outside) return;
+    if (location == Location::inside) return note_overlap(a, b, middle);
+    const Segment piece{whole.at(from), whole.at(to)};
+    const int partner = coincident_edge(piece, middle, bodies_[b].edges);
+    if (partner < 0) return;
+    const Segment& other = bodies_[b].edges[partner];
+    if (piece.direction().dot(other.direction()) > 0) return note_overlap(a, b, middle);
+    if (!enter_contacts) return;
+    const double other_from = snap_to_ends(other, closest_fraction(other, piece.start), tolerance_);
+    const double other_to = snap_to_ends(other, closest_fraction(other, piece.end), tolerance_);
+    if (other_from > other_to) result_.contacts.push_back({a, edge, from, to, b, partner, other_from, other_to});
+  }
+
+  // The edge that the piece lies on, or -1; next to a corner the more parallel of the two.
+  int coincident_edge(const Segment& piece, const Point& middle, const std::vector<Segment>& edges) const {
+    int best = -1;
+    double best_alignment = 0;
+    const Point direction = piece.direction().normalized();
+    for (std::size_t j = 0; j < edges.size(); ++j) {
+      const Segment& edge = edges[j];
+      if (distance(edge, middle) > tolerance_) continue;
+      if (distance(edge, piece.start) > 3 * tolerance_ || distance(edge, piece.end) > 3 * tolerance_) continue;
+      const double alignment = std::abs(direction.dot(edge.direction().normalized()));
+      if (alignment > best_alignment) {
+        best = static_cast<int>(j);
+        best_alignment = alignment;
+      }
+    }
+    return best;
+  }
+
+  void note_overlap(int a, int b, const Point& where) {
+    if (!result_.overlap) result_.overlap = Overlap{std::min(a, b), std::max(a, b), where};
+  }
+
+  void finish_breakpoints() {
+    for (std::size_t r = 0; r < bodies_.size(); ++r)
+      for (std::size_t k = 0; k < bodies_[r].edges.size(); ++k) {
+        auto& fractions = result_.breakpoints[r][k];
+        fractions = distinct_inner(bodies_[r].edges[k], std::move(fractions), tolerance_);
+      }
+  }
+
+  void finish_contacts() {
+    std::vector<Contact> both;
+    for (Contact c : result_.contacts) {
+      const Fractions& own = result_.breakpoints[c.region][c.edge];
+      const Fractions& others = result_.breakpoints[c.other_region][c.other_edge];
+      c.from = snap_to(own, c.from);
+      c.to = snap_to(own, c.to);
+      c.other_from = snap_to(others, c.other_from);
+      c.other_to = snap_to(others, c.other_to);
+      if (!(c.from < c.to && c.other_to < c.other_from)) continue;
+      both.push_back(c);
+      both.push_back({c.other_region, c.other_edge, c.other_to, c.other_from, c.region, c.edge, c.to, c.from});
+    }
+    std::sort(both.begin(), both.end(), [](const Contact& a, const Contact& b) {
+      return std::tie(a.region, a.edge, a.from) < std::tie(b.region, b.edge, b.from);
+    });
+    result_.contacts = std::move(both);
+  }
+
+  std::vector<Body> bodies_;
+  double tolerance_ = 0;
+  Arrangement result_;
+};
+
+}  // namespace
+
+Arrangement arrange(const std::vector<Outline>& regions) { return Arranger(regions).run(); }
+
+}  // namespace bempd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "geometry/segment.hpp"
+
+namespace bempd {
+
+// Body bounded by closed loops of straight edges: loops[0] is the outer loop, counter-clockwise; the others are holes,
+// clockwise, so that every edge has the body on its left. Vertices and edges are numbered through all loops and edge k
+// starts at vertex k.
+struct Outline {
+  std::vector<std::vector<Point>> loops;
+};
+
+using Box = Eigen::AlignedBox2d;
+
+// Edges in their numbering through all loops.
+std::vector<Segment> edges_of(const Outline& outline);
+
+Box bounding_box(const Outline& outline);
+
+// Distance below which two places count as one: 1e-9 of the box's diagonal, but never less than what rounding of the
+// coordinates themselves makes of one place (this matters for small bodies far from the origin).
+double geometric_tolerance(const Box& box);
+
+// Positive for a counter-clockwise loop.
+double signed_area(const std::vector<Point>& loop);
+
+// Area of the body, holes taken out.
+double area(const Outline& outline);
+
+enum class Location { inside, on_boundary, outside };
+
+// `boundary` holds all edges of one body in any order.
+Location locate(const std::vector<Segment>& boundary, const Point& p, double tolerance);
+Location locate(const Outline& outline, const Point& p, double tolerance);
+
+// A point well inside a sound outline, at half the width that the body has across its longest edge.
+Point some_interior_point(const Outline& outline);
+
+}  // namespace bempd

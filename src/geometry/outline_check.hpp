@@ -1,0 +1,33 @@
+#pragma once
+
+#include "geometry/outline.hpp"
+
+namespace bempd {
+
+enum class OutlineDefect {
+  none,
+  not_finite,         // a coordinate is not a finite number, or beyond 1e75: edge_a is the vertex
+  too_few_vertices,   // no loop at all, or one with less than three vertices
+  repeated_vertex,    // edge_a has no length: its vertex is given twice in a row
+  spike,              // edge_b runs back over edge_a
+  self_crossing,      // edge_a and edge_b of one loop cross or touch
+  wrong_orientation,  // outer loop clockwise, or hole counter-clockwise
+  hole_outside,       // a hole leaves or touches the outer loop, edge_a and edge_b say where if it does; -1 if it lies
+                      // wholly outside
+  holes_overlap       // two holes cross or touch (edge_a, edge_b) or one lies in the other (-1)
+};
+
+// The first defect found. `loop` is the loop at fault (for pairs of loops the later one); edges are numbered through
+// all loops, -1 where none applies; edge k starts at vertex k.
+struct OutlineCheck {
+  OutlineDefect defect = OutlineDefect::none;
+  int loop = -1;
+  int edge_a = -1, edge_b = -1;
+  Point where = Point::Zero();
+
+  bool sound() const { return defect == OutlineDefect::none; }
+};
+
+OutlineCheck check_outline(const Outline& outline);
+
+}  // namespace bempd

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/outline.hpp"
+
+namespace bempd {
+
+using LatticePoint = Eigen::Vector2i;
+
+// Outline whose edges follow a square lattice. Lattice point (i, j) is at origin + spacing * (i, j); the origin is the
+// lower left corner of the bounding box, so that all numbers are >= 0.
+struct LatticeOutline {
+  Point origin = Point::Zero();
+  double spacing = 0;
+  std::vector<std::vector<LatticePoint>> loops;    // vertices between collinear edges left out
+  std::vector<std::array<LatticePoint, 2>> edges;  // [k]: start and end of edge k of the outline as given
+};
+
+enum class LatticeMisfit {
+  none,
+  bad_spacing,       // not a positive finite number, or so small that cells cannot be told apart or counted
+  oblique_edge,      // edge `edge` is parallel to neither axis
+  indivisible_edge,  // edge `edge` of length `length` is not a whole number of spacings
+  shifted_hole       // hole `loop`, starting with edge `edge`, is `length` away from the first vertex along an axis,
+                     // which is not a whole number of spacings
+};
+
+struct LatticeFit {
+  LatticeMisfit misfit = LatticeMisfit::none;
+  int edge = -1;
+  int loop = -1;
+  double length = 0;
+  // For lengths that do not divide: spacings close to the wanted one, smallest first, that fit the whole outline. Short
+  // decimal numbers are preferred. Empty if the lengths have no useful common measure.
+  std::vector<double> suggestions;
+  LatticeOutline outline;  // only without misfit
+
+  bool fits() const { return misfit == LatticeMisfit::none; }
+};
+
+// `outline` must be sound (check_outline). A length fits if it is a whole number of spacings up to the geometric
+// tolerance of the outline, 1e-9 of its size: coordinates typed with ten digits pass, a spacing that is really wrong
+// is off by far more.
+LatticeFit fit_lattice(const Outline& outline, double spacing);
+
+// Spacings within a factor three of `wanted` that divide all `lengths` up to `tolerance`, at most one on either side
+// (or the wanted one itself); empty if there is none.
+std::vector<double> spacings_near(double wanted, const std::vector<double>& lengths, double tolerance);
+
+}  // namespace bempd

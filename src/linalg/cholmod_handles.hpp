@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cholmod.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace bempd::linalg {
+
+// CHOLMOD's workspace and settings; errors become exceptions instead of messages on the host's terminal.
+class CholmodCommon {
+ public:
+  CholmodCommon() {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.error_handler = [](int, const char*, int, const char* message) { last_message() = message; };
+  }
+  ~CholmodCommon() { cholmod_finish(&common_); }
+  CholmodCommon(const CholmodCommon&) = delete;
+  CholmodCommon& operator=(const CholmodCommon&) = delete;
+
+  cholmod_common* get() { return &common_; }
+  cholmod_common* operator->() { return &common_; }
+
+  // To be called after every CHOLMOD call: a negative status is an error, a positive one a warning.
+  void check() const {
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (common_.status < 0) throw std::runtime_error(std::string("CHOLMOD: ") + last_message());
+  }
+
+ private:
+  // The handler gets no user pointer; the message always belongs to the call just made on this thread.
+  static const char*& last_message() {
+    thread_local const char* message = "unknown error";
+    return message;
+  }
+
+  cholmod_common common_;
+};
+
+// Owner of a CHOLMOD object freed by `release(&pointer, common)`; `slot` is where CHOLMOD stores or replaces it.
+template <class T, int (*release)(T**, cholmod_common*)>
+class CholmodHandle {
+ public:
+  explicit CholmodHandle(CholmodCommon& common) : common_(common) {}
+  ~CholmodHandle() { reset(); }
+  CholmodHandle(const CholmodHandle&) = delete;
+  CholmodHandle& operator=(const CholmodHandle&) = delete;
+
+  void reset(T* value = nullptr) {
+    if (value_) release(&value_, common_.get());
+    value_ = value;
+  }
+  T* get() const { return value_; }
+  T* operator->() const { return value_; }
+  T** slot() { return &value_; }
+  explicit operator bool() const { return value_ != nullptr; }
+
+ private:
+  CholmodCommon& common_;
+  T* value_ = nullptr;
+};
+
+using CholmodFactor = CholmodHandle<cholmod_factor, cholmod_free_factor>;
+using CholmodDense = CholmodHandle<cholmod_dense, cholmod_free_dense>;
+using CholmodSparse = CholmodHandle<cholmod_sparse, cholmod_free_sparse>;
+
+}  // namespace bempd::linalg

@@ -1,0 +1,219 @@
+#include <omp.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "linalg/cholmod_handles.hpp"
+#include "linalg/sparse_cholesky.hpp"
+
+namespace bempd::linalg {
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+// CHOLMOD asks OpenMP for four threads whatever the machine has and whatever the host allows. The setting belongs to
+// the calling thread's own data environment, so nobody else sees the change.
+class NoNestedThreads {
+ public:
+  NoNestedThreads() : before_(omp_get_max_active_levels()) { omp_set_max_active_levels(omp_get_active_level()); }
+  ~NoNestedThreads() { omp_set_max_active_levels(before_); }
+  NoNestedThreads(const NoNestedThreads&) = delete;
+  NoNestedThreads& operator=(const NoNestedThreads&) = delete;
+
+ private:
+  int before_;
+};
+
+cholmod_sparse view(const SparseMatrix& matrix, int symmetry) {
+  assert(matrix.isCompressed());
+  cholmod_sparse out = {};
+  out.nrow = static_cast<std::size_t>(matrix.rows());
+  out.ncol = static_cast<std::size_t>(matrix.cols());
+  out.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  out.p = const_cast<int*>(matrix.outerIndexPtr());
+  out.i = const_cast<int*>(matrix.innerIndexPtr());
+  out.x = const_cast<double*>(matrix.valuePtr());
+  out.stype = symmetry;
+  out.itype = CHOLMOD_INT;
+  out.xtype = CHOLMOD_REAL;
+  out.dtype = CHOLMOD_DOUBLE;
+  out.sorted = 1;
+  out.packed = 1;
+  return out;
+}
+
+cholmod_dense view(Eigen::Ref<Eigen::MatrixXd> matrix) {
+  cholmod_dense out = {};
+  out.nrow = static_cast<std::size_t>(matrix.rows());
+  out.ncol = static_cast<std::size_t>(matrix.cols());
+  out.d = static_cast<std::size_t>(std::max(matrix.outerStride(), matrix.rows()));
+  out.nzmax = out.d * out.ncol;
+  out.x = matrix.data();
+  out.xtype = CHOLMOD_REAL;
+  out.dtype = CHOLMOD_DOUBLE;
+  return out;
+}
+
+// Calls visit(j, d_j) for every pivot of L L^T or L D L^T.
+template <class Visit>
+void for_each_pivot(const cholmod_factor& factor, Visit visit) {
+  const double* x = static_cast<const double*>(factor.x);
+  if (!factor.is_super) {
+    const int* p = static_cast<const int*>(factor.p);
+    for (int j = 0; j < static_cast<int>(factor.n); ++j) visit(j, factor.is_ll ? x[p[j]] * x[p[j]] : x[p[j]]);
+    return;
+  }
+  const int* super = static_cast<const int*>(factor.super);
+  const int* pi = static_cast<const int*>(factor.pi);
+  const int* px = static_cast<const int*>(factor.px);
+  for (std::size_t s = 0; s < factor.nsuper; ++s) {
+    const int rows = pi[s + 1] - pi[s];
+    for (int k = 0; k < super[s + 1] - super[s]; ++k) {
+      const double diagonal = x[px[s] + k + static_cast<std::ptrdiff_t>(k) * rows];
+      visit(super[s] + k, diagonal * diagonal);
+    }
+  }
+}
+
+class SuiteSparseCholesky final : public SparseCholesky {
+ public:
+  SuiteSparseCholesky() {
+    // Supernodal whatever the size: L L^T notices a negative pivot, CHOLMOD's simplicial L D L^T does not.
+    common_->supernodal = CHOLMOD_SUPERNODAL;
+    common_->quick_return_if_not_posdef = 1;
+    // AMD only. CHOLMOD's other choice, METIS, reseeds the process-wide random generator and swaps signal handlers,
+    // which an embedded library must not do to its host.
+    common_->nmethods = 1;
+    common_->method[0].ordering = CHOLMOD_AMD;
+  }
+
+  bool factorize(const SparseMatrix& lower) override {
+    assert(lower.rows() == lower.cols());
+    if (!lower.isCompressed()) {
+      SparseMatrix compressed = lower;
+      compressed.makeCompressed();
+      return factorize(compressed);
+    }
+    has_factor_ = false;
+    diagonal_ = lower.diagonal();
+    if (lower.rows() == 0) {
+      factor_.reset();
+      return has_factor_ = true;
+    }
+    if (!lower.coeffs().allFinite()) return false;
+    cholmod_sparse matrix = view(lower, -1);
+    prepare_factor(lower, matrix);
+    common_->dbound = 0;
+    {
+      const NoNestedThreads guard;
+      cholmod_factorize(&matrix, factor_.get(), common_.get());
+    }
+    common_.check();
+    has_factor_ = factor_->minor == factor_->n && smallest_pivot_ratio() > singular_pivot_ratio;
+    return has_factor_;
+  }
+
+  void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
+    assert(has_factor_ && rhs.rows() == diagonal_.size());
+    if (rhs.size() == 0) return;
+    cholmod_dense b = view(rhs);
+    {
+      const NoNestedThreads guard;
+      cholmod_solve2(CHOLMOD_A, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),
+                     common_.get());
+    }
+    common_.check();
+    rhs = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution_->x), rhs.rows(), rhs.cols());
+  }
+
+  bool update(const SparseMatrix& columns, Change change) override {
+    assert(has_factor_ && columns.rows() == diagonal_.size());
+    if (columns.nonZeros() == 0) return true;
+    has_factor_ = false;  // until this call succeeds
+    // The conversion is left to the first change: a run without one keeps the faster supernodal solves.
+    if (factor_->is_super) {
+      cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, factor_.get(), common_.get());
+      common_.check();
+    }
+    const SparseMatrix permuted = in_elimination_order(columns);
+    cholmod_sparse c = view(permuted, 0);
+    common_->dbound = singular_pivot_ratio * diagonal_.maxCoeff();
+    cholmod_updown(change == Change::add ? 1 : 0, &c, factor_.get(), common_.get());
+    common_.check();
+    return has_factor_ = true;
+  }
+
+  double smallest_pivot_ratio() const override {
+    double smallest = diagonal_.size() == 0 ? 1 : std::numeric_limits<double>::infinity();
+    if (!factor_) return smallest;
+    const int* order = static_cast<const int*>(factor_->Perm);
+    for_each_pivot(*factor_.get(), [&](int j, double pivot) {
+      const double ratio = pivot / diagonal_[order[j]];
+      if (!(ratio >= smallest)) smallest = ratio;  // a NaN wins
+    });
+    return smallest;
+  }
+
+  std::int64_t factor_nonzeros() const override {
+    if (!factor_) return 0;
+    if (factor_->is_super) return static_cast<std::int64_t>(factor_->xsize);
+    const int* counts = static_cast<const int*>(factor_->nz);
+    return std::accumulate(counts, counts + factor_->n, std::int64_t{0});
+  }
+
+ private:
+  // Leaves a supernodal factor in `factor_`, analysed for this pattern.
+  void prepare_factor(const SparseMatrix& lower, cholmod_sparse& matrix) {
+    const bool same_pattern = analysis_ && pattern_start_.size() == static_cast<std::size_t>(lower.cols() + 1) &&
+                              std::equal(pattern_start_.begin(), pattern_start_.end(), lower.outerIndexPtr()) &&
+                              std::equal(pattern_rows_.begin(), pattern_rows_.end(), lower.innerIndexPtr());
+    if (!same_pattern) {
+      factor_.reset();
+      analysis_.reset();
+      pattern_start_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
+      pattern_rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+      position_.resize(static_cast<std::size_t>(lower.cols()));
+      analysis_.reset(cholmod_analyze(&matrix, common_.get()));
+      common_.check();
+      const int* order = static_cast<const int*>(analysis_->Perm);
+      for (int j = 0; j < static_cast<int>(position_.size()); ++j) position_[order[j]] = j;
+    }
+    // A factor that was changed is simplicial; the next one starts from the analysis again.
+    if (!factor_ || !factor_->is_super) {
+      factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
+      common_.check();
+    }
+  }
+
+  SparseMatrix in_elimination_order(const SparseMatrix& columns) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(static_cast<std::size_t>(columns.nonZeros()));
+    for (int k = 0; k < columns.outerSize(); ++k)
+      for (SparseMatrix::InnerIterator it(columns, k); it; ++it)
+        entries.emplace_back(position_[it.row()], k, it.value());
+    SparseMatrix permuted(columns.rows(), columns.cols());
+    permuted.setFromTriplets(entries.begin(), entries.end());
+    return permuted;
+  }
+
+  mutable CholmodCommon common_;
+  CholmodFactor analysis_{common_}, factor_{common_};
+  mutable CholmodDense solution_{common_}, work_y_{common_}, work_e_{common_};
+  Eigen::VectorXd diagonal_;                       // of the matrix last factorized
+  std::vector<int> pattern_start_, pattern_rows_;  // what `analysis_` was made for
+  std::vector<int> position_;                      // of a row in the elimination order
+  bool has_factor_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<SparseCholesky> make_sparse_cholesky() { return std::make_unique<SuiteSparseCholesky>(); }
+
+const char* backend_name() { return "suitesparse"; }
+
+}  // namespace bempd::linalg

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "model/discretization.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// The contact that a piece of an edge belongs to, or null. Breakpoints lie at the ends of all contacts.
+const Contact* contact_at(const Arrangement& arrangement, int region, int edge, double fraction) {
+  for (const Contact& contact : arrangement.contacts) {
+    if (contact.region == region - 1 && contact.edge == edge - 1 && contact.from < fraction && fraction < contact.to) {
+      return &contact;
+    }
+  }
+  return nullptr;
+}
+
+Border border_of(const Scene& scene, const Contact* contact) {
+  if (!contact) return Border::free;
+  return scene.region(contact->other_region + 1).kind == RegionKind::peridynamics ? Border::peridynamics
+                                                                                  : Border::boundary_elements;
+}
+
+// Fractions of an edge where supports or loads begin, end or act on a point.
+std::vector<double> condition_breaks(const Scene& scene, int region, int edge, double tolerance) {
+  std::vector<double> breaks;
+  const Segment segment = scene.region(region).edge(edge);
+  const auto collect = [&](const std::vector<Condition>& conditions) {
+    for (const Condition& condition : conditions) {
+      if (const auto* part = std::get_if<EdgePart>(&condition.place)) {
+        if (part->region != region || part->edge != edge) continue;
+        breaks.push_back(part->from);
+        breaks.push_back(part->to);
+      } else if (const Point& p = std::get<Point>(condition.place); distance(segment, p) <= tolerance) {
+        breaks.push_back(closest_fraction(segment, p));
+      }
+    }
+  };
+  collect(scene.supports());
+  collect(scene.loads());
+  return breaks;
+}
+
+// Places where panels of an edge end, without those that its neighbours ask for.
+std::vector<double> own_breaks(const Scene& scene, const Arrangement& arrangement, double tolerance, int region,
+                               int edge) {
+  std::vector<double> breaks = arrangement.breakpoints[region - 1][edge - 1];
+  for (double fraction : condition_breaks(scene, region, edge, tolerance)) {
+    // On a lattice interface the elements follow the lattice.
+    if (border_of(scene, contact_at(arrangement, region, edge, fraction)) != Border::peridynamics) {
+      breaks.push_back(fraction);
+    }
+  }
+  return breaks;
+}
+
+std::vector<double> all_breaks(const Scene& scene, const Arrangement& arrangement, double tolerance, int region,
+                               int edge) {
+  std::vector<double> breaks = own_breaks(scene, arrangement, tolerance, region, edge);
+  for (const Contact& contact : arrangement.contacts) {
+    if (contact.region != region - 1 || contact.edge != edge - 1) continue;
+    if (border_of(scene, &contact) != Border::boundary_elements) continue;
+    const double span = contact.other_to - contact.other_from;
+    for (double theirs : own_breaks(scene, arrangement, tolerance, contact.other_region + 1, contact.other_edge + 1)) {
+      const double share = (theirs - contact.other_from) / span;
+      if (share > 0 && share < 1) breaks.push_back(contact.from + share * (contact.to - contact.from));
+    }
+  }
+  breaks.push_back(0);
+  breaks.push_back(1);
+  std::sort(breaks.begin(), breaks.end());
+  const double close = tolerance / scene.region(region).edge(edge).length();
+  std::vector<double> distinct{0.0};
+  for (double fraction : breaks) {
+    if (fraction - distinct.back() > close) distinct.push_back(fraction);
+  }
+  if (1 - distinct.back() <= close && distinct.size() > 1) distinct.pop_back();
+  distinct.push_back(1);
+  return distinct;
+}
+
+EdgeMesh mesh_of(const Region& region, int edge) {
+  const auto found = region.edge_mesh.find(edge);
+  return found != region.edge_mesh.end() ? found->second : EdgeMesh{region.element_length, 1.0};
+}
+
+std::vector<double> lattice_stations(const Scene& scene, int region, const Contact& contact, const Segment& piece,
+                                     double tolerance) {
+  const Region& lattice = scene.region(contact.other_region + 1);
+  const double spacing = lattice.lattice.spacing;
+  for (const Point& end : {piece.start, piece.end}) {
+    const Point scaled = (end - lattice.lattice.origin) / spacing;
+    const Point nearest = scaled.array().round();
+    require((scaled - nearest).norm() * spacing <= 100 * tolerance, "the interface between region ", region,
+            " and the peridynamic region ", contact.other_region + 1, " ends at (", end.x(), ", ", end.y(),
+            "), which is not a lattice point; move that corner to a multiple of the spacing ", spacing,
+            " from the peridynamic region's corner, such as (",
+            lattice.lattice.origin.x() + spacing * nearest.x(), ", ", lattice.lattice.origin.y() + spacing * nearest.y(),
+            ")");
+  }
+  const int count = static_cast<int>(std::lround(piece.length() / spacing));
+  std::vector<double> stations(count + 1);
+  for (int i = 0; i <= count; ++i) stations[i] = static_cast<double>(i) / count;
+  return stations;
+}
+
+// Both sides of an interface must come to the same elements: the finer wish counts, seen from the lower region number.
+std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact, double length) {
+  const int other = contact.other_region + 1;
+  const EdgeMesh ours = mesh_of(scene.region(region), edge);
+  const EdgeMesh theirs = mesh_of(scene.region(other), contact.other_edge + 1);
+  const bool lower = region < other;
+  const EdgeMesh& first = lower ? ours : theirs;
+  const EdgeMesh& second = lower ? theirs : ours;
+  const EdgeMesh& mesh = second.element_length < first.element_length ? second : first;
+  return element_stations(length, mesh.element_length, mesh.grading);
+}
+
+}  // namespace
+
+BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, double tolerance, int region_id) {
+  const Region& region = scene.region(region_id);
+  BoundaryPanels result;
+  int edge = 0;
+  for (const auto& loop : region.outline.loops) {
+    result.loops.emplace_back();
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      ++edge;
+      const Segment segment = region.edge(edge);
+      const std::vector<double> breaks = all_breaks(scene, arrangement, tolerance, region_id, edge);
+      for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
+        const Segment piece{segment.at(breaks[b]), segment.at(breaks[b + 1])};
+        const Contact* contact = contact_at(arrangement, region_id, edge, 0.5 * (breaks[b] + breaks[b + 1]));
+        const Border border = border_of(scene, contact);
+        const EdgeMesh mesh = mesh_of(region, edge);
+        std::vector<double> stations =
+            border == Border::peridynamics ? lattice_stations(scene, region_id, *contact, piece, tolerance)
+            : border == Border::boundary_elements
+                ? shared_stations(scene, region_id, edge, *contact, piece.length())
+                : element_stations(piece.length(), mesh.element_length, mesh.grading);
+        result.loops.back().push_back({piece.start, piece.end, std::move(stations)});
+        result.sources.push_back({edge, breaks[b], breaks[b + 1], border});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace bempd::model

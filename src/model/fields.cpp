@@ -1,0 +1,219 @@
+#include <cmath>
+
+#include "bem/interior.hpp"
+#include "error.hpp"
+#include "model/model.hpp"
+#include "pd/deformation.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+FieldValues pairs_of(const Eigen::VectorXd& values) { return {{values.data(), values.data() + values.size()}, 2}; }
+
+// Displacements of the material points, 2 * point + component.
+Eigen::VectorXd point_displacements(const LatticePart& part, const Eigen::VectorXd& scene_displacement) {
+  Eigen::VectorXd values(2 * static_cast<Eigen::Index>(part.nodes.size()));
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    values.segment<2>(2 * static_cast<Eigen::Index>(i)) = scene_displacement.segment<2>(2 * part.nodes[i]);
+  }
+  return values;
+}
+
+std::vector<char> intact_bonds(const LatticePart& part, const std::vector<char>& intact) {
+  const auto first = intact.begin() + static_cast<std::ptrdiff_t>(part.first_bond);
+  return {first, first + static_cast<std::ptrdiff_t>(part.bonds.size())};
+}
+
+FieldValues lattice_positions(const LatticePart& part) {
+  FieldValues field{{}, 2};
+  for (int i = 0; i < part.lattice->point_count(); ++i) {
+    const Point p = part.position(i);
+    field.values.insert(field.values.end(), {p.x(), p.y()});
+  }
+  return field;
+}
+
+// 1 - intact bonds / bonds before any crack.
+FieldValues damage(const LatticePart& part, const std::vector<char>& intact) {
+  std::vector<int> all(part.nodes.size(), 0), left(part.nodes.size(), 0);
+  for (std::size_t b = 0; b < part.bonds.size(); ++b) {
+    for (int point : {part.bonds[b].first, part.bonds[b].second}) {
+      ++all[point];
+      left[point] += intact[part.first_bond + b];
+    }
+  }
+  FieldValues field{std::vector<double>(part.nodes.size(), 0.0), 1};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] > 0) field.values[i] = 1 - static_cast<double>(left[i]) / all[i];
+  }
+  return field;
+}
+
+FieldValues lattice_stress(const LatticePart& part, const PlaneElasticity& elasticity, const std::vector<char>& intact,
+                           const Eigen::VectorXd& scene_displacement) {
+  const Eigen::MatrixXd stress =
+      pd::point_stresses(*part.lattice, part.bonds, intact_bonds(part, intact),
+                         point_displacements(part, scene_displacement) / part.outline.spacing, elasticity);
+  return {{stress.data(), stress.data() + stress.size()}, 3};
+}
+
+FieldValues boundary_positions(const BoundaryPart& part) {
+  FieldValues field{{}, 2};
+  for (const Point& p : part.mesh.nodes) field.values.insert(field.values.end(), {p.x(), p.y()});
+  return field;
+}
+
+FieldValues element_tractions(const BoundaryPart& part, const Eigen::VectorXd& tractions) {
+  FieldValues field{{}, 2};
+  for (const BoundaryElement& element : part.mesh.elements) {
+    for (int node : element.traction_nodes) {
+      field.values.push_back(tractions[2 * node]);
+      field.values.push_back(tractions[2 * node + 1]);
+    }
+  }
+  return field;
+}
+
+FieldValues boundary_stress(const BoundaryPart& part, const bem::InteriorEvaluator& evaluator) {
+  FieldValues field{{}, 3};
+  for (const Point& node : part.mesh.nodes) {
+    const Eigen::Vector3d stress = evaluator.at(node).stress;
+    field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
+  }
+  return field;
+}
+
+}  // namespace
+
+Eigen::VectorXd Model::boundary_tractions(const BoundaryPart& part) const {
+  return part.galerkin->tractions(part.mesh_displacement(prepared_->evolution->state().total_displacement));
+}
+
+const FieldValues& Model::field(int region, Field which) {
+  field_size(region, which);
+  ensure_equilibrium();
+  if (cached_generation_ != generation_) {
+    fields_.clear();
+    cached_generation_ = generation_;
+  }
+  const auto key = std::make_pair(region, static_cast<int>(which));
+  const auto found = fields_.find(key);
+  if (found != fields_.end()) return found->second;
+  return fields_.emplace(key, compute_field(region, which)).first->second;
+}
+
+FieldValues Model::compute_field(int region, Field which) {
+  const Discretization& d = prepared_->discretization;
+  const fracture::EvolutionState& state = prepared_->evolution->state();
+  const PlaneElasticity& elasticity = scene_.material(scene_.region(region).material).elasticity;
+  if (const LatticePart* part = d.lattice_of(region)) {
+    switch (which) {
+      case Field::position:
+        return lattice_positions(*part);
+      case Field::displacement:
+        return pairs_of(point_displacements(*part, state.total_displacement));
+      case Field::damage:
+        return damage(*part, state.intact);
+      case Field::stress:
+        return lattice_stress(*part, elasticity, state.intact, state.total_displacement);
+      case Field::bond_stretch: {
+        FieldValues field{{}, 1};
+        const coupling::BondSet& bonds = prepared_->system->bonds();
+        for (std::size_t b = part->first_bond; b < part->first_bond + part->bonds.size(); ++b) {
+          field.values.push_back(bonds.elongation(b, state.total_displacement.data()) / bonds.length[b]);
+        }
+        return field;
+      }
+      case Field::traction:
+        break;  // refused by field_size()
+    }
+    return {};
+  }
+  const BoundaryPart& part = *d.boundary_of(region);
+  switch (which) {
+    case Field::position:
+      return boundary_positions(part);
+    case Field::displacement:
+      return pairs_of(part.mesh_displacement(state.total_displacement));
+    case Field::traction:
+      return element_tractions(part, boundary_tractions(part));
+    case Field::stress:
+      return boundary_stress(part, {part.mesh, elasticity, part.mesh_displacement(state.total_displacement),
+                                    boundary_tractions(part)});
+    case Field::damage:
+    case Field::bond_stretch:
+      break;  // refused by field_size()
+  }
+  return {};
+}
+
+std::int64_t Model::node_count(int region) { return field_size(region, Field::position).count; }
+
+std::int64_t Model::element_count(int region) {
+  scene_.region(region);
+  prepare();
+  if (const LatticePart* part = prepared_->discretization.lattice_of(region)) return part->lattice->cell_count();
+  return static_cast<std::int64_t>(prepared_->discretization.boundary_of(region)->mesh.elements.size());
+}
+
+const LatticePart& Model::lattice(int region) {
+  scene_.region(region);
+  prepare();
+  const LatticePart* part = prepared_->discretization.lattice_of(region);
+  require(part != nullptr, "region ", region, " is a BEM region and has no bonds; ask a peridynamic region");
+  return *part;
+}
+
+FieldSize Model::field_size(int region, Field which) {
+  scene_.region(region);
+  prepare();
+  const int components = which == Field::stress ? 3 : which == Field::damage || which == Field::bond_stretch ? 1 : 2;
+  std::int64_t count = 0;
+  if (const LatticePart* part = prepared_->discretization.lattice_of(region)) {
+    require(which != Field::traction, "region ", region, " is peridynamic and has no tractions; ask a BEM region");
+    count = which == Field::bond_stretch ? static_cast<std::int64_t>(part->bonds.size()) : part->lattice->point_count();
+  } else {
+    require(which != Field::damage && which != Field::bond_stretch, "region ", region,
+            " is a BEM region and has no bonds; ask a peridynamic region");
+    const BoundaryMesh& mesh = prepared_->discretization.boundary_of(region)->mesh;
+    count = static_cast<std::int64_t>(which == Field::traction ? 3 * mesh.elements.size() : mesh.nodes.size());
+  }
+  return {count, components};
+}
+
+std::vector<BondState> Model::bond_states(int region) {
+  const LatticePart* part = &lattice(region);
+  std::vector<BondState> states(part->bonds.size());
+  const std::vector<char>& intact = prepared_->evolution->state().intact;
+  for (std::size_t b = 0; b < states.size(); ++b) {
+    states[b] = intact[part->first_bond + b] ? BondState::intact : BondState::broken;
+  }
+  for (int cut : prepared_->cut_bonds) {
+    const auto bond = static_cast<std::size_t>(cut);
+    if (bond >= part->first_bond && bond < part->first_bond + states.size()) states[bond - part->first_bond] = BondState::cut;
+  }
+  return states;
+}
+
+std::vector<std::int32_t> Model::elements(int region) {
+  scene_.region(region);
+  prepare();
+  std::vector<std::int32_t> nodes;
+  if (const LatticePart* part = prepared_->discretization.lattice_of(region)) {
+    for (int i = 0; i < part->lattice->point_count(); ++i) {
+      const Eigen::Vector2i corner = part->lattice->point(i);
+      if (!part->lattice->has_cell(corner)) continue;
+      const auto corners = part->lattice->cell_corners(corner);
+      // From rows to counter-clockwise order.
+      nodes.insert(nodes.end(), {corners[0], corners[1], corners[3], corners[2]});
+    }
+    return nodes;
+  }
+  for (const BoundaryElement& element : prepared_->discretization.boundary_of(region)->mesh.elements) {
+    nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
+  }
+  return nodes;
+}
+
+}  // namespace bempd::model

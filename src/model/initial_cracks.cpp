@@ -1,0 +1,78 @@
+#include "model/initial_cracks.hpp"
+
+#include <algorithm>
+
+#include "error.hpp"
+#include "pd/crack.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// Where a segment may pass from one region to another: crossings with edges, and vertices and ends that touch.
+std::vector<double> crossings(const Scene& scene, const Segment& segment, double tolerance) {
+  std::vector<double> fractions{0.0, 1.0};
+  for (const Region& region : scene.regions()) {
+    for (const Segment& edge : edges_of(region.outline)) {
+      if (const auto crossing = proper_crossing(segment, edge)) fractions.push_back(crossing->fraction_a);
+      if (distance(segment, edge.start) <= tolerance) fractions.push_back(closest_fraction(segment, edge.start));
+    }
+  }
+  std::sort(fractions.begin(), fractions.end());
+  return fractions;
+}
+
+void require_in_lattices(const Scene& scene, int crack, const Segment& segment, double tolerance) {
+  const std::vector<double> stations = crossings(scene, segment, tolerance);
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    if ((stations[i + 1] - stations[i]) * segment.length() <= 10 * tolerance) continue;
+    const Point middle = segment.at(0.5 * (stations[i] + stations[i + 1]));
+    bool inside = false;
+    int other = 0;
+    for (std::size_t r = 0; r < scene.regions().size(); ++r) {
+      const Region& region = scene.regions()[r];
+      if (locate(region.outline, middle, tolerance) == Location::outside) continue;
+      if (region.kind == RegionKind::peridynamics) {
+        inside = true;
+      } else {
+        other = static_cast<int>(r) + 1;
+      }
+    }
+    require(inside, "crack ", crack, " passes (", middle.x(), ", ", middle.y(), "), which is ",
+            other > 0 ? text("in region ", other, ", a BEM region; cracks can only lie in peridynamic regions")
+                      : std::string("outside the body; end the crack on the boundary of a peridynamic region or inside"));
+  }
+}
+
+}  // namespace
+
+std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d) {
+  std::vector<int> cut;
+  for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
+    const std::vector<Point>& points = scene.cracks()[c].points;
+    const int id = static_cast<int>(c) + 1;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      require_in_lattices(scene, id, {points[i], points[i + 1]}, d.tolerance);
+    }
+    for (const LatticePart& part : d.lattices) {
+      std::vector<Point> polyline;
+      for (const Point& p : points) polyline.push_back(part.to_lattice(p));
+      const std::vector<int> touched = pd::points_on(*part.lattice, polyline);
+      if (!touched.empty()) {
+        const Point where = part.position(touched.front());
+        require(false, "crack ", id, " passes through ", touched.size(), " material points of region ", part.region,
+                ", the first at (", where.x(), ", ", where.y(),
+                "); a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
+                0.5 * part.outline.spacing, ")");
+      }
+      for (int bond : pd::bonds_cut_by(*part.lattice, part.bonds, polyline)) {
+        cut.push_back(static_cast<int>(part.first_bond) + bond);
+      }
+    }
+  }
+  std::sort(cut.begin(), cut.end());
+  cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
+  return cut;
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,149 @@
+#include "model/model.hpp"
+
+#include <cmath>
+
+#include "coupling/rigid_motion.hpp"
+#include "error.hpp"
+#include "fracture/connectivity.hpp"
+#include "model/initial_cracks.hpp"
+#include "stopwatch.hpp"
+
+namespace bempd::model {
+
+Scene& Model::editable_scene() {
+  if (prepared_) {
+    fail(Failure::order,
+         "the model is prepared and its scene can no longer change; add everything before the first step or result, or "
+         "create a new model");
+  }
+  return scene_;
+}
+
+void Model::log(int level, const std::string& message) const {
+  if (log_) log_(level, message);
+}
+
+void Model::check_mechanism(const PreparedScene& p) const {
+  const std::vector<Point>& positions = p.discretization.positions;
+  for (const std::vector<int>& nodes : fracture::Connectivity(*p.system).pieces()) {
+    std::vector<coupling::HeldDirection> held;
+    for (int node : nodes) {
+      if (p.conditions.prescribed[2 * node]) held.push_back({node, 1, 0});
+      if (p.conditions.prescribed[2 * node + 1]) held.push_back({node, 0, 1});
+    }
+    const coupling::RigidMotion motion(positions, nodes, held);
+    if (motion.free_count() == 0) continue;
+    fail(Failure::unsolvable, "the part of the body that holds (", positions[nodes.front()].x(), ", ",
+         positions[nodes.front()].y(), ") can ", motion.describe(),
+         "; add supports that prevent this, for example bempd_fix_point() in the components that carry no load");
+  }
+}
+
+void Model::prepare() {
+  if (prepared_) return;
+  if (scene_.regions().empty()) fail(Failure::order, "the scene has no region; add one first");
+  auto p = std::make_unique<PreparedScene>();
+  p->discretization = discretize(scene_, options_);
+  Discretization& d = p->discretization;
+  p->conditions = apply_conditions(scene_, d);
+  p->cut_bonds = bonds_cut_by_cracks(scene_, d);
+  p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
+                                                            std::move(d.bonds), p->conditions.prescribed);
+  check_mechanism(*p);
+  p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
+                                                            p->conditions.reaction_dofs);
+  p->evolution->set_load(p->conditions.force, p->conditions.displacement);
+  prepared_ = std::move(p);
+  ++generation_;
+  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->bonds().size(),
+              " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
+}
+
+const PreparedScene& Model::prepared() {
+  prepare();
+  return *prepared_;
+}
+
+void Model::ensure_equilibrium() {
+  prepare();
+  fracture::CrackEvolution& evolution = *prepared_->evolution;
+  if (evolution.state().in_equilibrium) return;
+  evolution.find_equilibrium();
+  if (evolution.state().fragments > 0) {
+    log(1, text(evolution.state().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
+  }
+}
+
+void Model::reload() {
+  if (!prepared_) return;
+  DofConditions conditions = apply_conditions(scene_, prepared_->discretization);
+  prepared_->evolution->set_load(conditions.force, conditions.displacement);
+  prepared_->conditions = std::move(conditions);
+  ++generation_;
+}
+
+void Model::set_load_values(int load, SampledValues values) {
+  Condition before = scene_.load(load);
+  scene_.set_values(scene_.load(load), "load", load, std::move(values));
+  try {
+    reload();
+  } catch (...) {
+    scene_.load(load) = std::move(before);
+    throw;
+  }
+}
+
+void Model::set_support_values(int support, SampledValues values) {
+  Condition before = scene_.support(support);
+  scene_.set_values(scene_.support(support), "support", support, std::move(values));
+  try {
+    reload();
+  } catch (...) {
+    scene_.support(support) = std::move(before);
+    throw;
+  }
+}
+
+StepResult Model::advance(double target, fracture::Goal goal) {
+  prepare();
+  fracture::CrackEvolution& evolution = *prepared_->evolution;
+  const fracture::SteppingOptions stepping{options_.number("stepping.tie_band"),
+                                           options_.whole_number("stepping.max_breaks_per_solve"),
+                                           static_cast<std::int64_t>(options_.number("stepping.max_events"))};
+  const auto& counters = prepared_->system->counters();
+  const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
+  const std::int64_t events = evolution.state().events, broken = evolution.state().broken_bonds;
+  const std::int64_t fragments = evolution.state().fragments;
+  cancel_requested_ = false;
+  StepResult result;
+  {
+    const Stopwatch watch(result.seconds_total);
+    ++generation_;
+    result.reason = evolution.advance(target, goal, stepping, [&](const fracture::EvolutionState& state) {
+      const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
+      if (!go_on) fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
+      if (cancel_requested_) fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
+    });
+  }
+  result.events = evolution.state().events - events;
+  result.broken_bonds = evolution.state().broken_bonds - broken;
+  result.seconds_solve = counters.seconds_solve - solve;
+  result.seconds_update = counters.seconds_update - update;
+  result.seconds_search = evolution.seconds_search() - search;
+  log(2, text("load factor ", evolution.state().load_factor, ": ", result.events, " events, ", result.broken_bonds,
+              " bonds broken"));
+  if (evolution.state().fragments > fragments) {
+    log(1, text(evolution.state().fragments - fragments, " pieces have come free of all supports; they stay where they are"));
+  }
+  return result;
+}
+
+double Model::load_factor() const { return prepared_ ? prepared_->evolution->state().load_factor : 0.0; }
+
+Eigen::Vector2d Model::reaction(int support) {
+  scene_.support(support);
+  ensure_equilibrium();
+  return prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
+}
+
+}  // namespace bempd::model

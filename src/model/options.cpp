@@ -1,0 +1,121 @@
+#include "model/options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "error.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
+                                bool whole) {
+  return {name, summary, "-", false, whole, value, minimum, maximum, "", ""};
+}
+
+// Number of single-letter edits between two names.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string near_names(std::string_view name) {
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const OptionDescription& option : option_descriptions()) {
+    const std::string_view known = option.name;
+    // A name given without its group, or only in part, counts as near.
+    const bool contained = !name.empty() && known.find(name) != std::string_view::npos;
+    ranked.emplace_back(contained ? 0 : edit_distance(name, known), option.name);
+  }
+  std::sort(ranked.begin(), ranked.end());
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()); ++i) {
+    list += (i == 0 ? "" : ", ") + ranked[i].second;
+  }
+  return list;
+}
+
+const OptionDescription& describe(std::string_view name) {
+  for (const OptionDescription& option : option_descriptions()) {
+    if (name == option.name) return option;
+  }
+  fail(Failure::argument, "there is no option '", name, "'; near names are ", near_names(name));
+}
+
+}  // namespace
+
+const std::vector<OptionDescription>& option_descriptions() {
+  static const std::vector<OptionDescription> all = {
+      {"scheme", "Discretization: symmetric Galerkin boundary elements with exactly consistent bond weights.", "-", true,
+       false, 0, 0, 0, "symmetric", "symmetric"},
+      number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true),
+      number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4, 2, 8,
+                    true),
+      number_option("bem.quadrature_tolerance",
+                    "Relative error of the boundary integrals of a pair of elements; a looser one is faster.", 1e-14,
+                    1e-15, 1e-3, false),
+      number_option("stepping.tie_band",
+                    "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3, 0,
+                    0.5, false),
+      number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0, 1e9,
+                    true),
+      number_option("stepping.max_events", "Events after which a step gives up.", 1e7, 1, 1e15, true),
+  };
+  return all;
+}
+
+Options::Options() {
+  for (const OptionDescription& option : option_descriptions()) {
+    if (option.is_text) {
+      texts_[option.name] = option.default_text;
+    } else {
+      numbers_[option.name] = option.default_value;
+    }
+  }
+}
+
+void Options::set(std::string_view name, double value) {
+  const OptionDescription& option = describe(name);
+  require(!option.is_text, "option ", name, " takes a word (", option.choices, "), not a number");
+  require(std::isfinite(value) && value >= option.minimum && value <= option.maximum, "option ", name, " is ", value,
+          "; it must lie between ", option.minimum, " and ", option.maximum);
+  require(!option.whole_number || value == std::floor(value), "option ", name, " is ", value,
+          "; it must be a whole number");
+  numbers_.find(name)->second = value;
+}
+
+void Options::set_text(std::string_view name, std::string_view value) {
+  const OptionDescription& option = describe(name);
+  require(option.is_text, "option ", name, " takes a number, not a word");
+  const std::string choices = std::string(" | ") + option.choices + " | ";
+  require(!value.empty() && value.find('|') == std::string_view::npos &&
+              choices.find(text(" | ", value, " | ")) != std::string::npos,
+          "option ", name, " is '", value, "'; it must be one of: ", option.choices);
+  texts_.find(name)->second = value;
+}
+
+double Options::number(std::string_view name) const {
+  const OptionDescription& option = describe(name);
+  require(!option.is_text, "option ", name, " takes a word; ask for its text");
+  return numbers_.find(name)->second;
+}
+
+const std::string& Options::text_value(std::string_view name) const {
+  const OptionDescription& option = describe(name);
+  require(option.is_text, "option ", name, " takes a number; ask for its value");
+  return texts_.find(name)->second;
+}
+
+}  // namespace bempd::model

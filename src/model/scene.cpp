@@ -1,0 +1,242 @@
+#include "model/scene.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+#include "geometry/outline_check.hpp"
+#include "pd/critical_stretch.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// More elements or cells than this in one region is a mistyped length: no machine holds the operators.
+constexpr double most_elements = 1e6;
+constexpr double most_cells = 1e9;
+
+void require_points(const std::vector<Point>& points, const char* what) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    require(points[i].allFinite(), what, " ", i, " is (", points[i].x(), ", ", points[i].y(),
+            "); coordinates must be finite numbers");
+  }
+}
+
+std::string place_of(const Point& p) { return text("(", p.x(), ", ", p.y(), ")"); }
+
+std::string describe(const OutlineCheck& check) {
+  const int a = check.edge_a + 1, b = check.edge_b + 1;
+  switch (check.defect) {
+    case OutlineDefect::none:
+      return "";
+    case OutlineDefect::not_finite:
+      return text("vertex ", check.edge_a, " is not a usable number; coordinates must be finite and below 1e75");
+    case OutlineDefect::too_few_vertices:
+      return "the outline has less than 3 vertices; give at least 3, without repeating the first at the end";
+    case OutlineDefect::repeated_vertex:
+      return text("the outline repeats the vertex ", place_of(check.where), " (edge ", a,
+                  " has no length); give every vertex once and do not repeat the first at the end");
+    case OutlineDefect::spike:
+      return text("edge ", b, " of the outline runs back over edge ", a, " at ", place_of(check.where),
+                  "; remove the spike");
+    case OutlineDefect::self_crossing:
+      return text("edges ", a, " and ", b, " of the outline cross or touch at ", place_of(check.where),
+                  "; an outline must not cross itself");
+    case OutlineDefect::wrong_orientation:
+      return check.loop == 0
+                 ? std::string("the outline runs clockwise; give its vertices counter-clockwise (in reverse order)")
+                 : std::string("the hole runs counter-clockwise; give its vertices clockwise (in reverse order)");
+    case OutlineDefect::hole_outside:
+      return text("the hole is not inside the outline, see ", place_of(check.where),
+                  "; a hole must lie inside without touching the outer loop");
+    case OutlineDefect::holes_overlap:
+      return text("the hole overlaps or touches another hole at ", place_of(check.where), "; keep holes apart");
+  }
+  return "";
+}
+
+void require_sound(const Outline& outline) {
+  const OutlineCheck check = check_outline(outline);
+  require(check.sound(), describe(check));
+}
+
+std::string list_of(const std::vector<double>& values) {
+  std::string list;
+  for (std::size_t i = 0; i < values.size(); ++i) list += text(i == 0 ? "" : " or ", values[i]);
+  return list;
+}
+
+LatticeOutline require_lattice(const Outline& outline, double spacing) {
+  LatticeFit fit = fit_lattice(outline, spacing);
+  const std::string advice = fit.suggestions.empty() ? std::string("; choose one that divides all edges and offsets of holes")
+                                                     : "; try " + list_of(fit.suggestions);
+  switch (fit.misfit) {
+    case LatticeMisfit::none:
+      break;
+    case LatticeMisfit::bad_spacing:
+      require(false, "spacing ", spacing, " is not a usable lattice spacing for this outline; it must be positive, and large enough for cells to be counted");
+      break;
+    case LatticeMisfit::oblique_edge:
+      require(false, "edge ", fit.edge + 1, " is parallel to neither axis; the outline of a peridynamic region must be rectilinear");
+      break;
+    case LatticeMisfit::indivisible_edge:
+      require(false, "spacing ", spacing, " does not divide edge ", fit.edge + 1, " of length ", fit.length, advice);
+      break;
+    case LatticeMisfit::shifted_hole:
+      require(false, "the hole is ", fit.length, " away from the first vertex along an axis, which is not a whole number of spacings ", spacing, advice);
+      break;
+  }
+  return fit.outline;
+}
+
+void require_element_length(double element_length, double longest) {
+  require(std::isfinite(element_length) && element_length > 0, "element_length is ", element_length, "; it must be > 0");
+  require(longest / element_length <= most_elements, "element_length ", element_length, " would need ", longest / element_length,
+          " elements; the limit is ", most_elements, ": choose a longer one");
+}
+
+double perimeter(const Outline& outline) {
+  double sum = 0;
+  for (const Segment& edge : edges_of(outline)) sum += edge.length();
+  return sum;
+}
+
+}  // namespace
+
+double Material::critical_stretch_for(double horizon) const {
+  if (critical_stretch > 0) return critical_stretch;
+  if (fracture_energy > 0) {
+    return pd::critical_stretch(fracture_energy, elasticity.young_modulus, horizon, elasticity.state);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+int Region::edge_count() const {
+  std::size_t count = 0;
+  for (const auto& loop : outline.loops) count += loop.size();
+  return static_cast<int>(count);
+}
+
+Segment Region::edge(int number) const {
+  std::size_t k = static_cast<std::size_t>(number - 1);
+  for (const auto& loop : outline.loops) {
+    if (k < loop.size()) return {loop[k], loop[(k + 1) % loop.size()]};
+    k -= loop.size();
+  }
+  return {};
+}
+
+int Scene::add_material(const Material& material) {
+  const PlaneElasticity& e = material.elasticity;
+  require(std::isfinite(e.young_modulus) && e.young_modulus > 0, "young_modulus is ", e.young_modulus, "; it must be > 0");
+  require(std::isfinite(e.poisson_ratio) && e.poisson_ratio > -1 && e.poisson_ratio < 0.5, "poisson_ratio is ",
+          e.poisson_ratio, "; it must lie between -1 and 1/2, both excluded");
+  require(std::isfinite(e.thickness) && e.thickness > 0, "thickness is ", e.thickness, "; it must be > 0");
+  require(std::isfinite(material.critical_stretch) && material.critical_stretch >= 0, "critical_stretch is ",
+          material.critical_stretch, "; it must be > 0, or 0 for not given");
+  require(std::isfinite(material.fracture_energy) && material.fracture_energy >= 0, "fracture_energy is ",
+          material.fracture_energy, "; it must be > 0, or 0 for not given");
+  require(material.critical_stretch == 0 || material.fracture_energy == 0,
+          "both critical_stretch and fracture_energy are given; give one and set the other to 0");
+  if (!materials_.empty()) {
+    require(materials_.front().elasticity.state == e.state,
+            "this material's plane differs from the model's first material; a model is either in plane stress or in plane strain");
+  }
+  materials_.push_back(material);
+  return static_cast<int>(materials_.size());
+}
+
+int Scene::add_boundary_region(int material_id, const std::vector<Point>& vertices, double element_length) {
+  material(material_id);
+  require_points(vertices, "vertex");
+  Region region;
+  region.kind = RegionKind::boundary_elements;
+  region.material = material_id;
+  region.outline.loops = {vertices};
+  require_sound(region.outline);
+  require_element_length(element_length, perimeter(region.outline));
+  region.element_length = element_length;
+  regions_.push_back(std::move(region));
+  return static_cast<int>(regions_.size());
+}
+
+int Scene::add_lattice_region(int material_id, const std::vector<Point>& vertices, double spacing, int horizon_ratio) {
+  const PlaneElasticity& elasticity = material(material_id).elasticity;
+  const double needed = bond_based_poisson_ratio(elasticity.state);
+  require(std::abs(elasticity.poisson_ratio - needed) < 1e-9, "material ", material_id, " has Poisson's ratio ",
+          elasticity.poisson_ratio, "; bond-based peridynamics needs ",
+          elasticity.state == PlaneState::stress ? "1/3 in plane stress" : "1/4 in plane strain");
+  require(horizon_ratio >= 2 && horizon_ratio <= 8, "horizon_ratio is ", horizon_ratio, "; it must be 2 .. 8");
+  require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
+  require_points(vertices, "vertex");
+  Region region;
+  region.kind = RegionKind::peridynamics;
+  region.material = material_id;
+  region.outline.loops = {vertices};
+  require_sound(region.outline);
+  const double cells = area(region.outline) / (spacing * spacing);
+  require(cells <= most_cells, "spacing ", spacing, " would need ", cells, " cells; the limit is ", most_cells, ": choose a larger one");
+  region.horizon_ratio = horizon_ratio;
+  region.lattice = require_lattice(region.outline, spacing);
+  regions_.push_back(std::move(region));
+  return static_cast<int>(regions_.size());
+}
+
+int Scene::add_hole(int region_id, const std::vector<Point>& vertices) {
+  Region& region = mutable_region(region_id);
+  require_points(vertices, "vertex");
+  Region changed = region;
+  changed.outline.loops.push_back(vertices);
+  require_sound(changed.outline);
+  if (region.kind == RegionKind::peridynamics) changed.lattice = require_lattice(changed.outline, region.lattice.spacing);
+  const int first_edge = region.edge_count() + 1;
+  region = std::move(changed);
+  return first_edge;
+}
+
+void Scene::set_edge_mesh(int region_id, int edge, const EdgeMesh& mesh) {
+  Region& region = mutable_region(region_id);
+  require(region.kind == RegionKind::boundary_elements, "region ", region_id,
+          " is peridynamic; only edges of BEM regions have elements");
+  require(edge >= 1 && edge <= region.edge_count(), "edge ", edge, " does not exist; region ", region_id, " has edges 1 .. ",
+          region.edge_count());
+  require_element_length(mesh.element_length, region.edge(edge).length());
+  require(std::isfinite(mesh.grading) && mesh.grading >= 1 && mesh.grading <= 4, "grading is ", mesh.grading,
+          "; it must lie between 1 (equal elements) and 4");
+  region.edge_mesh[edge] = mesh;
+}
+
+int Scene::add_crack(const std::vector<Point>& points) {
+  require(points.size() >= 2, "the crack has ", points.size(), " points; give at least 2");
+  require_points(points, "point");
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    require(points[i] != points[i + 1], "points ", i, " and ", i + 1, " of the crack are the same; give distinct points");
+  }
+  cracks_.push_back({points});
+  return static_cast<int>(cracks_.size());
+}
+
+const Material& Scene::material(int id) const {
+  require(id >= 1 && id <= static_cast<int>(materials_.size()), "material ", id, " does not exist; ",
+          materials_.empty() ? text("add a material first") : text("ids run from 1 to ", materials_.size()));
+  return materials_[id - 1];
+}
+
+const Region& Scene::region(int id) const {
+  require(id >= 1 && id <= static_cast<int>(regions_.size()), "region ", id, " does not exist; ",
+          regions_.empty() ? text("add a region first") : text("ids run from 1 to ", regions_.size()));
+  return regions_[id - 1];
+}
+
+Region& Scene::mutable_region(int id) {
+  region(id);
+  return regions_[id - 1];
+}
+
+Box Scene::bounding_box() const {
+  Box box;
+  for (const Region& region : regions_) box.extend(bempd::bounding_box(region.outline));
+  return box;
+}
+
+}  // namespace bempd::model

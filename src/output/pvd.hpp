@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace bempd::output {
+
+// One file of a time series; several parts may belong to one time.
+struct PvdEntry {
+  double time = 0;
+  int part = 0;
+  std::string file;  // relative to the collection's folder, with forward slashes
+};
+
+// ParaView collection. Throws std::system_error.
+void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);
+
+}  // namespace bempd::output

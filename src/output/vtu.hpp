@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace bempd::output {
+
+// Numbers of the VTK file format.
+enum class VtuCell : std::uint8_t {
+  vertex = 1,
+  line = 3,
+  quad = 9,            // corners counter-clockwise
+  quadratic_edge = 21  // both ends, then the middle
+};
+
+// Values of a point or cell field, component by component within each entry. Vectors of the plane (2 components) get a
+// third component 0 in the file, since viewers take only three as a vector.
+struct VtuArray {
+  std::string name;
+  int components = 1;
+  std::variant<std::vector<double>, std::vector<std::int32_t>> values;
+};
+
+struct VtuGrid {
+  std::vector<Point> points;
+  std::vector<std::int64_t> connectivity;  // points of all cells, one cell after the other
+  std::vector<std::int64_t> offsets;       // end of each cell in `connectivity`
+  std::vector<VtuCell> types;
+  std::vector<VtuArray> point_data;
+  std::vector<VtuArray> cell_data;
+
+  void add_cell(VtuCell type, const std::vector<std::int64_t>& cell_points);
+};
+
+// VTK XML file (UnstructuredGrid) with its numbers in binary form as they are, NaN included. Throws std::system_error.
+void write_vtu(const std::filesystem::path& path, const VtuGrid& grid);
+
+}  // namespace bempd::output

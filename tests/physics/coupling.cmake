@@ -1,0 +1,15 @@
+# One executable of tests that see the library as a host does: through bempd.h and the shared library. It is one entry of the
+# test run, because its cases may share a long computation.
+function(bempd_add_host_test name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE bempd bempd_warnings GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+endfunction()
+
+if(TARGET bempd)
+  bempd_add_host_test(coupled_patch_test coupled_patch_test.cpp)
+  bempd_add_host_test(coupled_layers_test coupled_layers_test.cpp)
+  bempd_add_host_test(coupled_cantilever_test coupled_cantilever_test.cpp)
+  bempd_add_host_test(coupled_kirsch_test coupled_kirsch_test.cpp)
+  bempd_add_host_test(coupled_clamped_plate_test coupled_clamped_plate_test.cpp)
+endif()

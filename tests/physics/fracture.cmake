@@ -1,0 +1,7 @@
+if(TARGET bempd)
+  bempd_add_host_test(fracture_centre_crack_test fracture_centre_crack_test.cpp)
+  bempd_add_host_test(fracture_path_test fracture_path_test.cpp)
+  bempd_add_host_test(fracture_stepping_test fracture_stepping_test.cpp)
+  bempd_add_host_test(fracture_fragments_test fracture_fragments_test.cpp)
+  bempd_add_host_test(fracture_scaling_test fracture_scaling_test.cpp)
+endif()

@@ -1,0 +1,100 @@
+// The centre-cracked plate run to separation: where the crack goes and whether forces and energies balance on the way.
+#include <gtest/gtest.h>
+
+#include "fracture_scenes.hpp"
+
+namespace {
+
+using namespace host;
+
+// One run serves several questions.
+struct WholeRun {
+  CentreCrack scene;
+  Model model;
+  CentreCrackIds ids = build(model, scene);
+  bempd_step_report end = model.run(1000);
+};
+
+class CrackPath : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { run = std::make_unique<WholeRun>(); }
+  static void TearDownTestSuite() { run.reset(); }
+  static std::unique_ptr<WholeRun> run;
+};
+std::unique_ptr<WholeRun> CrackPath::run;
+
+TEST_F(CrackPath, the_plate_separates) {
+  EXPECT_EQ(run->end.stop_reason, BEMPD_STOP_SEPARATED);
+  EXPECT_EQ(run->end.separated, 1);
+  std::printf("events %lld, broken bonds %lld\n", static_cast<long long>(run->end.total_events),
+              static_cast<long long>(run->end.total_broken_bonds));
+  report("increment of complete separation", std::ceil(run->end.load_factor), 308,
+         "prototype that re-solves until stable; not a requirement");
+  EXPECT_GE(run->end.load_factor, 278.6);
+  EXPECT_TRUE(all_finite(run->model.displacements()));
+}
+
+TEST_F(CrackPath, the_crack_is_one_crisp_line_to_both_edges) {
+  const BondSets sets = bond_sets(run->model, run->scene, run->ids);
+  const auto crosses = [](const BondKey& b) { return (b[0] < 0) != (b[2] < 0); };
+  const auto astray =
+      std::count_if(sets.parted.begin(), sets.parted.end(), [&](const BondKey& b) { return !crosses(b); });
+  const auto bridging = std::count_if(sets.intact.begin(), sets.intact.end(), crosses);
+  EXPECT_EQ(report("parted bonds off the line", static_cast<double>(astray), 0, "mode I, symmetry"), 0);
+  EXPECT_EQ(report("intact bonds across the line", static_cast<double>(bridging), 0, "separation"), 0);
+}
+
+TEST_F(CrackPath, the_broken_bonds_are_symmetric) {
+  const std::set<BondKey> parted = bond_sets(run->model, run->scene, run->ids).parted;
+  EXPECT_EQ(parted, mirrored(parted, true));
+  EXPECT_EQ(parted, mirrored(parted, false));
+}
+
+TEST_F(CrackPath, energy_balances_at_every_event) {
+  const auto history = run->model.history();
+  EXPECT_EQ(static_cast<int64_t>(events(run->model).size()), run->end.total_events);
+  double released = 0, largest_work = 0, worst = 0;
+  for (const bempd_history_entry& line : history) {
+    EXPECT_GE(line.released_energy, released);
+    released = line.released_energy;
+    largest_work = std::max(largest_work, line.work);
+    worst = largest({worst, (line.work - line.stored_energy - line.released_energy) / largest_work});
+  }
+  EXPECT_LE(report("energy balance, worst event", worst, 0, "first law"), 1e-8);
+  EXPECT_LE(report("energy balance as reported", worst_energy_balance(run->model), 0, "first law"), 1e-8);
+  EXPECT_LE(report("stored energy at the end", run->end.stored_energy / largest_work, 0, "no resistance left"), 1e-8);
+}
+
+TEST_F(CrackPath, forces_balance_after_the_last_event) {
+  EXPECT_LE(report("residual", run->end.residual, 0, "equilibrium"), 1e-9);
+  for (const bempd_history_entry& line : run->model.history()) EXPECT_LE(line.residual, 1e-9) << "event " << line.event;
+}
+
+// Restoring a state into a new model factorizes afresh what a run without interruption has updated bond by bond.
+TEST_F(CrackPath, updated_factors_answer_as_fresh_ones) {
+  Model updated, saved;
+  build(updated, run->scene), build(saved, run->scene);
+  const auto go = [](Model& model, int64_t& done, int64_t stop) {
+    for (; done < stop; ++done) ASSERT_EQ(model.next_event(1000).stop_reason, BEMPD_STOP_EVENT);
+  };
+  int64_t with_updates = 0, with_saves = 0;
+  for (int64_t stop : {run->end.total_events / 2, run->end.total_events - 1}) {
+    go(updated, with_updates, stop);
+    go(saved, with_saves, stop - 1);
+    Model fresh;
+    build(fresh, run->scene);
+    fresh.restore(saved.save());
+    ASSERT_EQ(fresh.next_event(1000).total_events, stop);
+    const std::vector<double> u = updated.displacements();
+    const double difference = largest_difference(u, fresh.displacements()) / largest(u);
+    std::printf("after %lld events: ", static_cast<long long>(stop));
+    EXPECT_LE(report("largest difference of u", difference, 0, "fresh factorization"), 1e-8);
+
+    const bempd_step_report end = fresh.run(1000);
+    EXPECT_EQ(end.total_broken_bonds, run->end.total_broken_bonds);
+    EXPECT_EQ(end.stop_reason, BEMPD_STOP_SEPARATED);
+    EXPECT_LE(report("energy balance to the end", end.energy_balance_error, 0, "first law"), 1e-8);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,3 @@
+bempd_add_engine_test(linalg_cholesky_test linalg_cholesky_test.cpp)
+bempd_add_engine_test(linalg_conjugate_gradient_test linalg_conjugate_gradient_test.cpp)
+target_compile_definitions(linalg_cholesky_test PRIVATE "BEMPD_EXPECTED_BACKEND=\"${BEMPD_LINALG}\"")
