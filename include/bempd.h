@@ -379,7 +379,7 @@ typedef struct bempd_step_report {
   double released_energy;      /**< energy released by breaking bonds since the beginning [J] */
   double work;                 /**< work of loads and supports since the beginning [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-] */
-  double residual;             /**< largest unbalanced force over the largest internal nodal force at the end [-] */
+  double residual;             /**< largest unbalanced force at the end over the largest internal nodal force so far [-] */
   double seconds_total;        /**< wall time of this step [s] */
   double seconds_solve;        /**< of it: solutions [s] */
   double seconds_update;       /**< of it: changes of the factorization [s] */
@@ -550,7 +550,7 @@ typedef struct bempd_history_entry {
   double released_energy;      /**< energy released by breaking bonds so far [J] */
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
-  double residual;             /**< largest unbalanced force over the largest internal nodal force [-] */
+  double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill @return status @since 0.1 */

@@ -126,9 +126,8 @@ bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32
 
 bempd_status bempd_set_load_values(bempd_model* model, int32_t load, int64_t value_count, const double* constant,
                                    const double* proportional) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    m.set_load_values(load, samples(value_count, constant, proportional));
-  });
+  return with_model(model, __func__,
+                    [&](model::Model& m) { m.set_load_values(load, samples(value_count, constant, proportional)); });
 }
 
 bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count, const double* constant,

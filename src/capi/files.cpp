@@ -5,14 +5,14 @@ using namespace bempd::capi;
 
 bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(prefix != nullptr && *prefix != '\0', "prefix is empty; give a path without ending");
+    require(prefix != nullptr && *prefix != '\0', "prefix is NULL or empty; give a path without ending");
     m.write_snapshot(prefix);
   });
 }
 
 bempd_status bempd_write_history(const bempd_model* model, const char* path) {
   return with_model(model, __func__, [&](model::Model& m) {
-    require(path != nullptr && *path != '\0', "path is empty; give a file name");
+    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
     m.write_history(path);
   });
 }

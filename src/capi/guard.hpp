@@ -74,11 +74,13 @@ bempd_status with_model(const bempd_model* handle, const char* function, const B
   auto* model = const_cast<bempd_model*>(handle);
   if (model->busy.exchange(true)) {
     return without_model(function, [] {
-      fail(Failure::order, "the model is in another call; from a callback or another thread only bempd_request_cancel() is allowed");
+      fail(Failure::order,
+           "the model is in another call; from a callback or another thread only bempd_request_cancel() is allowed");
     });
   }
   const bempd_status status = catch_all(function, model->error, &model->broken, [&] {
-    if (model->broken) throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
+    if (model->broken)
+      throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
     body(model->engine);
   });
   model->busy = false;

@@ -54,8 +54,8 @@ bempd_status bempd_model_create(bempd_model** model) {
 void bempd_model_free(bempd_model* model) { delete model; }
 
 bempd_status bempd_option_count(int64_t* count) {
-  return without_model(
-      __func__, [&] { out(count, "count") = static_cast<int64_t>(model::option_descriptions().size()); });
+  return without_model(__func__,
+                       [&] { out(count, "count") = static_cast<int64_t>(model::option_descriptions().size()); });
 }
 
 bempd_status bempd_option_describe(int64_t index, bempd_option_info* info) {
@@ -110,7 +110,7 @@ bempd_status bempd_get_option_text(const bempd_model* model, const char* name, c
     if (needed) *needed = size;
     if (!buffer && capacity == 0) return;
     require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
-    require(capacity >= size, "buffer has room for ", capacity, " bytes; ", size, " are needed");
+    require(capacity >= size, "capacity is ", capacity, " bytes; ", size, " are needed");
     std::memcpy(buffer, value.c_str(), static_cast<std::size_t>(size));
   });
 }

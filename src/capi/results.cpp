@@ -28,15 +28,11 @@ bempd_status bempd_generation(const bempd_model* model, int64_t* generation) {
 }
 
 bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = m.node_count(region);
-  });
+  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.node_count(region); });
 }
 
 bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = m.element_count(region);
-  });
+  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.element_count(region); });
 }
 
 bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes) {

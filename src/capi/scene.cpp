@@ -6,8 +6,7 @@ using namespace bempd;
 using namespace bempd::capi;
 
 bempd_status bempd_material_init(bempd_material* material) {
-  return init_struct(__func__, "material", material,
-                     {sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0});
+  return init_struct(__func__, "material", material, {sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0});
 }
 
 bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id) {
@@ -16,8 +15,9 @@ bempd_status bempd_add_material(bempd_model* model, const bempd_material* materi
     bempd_material given{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0};
     std::memcpy(&given, material, std::min(size, sizeof given));
     const auto* bytes = reinterpret_cast<const unsigned char*>(material);
-    require(size <= sizeof given || std::all_of(bytes + sizeof given, bytes + size, [](unsigned char b) { return b == 0; }),
-            "material was filled by a program made for a newer bempd, with members this version does not know");
+    require(
+        size <= sizeof given || std::all_of(bytes + sizeof given, bytes + size, [](unsigned char b) { return b == 0; }),
+        "material was filled by a program made for a newer bempd, with members this version does not know");
     require(given.plane == BEMPD_PLANE_STRESS || given.plane == BEMPD_PLANE_STRAIN, "plane is ", given.plane,
             "; it must be BEMPD_PLANE_STRESS (1) or BEMPD_PLANE_STRAIN (2)");
     model::Material values;
@@ -72,13 +72,11 @@ bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const doub
 }
 
 bempd_status bempd_region_count(const bempd_model* model, int32_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = static_cast<int32_t>(m.scene().regions().size());
-  });
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(count, "count") = static_cast<int32_t>(m.scene().regions().size()); });
 }
 
 bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = m.scene().region(region).edge_count();
-  });
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(count, "count") = m.scene().region(region).edge_count(); });
 }

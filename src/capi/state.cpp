@@ -27,7 +27,7 @@ bempd_status bempd_state_to_bytes(const bempd_state* state, int64_t capacity, ui
     if (needed) *needed = size;
     if (!buffer && capacity == 0) return;
     require(buffer != nullptr, "buffer is NULL; give one, or capacity 0 to learn the size");
-    require(capacity >= size, "buffer has room for ", capacity, " bytes; ", size, " are needed");
+    require(capacity >= size, "capacity is ", capacity, " bytes; ", size, " are needed");
     std::copy(bytes.begin(), bytes.end(), buffer);
   });
 }

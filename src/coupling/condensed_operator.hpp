@@ -15,7 +15,8 @@ enum class DofKind : char { prescribed, private_free, shared_free };
 // the unknowns it shares with others enter the sparse system.
 class CondensedOperator {
  public:
-  // `kind` tells for each global degree of freedom what it is. Throws Error (unsolvable) if the private part is singular.
+  // `kind` tells for each global degree of freedom what it is. Throws Error (unsolvable) if the private part is
+  // singular.
   CondensedOperator(DenseOperator source, const std::vector<DofKind>& kind);
 
   const std::vector<int>& shared_dofs() const { return shared_; }

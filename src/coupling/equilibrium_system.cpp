@@ -17,6 +17,9 @@ constexpr double solution_tolerance = 1e-14;
 constexpr double acceptable_residual = 1e-12;
 constexpr int most_iterations = 40;
 
+// Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
+constexpr double suspicious_pivot_ratio = 1e-10;
+
 }  // namespace
 
 EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
@@ -37,7 +40,8 @@ void EquilibriumSystem::classify(const std::vector<DenseOperator>& operators, co
   for (std::size_t b = 0; b < bonds_.size(); ++b) has_bond[bonds_.first[b]] = has_bond[bonds_.second[b]] = 1;
   for (const DenseOperator& op : operators) {
     bodies_.push_back(op.nodes);
-    for (int node : op.nodes) in_operator_[node] = static_cast<char>(in_operator_[node] < 2 ? in_operator_[node] + 1 : 2);
+    for (int node : op.nodes)
+      in_operator_[node] = static_cast<char>(in_operator_[node] < 2 ? in_operator_[node] + 1 : 2);
   }
   kind_.resize(2 * node_count_);
   unknown_of_.assign(2 * node_count_, -1);
@@ -127,11 +131,12 @@ void EquilibriumSystem::factorize() {
   const Stopwatch watch(counters_.seconds_factorization);
   if (!factor_) factor_ = linalg::make_sparse_cholesky();
   if (!factor_->factorize(matrix)) {
-    fail(Failure::unsolvable,
-         "the stiffness matrix is not positive definite: a part of the body can move freely; check supports, and cracks "
-         "that leave a part hanging on a single point");
+    fail(
+        Failure::unsolvable,
+        "the stiffness matrix is not positive definite: a part of the body can move freely; check supports, and cracks "
+        "that leave a part hanging on a single point");
   }
-  has_factor_ = true;
+  has_factor_ = factor_is_current_ = true;
   ++counters_.sparse_factorizations;
   counters_.factor_nonzeros = factor_->factor_nonzeros();
 }
@@ -142,7 +147,8 @@ void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>&
   const Stopwatch watch(counters_.seconds_update);
   Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(dof_of_.size()), columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  factor_->update(matrix, change);  // a factor left stale still preconditions the iteration in solve_column()
+  // A factor left stale still preconditions the iteration in solve_column().
+  if (!factor_->update(matrix, change)) factor_is_current_ = false;
   counters_.factor_updates += columns;
 }
 
@@ -177,21 +183,28 @@ void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const
   change_factor(entries, column, linalg::Change::remove);
 }
 
-Eigen::VectorXd EquilibriumSystem::softest_motion() const {
+bool EquilibriumSystem::resists_all_motions() const {
+  return !has_factor_ || (factor_is_current_ && factor_->smallest_pivot_ratio() > suspicious_pivot_ratio);
+}
+
+SoftMotion EquilibriumSystem::softest_motion() const {
   // Inverse iteration with a shift that makes a singular matrix factorizable without hiding its null space.
-  Eigen::SparseMatrix<double> matrix = assemble_lower();
-  const double shift = 1e-9 * matrix.diagonal().maxCoeff();
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += shift;
+  const Eigen::SparseMatrix<double> matrix = assemble_lower();
+  const double largest = matrix.diagonal().maxCoeff();
+  Eigen::SparseMatrix<double> shifted = matrix;
+  for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * largest;
   const auto factor = linalg::make_sparse_cholesky();
-  Eigen::VectorXd motion = Eigen::VectorXd::Zero(2 * node_count_);
-  if (!factor->factorize(matrix)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
-  Eigen::VectorXd vector = Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0).array().sin();
-  for (int iteration = 0; iteration < 4; ++iteration) {
+  if (!factor->factorize(shifted)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
+  Eigen::VectorXd vector =
+      Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
+  for (int iteration = 0; iteration < 6; ++iteration) {
     factor->solve_in_place(vector);
     vector /= vector.cwiseAbs().maxCoeff();
   }
-  motion(dof_of_) = vector;
-  return motion;
+  const Eigen::VectorXd force = matrix.selfadjointView<Eigen::Lower>() * vector;
+  SoftMotion soft{Eigen::VectorXd::Zero(2 * node_count_), vector.dot(force) / (largest * vector.squaredNorm())};
+  soft.motion(dof_of_) = vector;
+  return soft;
 }
 
 void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
@@ -233,8 +246,7 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
     force(op.shared_dofs()) += local;
   }
   for (const HoldingSpring& s : springs_) {
-    const double tension =
-        s.stiffness * (s.cosine * displacement[2 * s.node] + s.sine * displacement[2 * s.node + 1]);
+    const double tension = s.stiffness * (s.cosine * displacement[2 * s.node] + s.sine * displacement[2 * s.node + 1]);
     force[2 * s.node] += tension * s.cosine;
     force[2 * s.node + 1] += tension * s.sine;
   }
@@ -247,12 +259,12 @@ Affine EquilibriumSystem::right_hand_side() const {
   const Affine& support = prescribed_;
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const int i = 2 * bonds_.first[b], j = 2 * bonds_.second[b];
-    const bool touches = !(unknown_of_[i] >= 0 && unknown_of_[i + 1] >= 0 && unknown_of_[j] >= 0 && unknown_of_[j + 1] >= 0);
+    const bool touches =
+        !(unknown_of_[i] >= 0 && unknown_of_[i + 1] >= 0 && unknown_of_[j] >= 0 && unknown_of_[j + 1] >= 0);
     if (!touches || active_stiffness_[b] == 0) continue;
     const double c = bonds_.cosine[b], s = bonds_.sine[b];
     const Eigen::RowVector2d tension =
-        active_stiffness_[b] *
-        (c * (support.row(j) - support.row(i)) + s * (support.row(j + 1) - support.row(i + 1)));
+        active_stiffness_[b] * (c * (support.row(j) - support.row(i)) + s * (support.row(j + 1) - support.row(i + 1)));
     load.row(i) += c * tension;
     load.row(i + 1) += s * tension;
     load.row(j) -= c * tension;

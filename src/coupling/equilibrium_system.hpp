@@ -27,6 +27,12 @@ struct SolverCounters {
   double seconds_update = 0;
 };
 
+// A motion (2 * node + component, largest component 1) and the energy it needs, relative to the stiffest motions.
+struct SoftMotion {
+  Eigen::VectorXd motion;
+  double resistance;
+};
+
 // Equilibrium of all nodes: dense operators condensed onto the unknowns they share, bonds, and holding springs, in one
 // sparse symmetric positive definite system. Nothing is condensed or factorized before the first solve().
 class EquilibriumSystem {
@@ -61,9 +67,11 @@ class EquilibriumSystem {
   // Throws Error (unsolvable) if something can move freely.
   Affine solve();
 
-  // The motion that meets the least resistance, scaled to a largest component of 1: what moves freely, after solve()
-  // has failed or run away.
-  Eigen::VectorXd softest_motion() const;
+  // False if the factor shows that some motion may have lost its resistance; softest_motion() tells.
+  bool resists_all_motions() const;
+
+  // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
+  SoftMotion softest_motion() const;
 
   // Nodal forces of operators and bonds (not of holding springs) under a displacement.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement) const;
@@ -94,13 +102,14 @@ class EquilibriumSystem {
   std::vector<char> intact_;
   std::vector<HoldingSpring> springs_;
   std::vector<DofKind> kind_;
-  std::vector<int> unknown_of_;   // dof -> unknown of the sparse system, or -1
-  std::vector<int> dof_of_;       // unknown -> dof
+  std::vector<int> unknown_of_;  // dof -> unknown of the sparse system, or -1
+  std::vector<int> dof_of_;      // unknown -> dof
   Affine force_, prescribed_, condensed_load_;
   bool load_condensed_ = false;
   bool condensed_ = false;
   std::unique_ptr<linalg::SparseCholesky> factor_;
   bool has_factor_ = false;
+  bool factor_is_current_ = false;  // false: changed matrix, stale factor
   SolverCounters counters_;
 };
 

@@ -21,6 +21,9 @@ constexpr double separated_energy_ratio = 1e-10;
 constexpr double runaway_elongation = 1e8;
 constexpr int most_holds_per_event = 16;
 
+// Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
+constexpr double free_motion_resistance = 1e-13;
+
 }  // namespace
 
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
@@ -88,6 +91,7 @@ double CrackEvolution::absorb(double load_factor) {
   const double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
   state_.total_displacement = displacement;
   state_.total_force = force;
+  state_.largest_force = std::max(state_.largest_force, force.cwiseAbs().maxCoeff());
   state_.load_factor = load_factor;
   return work;
 }
@@ -110,8 +114,7 @@ double CrackEvolution::residual() const {
     if (system_.is_prescribed(static_cast<int>(dof))) continue;
     unbalanced = std::max(unbalanced, std::abs(state_.total_force[dof] - load[dof]));
   }
-  const double largest = state_.total_force.cwiseAbs().maxCoeff();
-  return largest > 0 ? unbalanced / largest : unbalanced;
+  return state_.largest_force > 0 ? unbalanced / state_.largest_force : unbalanced;
 }
 
 void CrackEvolution::record(std::int64_t event, double stretch_ratio) {
@@ -154,9 +157,11 @@ void CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std:
       if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
       free_motion = true;
     }
-    if (!free_motion) return;
+    if (!free_motion && system_.resists_all_motions()) return;
+    const coupling::SoftMotion soft = system_.softest_motion();
+    if (!free_motion && soft.resistance > free_motion_resistance) return;
     if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");
-    const coupling::HoldingSpring spring = freed_parts_.against(system_.softest_motion(), before);
+    const coupling::HoldingSpring spring = freed_parts_.against(soft.motion, before);
     system_.commit_break({}, {&spring, 1});
     system_.forget_factor();
   }
@@ -222,7 +227,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
     }
     for (;;) {
       if (goal == Goal::separation && state_.separated) return StopReason::separated;
-      const double horizon = goal == Goal::load_factor ? target
+      const double horizon = goal == Goal::load_factor      ? target
                              : target >= state_.load_factor ? std::numeric_limits<double>::infinity()
                                                             : -std::numeric_limits<double>::infinity();
       std::optional<double> next;

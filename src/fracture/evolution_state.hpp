@@ -35,15 +35,16 @@ struct EvolutionState {
   double work = 0;
   double largest_work = 0;
   double worst_energy_balance_error = 0;
-  double residual = 0;                  // at the last line of the history
-  coupling::Affine displacement;        // 2 * node + component
-  Eigen::VectorXd total_displacement;   // at load_factor
-  Eigen::VectorXd total_force;          // internal nodal forces at load_factor
-  std::vector<char> intact;             // per bond
+  double residual = 0;                 // at the last line of the history
+  double largest_force = 0;            // largest internal nodal force so far: the measure of residuals
+  coupling::Affine displacement;       // 2 * node + component
+  Eigen::VectorXd total_displacement;  // at load_factor
+  Eigen::VectorXd total_force;         // internal nodal forces at load_factor
+  std::vector<char> intact;            // per bond
   std::vector<coupling::HoldingSpring> springs;
-  std::vector<char> unloaded;           // nodes whose loads have gone with a piece that came free
+  std::vector<char> unloaded;  // nodes whose loads have gone with a piece that came free
   std::vector<HistoryEntry> history;
-  std::vector<double> reactions;        // per line of the history: x and y of every support
+  std::vector<double> reactions;  // per line of the history: x and y of every support
 };
 
 }  // namespace bempd::fracture

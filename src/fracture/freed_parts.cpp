@@ -37,8 +37,7 @@ FreedPartFinder::FreedPartFinder(const coupling::EquilibriumSystem& system, cons
 }
 
 HoldingSpring FreedPartFinder::spring(int node, double cosine, double sine, const Eigen::VectorXd& displacement) const {
-  return {node, cosine, sine, spring_stiffness_,
-          cosine * displacement[2 * node] + sine * displacement[2 * node + 1]};
+  return {node, cosine, sine, spring_stiffness_, cosine * displacement[2 * node] + sine * displacement[2 * node + 1]};
 }
 
 FreedParts FreedPartFinder::all_pieces(const Eigen::VectorXd& displacement) const {

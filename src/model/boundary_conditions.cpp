@@ -75,7 +75,8 @@ int node_at(const Discretization& d, const Point& place) {
 
 class SupportTable {
  public:
-  SupportTable(const Discretization& d, DofConditions& conditions) : d_(d), c_(conditions), owner_(d.positions.size() * 2, -1) {}
+  SupportTable(const Discretization& d, DofConditions& conditions)
+      : d_(d), c_(conditions), owner_(d.positions.size() * 2, -1) {}
 
   void prescribe(int support, int node, int component, const BoundaryValue& value) {
     const int dof = 2 * node + component;
@@ -91,10 +92,11 @@ class SupportTable {
     }
     const Eigen::RowVector2d present = c_.displacement.row(dof);
     const double scale = std::max(wanted.cwiseAbs().maxCoeff(), present.cwiseAbs().maxCoeff());
-    require((wanted - present).cwiseAbs().maxCoeff() <= 1e-9 * scale, "supports ", owner_[dof] + 1, " and ", support + 1,
-            " prescribe different displacements in ", component == 0 ? "x" : "y", " at (", d_.positions[node].x(), ", ",
-            d_.positions[node].y(), "): ", present[0], " + ", present[1], " * load factor and ", wanted[0], " + ",
-            wanted[1], " * load factor; let them agree, or end one of them before that place");
+    require((wanted - present).cwiseAbs().maxCoeff() <= 1e-9 * scale, "supports ", owner_[dof] + 1, " and ",
+            support + 1, " prescribe different displacements in ", component == 0 ? "x" : "y", " at (",
+            d_.positions[node].x(), ", ", d_.positions[node].y(), "): ", present[0], " + ", present[1],
+            " * load factor and ", wanted[0], " + ", wanted[1],
+            " * load factor; let them agree, or end one of them before that place");
   }
 
  private:
@@ -165,8 +167,9 @@ void apply_traction(const Scene& scene, const Discretization& d, int load, const
       const auto& ends = lattice.outline.edges[part.edge - 1];
       const Segment piece{ends[0].cast<double>(), ends[1].cast<double>()};
       Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * lattice.lattice->point_count());
-      pd::add_face_forces(*lattice.lattice, piece.at(part.from), piece.at(part.to),
-                          [&](const Point& p) { return traction(lattice.from_lattice(p)); }, nodal);
+      pd::add_face_forces(
+          *lattice.lattice, piece.at(part.from), piece.at(part.to),
+          [&](const Point& p) { return traction(lattice.from_lattice(p)); }, nodal);
       nodal *= thickness * lattice.outline.spacing;
       for (std::size_t i = 0; i < lattice.nodes.size(); ++i) {
         force.col(column).segment<2>(2 * lattice.nodes[i]) += nodal.segment<2>(2 * static_cast<Eigen::Index>(i));

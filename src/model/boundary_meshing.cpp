@@ -97,9 +97,8 @@ std::vector<double> lattice_stations(const Scene& scene, int region, const Conta
     require((scaled - nearest).norm() * spacing <= 100 * tolerance, "the interface between region ", region,
             " and the peridynamic region ", contact.other_region + 1, " ends at (", end.x(), ", ", end.y(),
             "), which is not a lattice point; move that corner to a multiple of the spacing ", spacing,
-            " from the peridynamic region's corner, such as (",
-            lattice.lattice.origin.x() + spacing * nearest.x(), ", ", lattice.lattice.origin.y() + spacing * nearest.y(),
-            ")");
+            " from the peridynamic region's corner, such as (", lattice.lattice.origin.x() + spacing * nearest.x(),
+            ", ", lattice.lattice.origin.y() + spacing * nearest.y(), ")");
   }
   const int count = static_cast<int>(std::lround(piece.length() / spacing));
   std::vector<double> stations(count + 1);
@@ -137,10 +136,9 @@ BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, do
         const Border border = border_of(scene, contact);
         const EdgeMesh mesh = mesh_of(region, edge);
         std::vector<double> stations =
-            border == Border::peridynamics ? lattice_stations(scene, region_id, *contact, piece, tolerance)
-            : border == Border::boundary_elements
-                ? shared_stations(scene, region_id, edge, *contact, piece.length())
-                : element_stations(piece.length(), mesh.element_length, mesh.grading);
+            border == Border::peridynamics        ? lattice_stations(scene, region_id, *contact, piece, tolerance)
+            : border == Border::boundary_elements ? shared_stations(scene, region_id, edge, *contact, piece.length())
+                                                  : element_stations(piece.length(), mesh.element_length, mesh.grading);
         result.loops.back().push_back({piece.start, piece.end, std::move(stations)});
         result.sources.push_back({edge, breaks[b], breaks[b + 1], border});
       }

@@ -45,7 +45,8 @@ std::vector<char> interface_points(const Scene& scene, const Arrangement& arrang
     const int count = static_cast<int>(std::lround((end - start).norm()));
     for (int i = 0; i <= count; ++i) {
       const Point p = start + (end - start) * (count > 0 ? static_cast<double>(i) / count : 0.0);
-      const int point = part.lattice->find_point({static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))});
+      const int point =
+          part.lattice->find_point({static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))});
       if (point >= 0) on_interface[point] = 1;
     }
   }
@@ -176,7 +177,8 @@ Discretization discretize(const Scene& scene, const Options& options) {
       BoundaryPart part{id, std::move(panels.sources), mesh_boundary(panels.loops), {}, {}, nullptr};
       number_boundary_nodes(part, registry);
       const bem::AssemblyOptions assembly{options.number("bem.quadrature_tolerance"), options.whole_number("threads")};
-      part.galerkin = std::make_unique<bem::GalerkinOperator>(part.mesh, scene.material(region.material).elasticity, assembly);
+      part.galerkin =
+          std::make_unique<bem::GalerkinOperator>(part.mesh, scene.material(region.material).elasticity, assembly);
       result.boundaries.push_back(std::move(part));
     }
   }

@@ -25,8 +25,9 @@ struct PanelSource {
   Border border;
 };
 
-// A boundary element region on its nodes. Mid nodes of elements on a lattice interface are not nodes of the scene: there
-// the displacement is linear between lattice points, so that a constant traction gives the lattice its exact forces.
+// A boundary element region on its nodes. Mid nodes of elements on a lattice interface are not nodes of the scene:
+// there the displacement is linear between lattice points, so that a constant traction gives the lattice its exact
+// forces.
 struct BoundaryPart {
   int region;
   std::vector<PanelSource> panels;

@@ -139,8 +139,8 @@ FieldValues Model::compute_field(int region, Field which) {
     case Field::traction:
       return element_tractions(part, boundary_tractions(part));
     case Field::stress:
-      return boundary_stress(part, {part.mesh, elasticity, part.mesh_displacement(state.total_displacement),
-                                    boundary_tractions(part)});
+      return boundary_stress(
+          part, {part.mesh, elasticity, part.mesh_displacement(state.total_displacement), boundary_tractions(part)});
     case Field::damage:
     case Field::bond_stretch:
       break;  // refused by field_size()
@@ -191,7 +191,8 @@ std::vector<BondState> Model::bond_states(int region) {
   }
   for (int cut : prepared_->cut_bonds) {
     const auto bond = static_cast<std::size_t>(cut);
-    if (bond >= part->first_bond && bond < part->first_bond + states.size()) states[bond - part->first_bond] = BondState::cut;
+    if (bond >= part->first_bond && bond < part->first_bond + states.size())
+      states[bond - part->first_bond] = BondState::cut;
   }
   return states;
 }

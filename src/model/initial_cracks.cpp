@@ -39,8 +39,9 @@ void require_in_lattices(const Scene& scene, int crack, const Segment& segment, 
       }
     }
     require(inside, "crack ", crack, " passes (", middle.x(), ", ", middle.y(), "), which is ",
-            other > 0 ? text("in region ", other, ", a BEM region; cracks can only lie in peridynamic regions")
-                      : std::string("outside the body; end the crack on the boundary of a peridynamic region or inside"));
+            other > 0
+                ? text("in region ", other, ", a BEM region; cracks can only lie in peridynamic regions")
+                : std::string("outside the body; end the crack on the boundary of a peridynamic region or inside"));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/rigid_motion.hpp"
@@ -9,6 +10,28 @@
 #include "stopwatch.hpp"
 
 namespace bempd::model {
+
+namespace {
+
+// "region 2" or "regions 1 and 3": those that have any of the nodes.
+std::string regions_with(const Discretization& d, const std::vector<int>& nodes) {
+  std::vector<char> member(d.positions.size(), 0);
+  for (int node : nodes) member[node] = 1;
+  std::vector<int> ids;
+  const auto look = [&](int region, const std::vector<int>& own) {
+    if (std::any_of(own.begin(), own.end(), [&](int node) { return member[node] != 0; })) ids.push_back(region);
+  };
+  for (const BoundaryPart& part : d.boundaries) look(part.region, part.nodes);
+  for (const LatticePart& part : d.lattices) look(part.region, part.nodes);
+  std::sort(ids.begin(), ids.end());
+  std::string names = ids.size() > 1 ? "regions " : "region ";
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ") + std::to_string(ids[i]);
+  }
+  return names;
+}
+
+}  // namespace
 
 Scene& Model::editable_scene() {
   if (prepared_) {
@@ -33,9 +56,8 @@ void Model::check_mechanism(const PreparedScene& p) const {
     }
     const coupling::RigidMotion motion(positions, nodes, held);
     if (motion.free_count() == 0) continue;
-    fail(Failure::unsolvable, "the part of the body that holds (", positions[nodes.front()].x(), ", ",
-         positions[nodes.front()].y(), ") can ", motion.describe(),
-         "; add supports that prevent this, for example bempd_fix_point() in the components that carry no load");
+    fail(Failure::unsolvable, regions_with(p.discretization, nodes), " can ", motion.describe(),
+         "; add supports that prevent this, for example with bempd_fix_point()");
   }
 }
 
@@ -121,8 +143,10 @@ StepResult Model::advance(double target, fracture::Goal goal) {
     ++generation_;
     result.reason = evolution.advance(target, goal, stepping, [&](const fracture::EvolutionState& state) {
       const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
-      if (!go_on) fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
-      if (cancel_requested_) fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
+      if (!go_on)
+        fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
+      if (cancel_requested_)
+        fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
     });
   }
   result.events = evolution.state().events - events;
@@ -133,7 +157,8 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   log(2, text("load factor ", evolution.state().load_factor, ": ", result.events, " events, ", result.broken_bonds,
               " bonds broken"));
   if (evolution.state().fragments > fragments) {
-    log(1, text(evolution.state().fragments - fragments, " pieces have come free of all supports; they stay where they are"));
+    log(1, text(evolution.state().fragments - fragments,
+                " pieces have come free of all supports; they stay where they are"));
   }
   return result;
 }

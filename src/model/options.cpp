@@ -58,8 +58,8 @@ const OptionDescription& describe(std::string_view name) {
 
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> all = {
-      {"scheme", "Discretization: symmetric Galerkin boundary elements with exactly consistent bond weights.", "-", true,
-       false, 0, 0, 0, "symmetric", "symmetric"},
+      {"scheme", "Discretization: symmetric Galerkin boundary elements with exactly consistent bond weights.", "-",
+       true, false, 0, 0, 0, "symmetric", "symmetric"},
       number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true),
       number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4, 2, 8,
                     true),
@@ -67,8 +67,8 @@ const std::vector<OptionDescription>& option_descriptions() {
                     "Relative error of the boundary integrals of a pair of elements; a looser one is faster.", 1e-14,
                     1e-15, 1e-3, false),
       number_option("stepping.tie_band",
-                    "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3, 0,
-                    0.5, false),
+                    "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3,
+                    0, 0.5, false),
       number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0, 1e9,
                     true),
       number_option("stepping.max_events", "Events after which a step gives up.", 1e7, 1, 1e15, true),

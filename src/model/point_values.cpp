@@ -31,7 +31,8 @@ CellWeights cell_weights(const LatticePart& part, const Point& place) {
   const Point p = part.to_lattice(place);
   const Eigen::Vector2i base(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
   // On a boundary the cell may lie on the other side of a lattice line.
-  for (const Eigen::Vector2i& shift : {Eigen::Vector2i(0, 0), {-1, 0}, {0, -1}, {-1, -1}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, -1}}) {
+  for (const Eigen::Vector2i& shift :
+       {Eigen::Vector2i(0, 0), {-1, 0}, {0, -1}, {-1, -1}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, -1}}) {
     const Eigen::Vector2i cell = base + shift;
     const Point local = p - cell.cast<double>();
     if (!part.lattice->has_cell(cell) || (local.array() < -1e-6).any() || (local.array() > 1 + 1e-6).any()) continue;
@@ -50,7 +51,8 @@ std::vector<PointValue> Model::evaluate(const std::vector<Point>& places, bool w
   std::map<int, bem::InteriorEvaluator> evaluators;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Point& place = places[i];
-    require(place.allFinite(), "point ", i, " is (", place.x(), ", ", place.y(), "); coordinates must be finite numbers");
+    require(place.allFinite(), "point ", i, " is (", place.x(), ", ", place.y(),
+            "); coordinates must be finite numbers");
     const int region = region_at(scene_, place, d.tolerance);
     require(region > 0, "point ", i, ", (", place.x(), ", ", place.y(), "), lies outside the body");
     PointValue& value = values[i];
@@ -61,18 +63,19 @@ std::vector<PointValue> Model::evaluate(const std::vector<Point>& places, bool w
       const FieldValues* stress = with_stress ? &field(region, Field::stress) : nullptr;
       for (int k = 0; k < 4; ++k) {
         value.displacement += cell.weights[k] * Eigen::Map<const Point>(&displacement.values[2 * cell.points[k]]);
-        if (stress) value.stress += cell.weights[k] * Eigen::Map<const Eigen::Vector3d>(&stress->values[3 * cell.points[k]]);
+        if (stress)
+          value.stress += cell.weights[k] * Eigen::Map<const Eigen::Vector3d>(&stress->values[3 * cell.points[k]]);
       }
       continue;
     }
     const BoundaryPart& part = *d.boundary_of(region);
     auto found = evaluators.find(region);
     if (found == evaluators.end()) {
-      const Eigen::VectorXd displacement =
-          part.mesh_displacement(prepared_->evolution->state().total_displacement);
+      const Eigen::VectorXd displacement = part.mesh_displacement(prepared_->evolution->state().total_displacement);
       found = evaluators
-                  .emplace(region, bem::InteriorEvaluator(part.mesh, scene_.material(scene_.region(region).material).elasticity,
-                                                          displacement, boundary_tractions(part)))
+                  .emplace(region,
+                           bem::InteriorEvaluator(part.mesh, scene_.material(scene_.region(region).material).elasticity,
+                                                  displacement, boundary_tractions(part)))
                   .first;
     }
     if (with_stress) {

@@ -68,31 +68,37 @@ std::string list_of(const std::vector<double>& values) {
 
 LatticeOutline require_lattice(const Outline& outline, double spacing) {
   LatticeFit fit = fit_lattice(outline, spacing);
-  const std::string advice = fit.suggestions.empty() ? std::string("; choose one that divides all edges and offsets of holes")
-                                                     : "; try " + list_of(fit.suggestions);
+  const std::string advice = fit.suggestions.empty()
+                                 ? std::string("; choose one that divides all edges and offsets of holes")
+                                 : "; try " + list_of(fit.suggestions);
   switch (fit.misfit) {
     case LatticeMisfit::none:
       break;
     case LatticeMisfit::bad_spacing:
-      require(false, "spacing ", spacing, " is not a usable lattice spacing for this outline; it must be positive, and large enough for cells to be counted");
+      require(false, "spacing ", spacing,
+              " is not a usable lattice spacing for this outline; it must be positive, and large enough for cells to "
+              "be counted");
       break;
     case LatticeMisfit::oblique_edge:
-      require(false, "edge ", fit.edge + 1, " is parallel to neither axis; the outline of a peridynamic region must be rectilinear");
+      require(false, "edge ", fit.edge + 1,
+              " is parallel to neither axis; the outline of a peridynamic region must be rectilinear");
       break;
     case LatticeMisfit::indivisible_edge:
       require(false, "spacing ", spacing, " does not divide edge ", fit.edge + 1, " of length ", fit.length, advice);
       break;
     case LatticeMisfit::shifted_hole:
-      require(false, "the hole is ", fit.length, " away from the first vertex along an axis, which is not a whole number of spacings ", spacing, advice);
+      require(false, "the hole is ", fit.length,
+              " away from the first vertex along an axis, which is not a whole number of spacings ", spacing, advice);
       break;
   }
   return fit.outline;
 }
 
 void require_element_length(double element_length, double longest) {
-  require(std::isfinite(element_length) && element_length > 0, "element_length is ", element_length, "; it must be > 0");
-  require(longest / element_length <= most_elements, "element_length ", element_length, " would need ", longest / element_length,
-          " elements; the limit is ", most_elements, ": choose a longer one");
+  require(std::isfinite(element_length) && element_length > 0, "element_length is ", element_length,
+          "; it must be > 0");
+  require(longest / element_length <= most_elements, "element_length ", element_length, " would need ",
+          longest / element_length, " elements; the limit is ", most_elements, ": choose a longer one");
 }
 
 double perimeter(const Outline& outline) {
@@ -128,7 +134,8 @@ Segment Region::edge(int number) const {
 
 int Scene::add_material(const Material& material) {
   const PlaneElasticity& e = material.elasticity;
-  require(std::isfinite(e.young_modulus) && e.young_modulus > 0, "young_modulus is ", e.young_modulus, "; it must be > 0");
+  require(std::isfinite(e.young_modulus) && e.young_modulus > 0, "young_modulus is ", e.young_modulus,
+          "; it must be > 0");
   require(std::isfinite(e.poisson_ratio) && e.poisson_ratio > -1 && e.poisson_ratio < 0.5, "poisson_ratio is ",
           e.poisson_ratio, "; it must lie between -1 and 1/2, both excluded");
   require(std::isfinite(e.thickness) && e.thickness > 0, "thickness is ", e.thickness, "; it must be > 0");
@@ -140,7 +147,8 @@ int Scene::add_material(const Material& material) {
           "both critical_stretch and fracture_energy are given; give one and set the other to 0");
   if (!materials_.empty()) {
     require(materials_.front().elasticity.state == e.state,
-            "this material's plane differs from the model's first material; a model is either in plane stress or in plane strain");
+            "this material's plane differs from the model's first material; a model is either in plane stress or in "
+            "plane strain");
   }
   materials_.push_back(material);
   return static_cast<int>(materials_.size());
@@ -169,13 +177,16 @@ int Scene::add_lattice_region(int material_id, const std::vector<Point>& vertice
   require(horizon_ratio >= 2 && horizon_ratio <= 8, "horizon_ratio is ", horizon_ratio, "; it must be 2 .. 8");
   require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
   require_points(vertices, "vertex");
+  require(vertices.size() >= 4, "the outline has ", vertices.size(),
+          " vertices; a rectilinear outline has at least 4, without repeating the first at the end");
   Region region;
   region.kind = RegionKind::peridynamics;
   region.material = material_id;
   region.outline.loops = {vertices};
   require_sound(region.outline);
   const double cells = area(region.outline) / (spacing * spacing);
-  require(cells <= most_cells, "spacing ", spacing, " would need ", cells, " cells; the limit is ", most_cells, ": choose a larger one");
+  require(cells <= most_cells, "spacing ", spacing, " would need ", cells, " cells; the limit is ", most_cells,
+          ": choose a larger one");
   region.horizon_ratio = horizon_ratio;
   region.lattice = require_lattice(region.outline, spacing);
   regions_.push_back(std::move(region));
@@ -188,7 +199,8 @@ int Scene::add_hole(int region_id, const std::vector<Point>& vertices) {
   Region changed = region;
   changed.outline.loops.push_back(vertices);
   require_sound(changed.outline);
-  if (region.kind == RegionKind::peridynamics) changed.lattice = require_lattice(changed.outline, region.lattice.spacing);
+  if (region.kind == RegionKind::peridynamics)
+    changed.lattice = require_lattice(changed.outline, region.lattice.spacing);
   const int first_edge = region.edge_count() + 1;
   region = std::move(changed);
   return first_edge;
@@ -198,8 +210,8 @@ void Scene::set_edge_mesh(int region_id, int edge, const EdgeMesh& mesh) {
   Region& region = mutable_region(region_id);
   require(region.kind == RegionKind::boundary_elements, "region ", region_id,
           " is peridynamic; only edges of BEM regions have elements");
-  require(edge >= 1 && edge <= region.edge_count(), "edge ", edge, " does not exist; region ", region_id, " has edges 1 .. ",
-          region.edge_count());
+  require(edge >= 1 && edge <= region.edge_count(), "edge ", edge, " does not exist; region ", region_id,
+          " has edges 1 .. ", region.edge_count());
   require_element_length(mesh.element_length, region.edge(edge).length());
   require(std::isfinite(mesh.grading) && mesh.grading >= 1 && mesh.grading <= 4, "grading is ", mesh.grading,
           "; it must lie between 1 (equal elements) and 4");
@@ -210,7 +222,8 @@ int Scene::add_crack(const std::vector<Point>& points) {
   require(points.size() >= 2, "the crack has ", points.size(), " points; give at least 2");
   require_points(points, "point");
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    require(points[i] != points[i + 1], "points ", i, " and ", i + 1, " of the crack are the same; give distinct points");
+    require(points[i] != points[i + 1], "points ", i, " and ", i + 1,
+            " of the crack are the same; give distinct points");
   }
   cracks_.push_back({points});
   return static_cast<int>(cracks_.size());

@@ -38,9 +38,9 @@ struct Region {
   RegionKind kind = RegionKind::boundary_elements;
   int material = 0;  // id
   Outline outline;
-  double element_length = 0;         // boundary elements
-  std::map<int, EdgeMesh> edge_mesh; // by edge number
-  int horizon_ratio = 0;             // peridynamics
+  double element_length = 0;          // boundary elements
+  std::map<int, EdgeMesh> edge_mesh;  // by edge number
+  int horizon_ratio = 0;              // peridynamics
   LatticeOutline lattice;
 
   int edge_count() const;

@@ -84,8 +84,8 @@ Condition& Scene::load(int id) {
 void Scene::set_values(Condition& condition, const char* what, int id, SampledValues values) {
   auto* samples = std::get_if<SampledValues>(&condition.values);
   require(samples != nullptr, what, " ", id, " was given by a function; only sampled values can be replaced");
-  require(samples->constant.size() == values.constant.size(), what, " ", id, " was made with ", samples->constant.size(),
-          " values, now there are ", values.constant.size(), "; give as many");
+  require(samples->constant.size() == values.constant.size(), what, " ", id, " was made with ",
+          samples->constant.size(), " values, now there are ", values.constant.size(), "; give as many");
   check_values(values);
   *samples = std::move(values);
 }

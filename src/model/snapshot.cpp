@@ -27,7 +27,8 @@ void writing(const Body& body) {
 class GridBuilder {
  public:
   explicit GridBuilder(const std::vector<std::pair<const char*, int>>& point_fields) {
-    for (const auto& [name, components] : point_fields) grid_.point_data.push_back({name, components, std::vector<double>()});
+    for (const auto& [name, components] : point_fields)
+      grid_.point_data.push_back({name, components, std::vector<double>()});
     grid_.cell_data.push_back({"region", 1, std::vector<std::int32_t>()});
   }
 
@@ -125,9 +126,9 @@ void Model::write_snapshot(const std::string& prefix) {
 }
 
 void Model::write_history(const std::string& path) const {
-  std::vector<std::string> columns{"event",         "load_factor",     "total_broken_bonds", "stretch_ratio",
-                                   "stored_energy", "released_energy", "work",               "energy_balance_error",
-                                   "residual"};
+  std::vector<std::string> columns{"event",         "load_factor",          "total_broken_bonds",
+                                   "stretch_ratio", "stored_energy",        "released_energy",
+                                   "work",          "energy_balance_error", "residual"};
   const std::size_t supports = scene_.supports().size();
   for (std::size_t s = 1; s <= supports; ++s) {
     columns.push_back(text("reaction_x_", s));
@@ -138,9 +139,9 @@ void Model::write_history(const std::string& path) const {
     const fracture::EvolutionState& state = prepared_->evolution->state();
     for (std::size_t i = 0; i < state.history.size(); ++i) {
       const fracture::HistoryEntry& h = state.history[i];
-      std::vector<output::CsvValue> row{h.event,         h.load_factor,     h.total_broken_bonds, h.stretch_ratio,
-                                        h.stored_energy, h.released_energy, h.work,               h.energy_balance_error,
-                                        h.residual};
+      std::vector<output::CsvValue> row{h.event,         h.load_factor,          h.total_broken_bonds,
+                                        h.stretch_ratio, h.stored_energy,        h.released_energy,
+                                        h.work,          h.energy_balance_error, h.residual};
       for (std::size_t r = 2 * supports * i; r < 2 * supports * (i + 1); ++r) row.emplace_back(state.reactions[r]);
       table.add_row(row);
     }

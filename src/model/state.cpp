@@ -106,6 +106,7 @@ void visit_numbers(State& s, Visit&& visit) {
   visit(s.largest_work);
   visit(s.worst_energy_balance_error);
   visit(s.residual);
+  visit(s.largest_force);
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -159,7 +160,8 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   fracture::EvolutionState& e = state.evolution;
   visit_numbers(e, [&](auto& v) { v = reader.value<std::decay_t<decltype(v)>>(); });
   const std::vector<double> displacement = reader.array<double>();
-  e.displacement = Eigen::Map<const coupling::Affine>(displacement.data(), static_cast<Eigen::Index>(displacement.size() / 2), 2);
+  e.displacement =
+      Eigen::Map<const coupling::Affine>(displacement.data(), static_cast<Eigen::Index>(displacement.size() / 2), 2);
   e.total_displacement = vector_of(reader.array<double>());
   e.total_force = vector_of(reader.array<double>());
   e.intact = reader.array<char>();
@@ -191,7 +193,7 @@ std::uint64_t Model::fingerprint() const {
 }
 
 SavedState Model::save() {
-  prepare();
+  if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
   // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
   prepared_->evolution->synchronize();
   return {fingerprint(), prepared_->evolution->state()};
