@@ -47,7 +47,8 @@ struct PointValue {
 
 // State of a run, tied to a scene by its fingerprint.
 struct SavedState {
-  std::uint64_t fingerprint = 0;
+  std::uint64_t scene_fingerprint = 0;
+  std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
 };
 
@@ -116,7 +117,8 @@ class Model {
   void check_mechanism(const PreparedScene& prepared) const;
   FieldValues compute_field(int region, Field field);
   Eigen::VectorXd boundary_tractions(const BoundaryPart& part) const;
-  std::uint64_t fingerprint() const;
+  std::uint64_t scene_fingerprint() const;
+  std::uint64_t load_fingerprint() const;
   void log(int level, const std::string& message) const;
 
   Options options_;

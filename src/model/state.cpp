@@ -131,7 +131,8 @@ std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   writer.raw(magic, sizeof magic);
   writer.value(byte_order_mark);
   writer.value(format_version);
-  writer.value(state.fingerprint);
+  writer.value(state.scene_fingerprint);
+  writer.value(state.load_fingerprint);
   const fracture::EvolutionState& e = state.evolution;
   visit_numbers(e, [&](const auto& v) { writer.value(v); });
   writer.array(e.displacement.data(), static_cast<std::size_t>(e.displacement.size()));
@@ -156,7 +157,8 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   std::memcpy(&stored, bytes + size - checksum_size, checksum_size);
   require(stored == hash.value(), "the bytes of the state are damaged: their checksum does not match");
   SavedState state;
-  state.fingerprint = reader.value<std::uint64_t>();
+  state.scene_fingerprint = reader.value<std::uint64_t>();
+  state.load_fingerprint = reader.value<std::uint64_t>();
   fracture::EvolutionState& e = state.evolution;
   visit_numbers(e, [&](auto& v) { v = reader.value<std::decay_t<decltype(v)>>(); });
   const std::vector<double> displacement = reader.array<double>();
@@ -173,7 +175,7 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   return state;
 }
 
-std::uint64_t Model::fingerprint() const {
+std::uint64_t Model::scene_fingerprint() const {
   Hash hash;
   const coupling::BondSet& bonds = prepared_->system->bonds();
   for (const Point& p : prepared_->discretization.positions) hash.add(p.data(), 2 * sizeof(double));
@@ -192,21 +194,28 @@ std::uint64_t Model::fingerprint() const {
   return hash.value();
 }
 
+std::uint64_t Model::load_fingerprint() const {
+  Hash hash;
+  for (const coupling::Affine* values : {&prepared_->conditions.force, &prepared_->conditions.displacement}) {
+    hash.add(values->data(), static_cast<std::size_t>(values->size()) * sizeof(double));
+  }
+  return hash.value();
+}
+
 SavedState Model::save() {
   if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
   // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
   prepared_->evolution->synchronize();
-  return {fingerprint(), prepared_->evolution->state()};
+  return {scene_fingerprint(), load_fingerprint(), prepared_->evolution->state()};
 }
 
 void Model::restore(const SavedState& state) {
   prepare();
-  require(state.fingerprint == fingerprint(),
+  require(state.scene_fingerprint == scene_fingerprint(),
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
-  const bool changed_load = !prepared_->evolution->state().in_equilibrium;
   fracture::EvolutionState copy = state.evolution;
   // Loads given new values since the state was saved act on it from the next step on.
-  if (changed_load) copy.in_equilibrium = false;
+  if (state.load_fingerprint != load_fingerprint()) copy.in_equilibrium = false;
   prepared_->evolution->restore(std::move(copy));
   ++generation_;
 }
