@@ -1,0 +1,1 @@
+bempd_add_engine_test(coupled_operator_test coupled_operator_test.cpp)

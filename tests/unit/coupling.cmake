@@ -1,0 +1,1 @@
+bempd_add_engine_test(coupling_test coupling_test.cpp)

@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "coupling/equilibrium_system.hpp"
+#include "coupling/rigid_motion.hpp"
+#include "error.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace bempd::coupling;
+
+// Nodes 0 1 2 carry a dense operator, nodes 2 3 4 bonds; node 2 is shared.
+struct Chain {
+  static constexpr int nodes = 5;
+  DenseOperator op{{0, 1, 2}, {}};
+  BondSet bonds;
+  std::vector<char> prescribed = std::vector<char>(2 * nodes, 0);
+
+  Chain() {
+    const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(6, 6, [](Eigen::Index i, Eigen::Index j) {
+      return std::sin(3.0 * static_cast<double>(i) + 7.0 * static_cast<double>(j) + 1);
+    });
+    op.stiffness = a * a.transpose();
+    bond(2, 3, 1, 0, 3.0);
+    bond(2, 3, 0.6, 0.8, 2.0);
+    bond(3, 4, 1, 0, 5.0);
+    bond(3, 4, 0, 1, 4.0);
+    bond(2, 4, 0.8, -0.6, 1.5);
+    prescribed[0] = prescribed[9] = 1;
+  }
+  void bond(int i, int j, double c, double s, double k) {
+    bonds.first.push_back(i);
+    bonds.second.push_back(j);
+    bonds.cosine.push_back(c);
+    bonds.sine.push_back(s);
+    bonds.length.push_back(1);
+    bonds.stiffness.push_back(k);
+  }
+  Eigen::MatrixXd full(const std::vector<char>& intact) const {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(10, 10);
+    matrix.topLeftCorner(6, 6) = op.stiffness;
+    for (std::size_t b = 0; b < bonds.size(); ++b) {
+      if (!intact[b]) continue;
+      Eigen::VectorXd d = Eigen::VectorXd::Zero(10);
+      d.segment<2>(2 * bonds.first[b]) = Eigen::Vector2d(-bonds.cosine[b], -bonds.sine[b]);
+      d.segment<2>(2 * bonds.second[b]) = Eigen::Vector2d(bonds.cosine[b], bonds.sine[b]);
+      matrix += bonds.stiffness[b] * d * d.transpose();
+    }
+    return matrix;
+  }
+};
+
+Affine expected_solution(const Chain& chain, const std::vector<char>& intact, const Affine& force,
+                         const Affine& given) {
+  const Eigen::MatrixXd k = chain.full(intact);
+  std::vector<int> free;
+  for (int dof = 0; dof < 10; ++dof) {
+    if (!chain.prescribed[dof]) free.push_back(dof);
+  }
+  Affine u = given;
+  const Affine rhs = force - k * given;
+  const Affine solved = k(free, free).ldlt().solve(rhs(free, Eigen::all));
+  for (std::size_t i = 0; i < free.size(); ++i) u.row(free[i]) = solved.row(static_cast<Eigen::Index>(i));
+  return u;
+}
+
+TEST(EquilibriumSystem, condensed_solution_equals_the_full_one_also_after_breaks) {
+  const Chain chain;
+  EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
+  Affine force = Affine::Zero(10, 2), given = Affine::Zero(10, 2);
+  for (int dof = 0; dof < 10; ++dof) force.row(dof) << std::cos(dof), std::sin(2 * dof);
+  given.row(0) << 0.1, 0.2;
+  given.row(9) << -0.3, 0.05;
+  system.set_load(force, given);
+  EXPECT_LE((system.solve() - expected_solution(chain, system.intact(), force, given)).cwiseAbs().maxCoeff(), 1e-10);
+
+  // Bond 3 ends on the prescribed node 4 in y, so its break changes the load too.
+  const int broken[] = {1, 3};
+  system.mark_broken(broken);
+  system.commit_break(broken, {});
+  const Affine after = system.solve();
+  EXPECT_LE((after - expected_solution(chain, system.intact(), force, given)).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_EQ(system.counters().dense_factorizations, 1);
+  const Eigen::VectorXd residual = system.internal_force(after.col(1)) - force.col(1);
+  for (int dof = 0; dof < 10; ++dof) {
+    if (!chain.prescribed[dof]) EXPECT_LE(std::abs(residual[dof]), 1e-10) << dof;
+  }
+}
+
+TEST(EquilibriumSystem, restored_state_solves_as_before_the_break) {
+  const Chain chain;
+  EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
+  Affine force = Affine::Zero(10, 2);
+  force.col(1).setOnes();
+  system.set_load(force, Affine::Zero(10, 2));
+  const Affine before = system.solve();
+  const std::vector<char> intact = system.intact();
+  const int broken[] = {4};
+  system.mark_broken(broken);
+  system.commit_break(broken, {});
+  EXPECT_GT((system.solve() - before).cwiseAbs().maxCoeff(), 1e-6);
+  system.restore(intact, {});
+  EXPECT_LE((system.solve() - before).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(EquilibriumSystem, softest_motion_is_the_one_that_nothing_resists) {
+  Chain chain;
+  chain.prescribed[9] = 0;
+  EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
+  const int broken[] = {3, 4};  // node 4 hangs on one bond along x
+  system.mark_broken(broken);
+  system.commit_break(broken, {});
+  const SoftMotion soft = system.softest_motion();
+  EXPECT_LE(soft.resistance, 1e-15);
+  EXPECT_NEAR(std::abs(soft.motion[9]), 1.0, 1e-9);
+  EXPECT_LE(soft.motion.head(9).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(EquilibriumSystem, a_part_that_moves_freely_is_unsolvable) {
+  Chain chain;
+  chain.prescribed[9] = 0;
+  EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
+  const int broken[] = {3, 4};
+  system.mark_broken(broken);
+  system.commit_break(broken, {});
+  Affine force = Affine::Zero(10, 2);
+  force.col(1).setOnes();
+  system.set_load(force, Affine::Zero(10, 2));
+  try {
+    system.solve();
+    FAIL() << "solved a mechanism";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.failure(), Failure::unsolvable);
+  }
+}
+
+const std::vector<Point> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+const std::vector<int> corners{0, 1, 2, 3};
+
+TEST(RigidMotion, names_what_supports_leave_free) {
+  EXPECT_EQ(RigidMotion(square, corners, {}).describe(), "translate in x and y, and rotate");
+  EXPECT_EQ(RigidMotion(square, corners, {{0, 1, 0}, {3, 1, 0}}).describe(), "translate in y");
+  EXPECT_EQ(RigidMotion(square, corners, {{0, 1, 0}, {0, 0, 1}}).describe(), "rotate");
+  EXPECT_EQ(RigidMotion(square, corners, {{0, 0, 1}, {1, 0, 1}}).describe(), "translate in x");
+  EXPECT_EQ(RigidMotion(square, corners, {{0, 1, 0}, {0, 0, 1}, {1, 0, 1}}).free_count(), 0);
+  EXPECT_EQ(RigidMotion(square, corners, {{0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {3, 0, 1}}).describe(), "rotate");
+}
+
+TEST(RigidMotion, missing_supports_complete_the_given_ones) {
+  std::vector<HeldDirection> held{{0, 1, 0}};
+  const RigidMotion motion(square, corners, held);
+  EXPECT_EQ(motion.free_count(), 2);
+  for (const HeldDirection& h : motion.missing_supports(square, corners)) held.push_back(h);
+  EXPECT_EQ(held.size(), 3u);
+  EXPECT_EQ(RigidMotion(square, corners, held).free_count(), 0);
+}
+
+TEST(RigidMotion, forces_in_equilibrium_do_no_work_on_it) {
+  const RigidMotion motion(square, corners, {});
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(8);
+  force << -1, -2, 1, -2, 1, 2, -1, 2;
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(motion.work(k, square, corners, force), 0, 1e-14);
+  force[0] += 1;
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(motion.work(k, square, corners, force)));
+  EXPECT_GT(largest, 0.1);
+}
+
+}  // namespace

@@ -1,0 +1,1 @@
+bempd_add_engine_test(fracture_test fracture_test.cpp)
