@@ -1,0 +1,277 @@
+"""Pictures of fracture runs from the files that bempd_write_snapshot() and bempd_write_history() leave.
+
+Expected in one folder:
+    NAME.pvd                  series of snapshots; the time of a snapshot is its load factor
+    NAME_NNNN_lattice.vtu     quads with point data "displacement" and "damage"
+    NAME_NNNN_boundary.vtu    quadratic edges with point data "displacement" and cell data "region"
+    history.csv               columns "load_factor", "total_broken_bonds", "reaction_x_1", "reaction_y_1", ...
+Lengths are in metres, forces in newtons. Needs numpy, matplotlib and meshio.
+"""
+
+import csv
+import dataclasses
+import itertools
+import pathlib
+import xml.etree.ElementTree as xml
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import meshio
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+STYLE = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "axes.titlesize": 9.5,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.7,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "legend.frameon": False,
+}
+BODY_FACE, BODY_EDGE, CURVE, MARK = "#e3e5e8", "#7d838c", "#1f4e79", "#b3261e"
+DAMAGE_COLOURS = "YlOrRd"
+
+
+@dataclasses.dataclass
+class Snapshot:
+    """The files of one load factor; meshes are read when asked for."""
+
+    load_factor: float
+    files: dict  # part ("lattice", "boundary") -> path
+
+    def mesh(self, part):
+        return meshio.read(self.files[part]) if part in self.files else None
+
+    def damage(self):
+        mesh = self.mesh("lattice")
+        return np.zeros(0) if mesh is None else mesh.point_data["damage"]
+
+
+def read_series(collection):
+    """Snapshots of a .pvd file in the order in which they were written."""
+    collection = pathlib.Path(collection)
+    snapshots = {}
+    for entry in xml.parse(collection).getroot().iter("DataSet"):
+        # NAME_NNNN_part.vtu: several snapshots of a cascade share one load factor, so the number tells them apart.
+        stem, part = pathlib.Path(entry.get("file")).stem.rsplit("_", 1)
+        snapshot = snapshots.setdefault(stem, Snapshot(float(entry.get("timestep")), {}))
+        snapshot.files[part] = collection.parent / entry.get("file")
+    return list(snapshots.values())
+
+
+def read_history(table):
+    """Columns of a .csv file as arrays."""
+    with open(table, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    if not rows:
+        raise SystemExit(f"{table} has no rows")
+    return {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
+
+
+@dataclasses.dataclass
+class Stage:
+    title: str
+    snapshot: Snapshot
+
+
+def crack_stages(snapshots, end_title="End of growth"):
+    """First damage, half of the final damage, and the end of growth; fewer if these coincide."""
+    if not snapshots:
+        return []
+    total = np.array([snapshot.damage().sum() for snapshot in snapshots])
+    grown = total - total[0]
+    if grown[-1] <= 0:
+        return [Stage("No damage", snapshots[-1])]
+    first = int(np.argmax(grown > 0))
+    last = int(np.argmax(grown >= grown[-1] * (1 - 1e-9)))
+    half = first + int(np.argmin(np.abs(grown[first : last + 1] - 0.5 * (grown[first] + grown[last]))))
+    titles = {}
+    for index, title in ((half, "Half way"), (first, "First damage"), (last, end_title)):
+        titles[index] = title
+    return [Stage(titles[index], snapshots[index]) for index in sorted(titles)]
+
+
+def round_magnification(snapshots, share=0.04):
+    """1, 2 or 5 times a power of ten that shows all but the largest displacements as `share` of the body's size."""
+    size, displacements = 0.0, [np.zeros(1)]
+    for snapshot, part in itertools.product(snapshots, ("lattice", "boundary")):
+        mesh = snapshot.mesh(part)
+        if mesh is not None and len(mesh.points):
+            size = max(size, np.linalg.norm(np.ptp(mesh.points, axis=0)))
+            displacements.append(np.linalg.norm(mesh.point_data["displacement"], axis=1))
+    # A loose fragment may fly far; it must not set the scale.
+    typical = np.quantile(np.concatenate(displacements), 0.98)
+    if not typical > 0 or not size > 0:
+        return 1.0
+    wanted = share * size / typical
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(power * max(step for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
+
+
+def cut_cells(points, displacement, quads, critical_stretch):
+    """Cells with a side or diagonal stretched beyond the critical stretch: the crack runs through them."""
+    cut = np.zeros(len(quads), dtype=bool)
+    for i, j in itertools.combinations(range(4), 2):
+        before = (points[quads[:, j]] - points[quads[:, i]])[:, :2]
+        after = before + (displacement[quads[:, j]] - displacement[quads[:, i]])[:, :2]
+        length = np.linalg.norm(before, axis=1)
+        cut |= np.linalg.norm(after, axis=1) > (1 + critical_stretch) * length
+    return cut
+
+
+def free_sides(quads):
+    """Point pairs of the sides that belong to one cell only: the outline with the lips of the crack."""
+    sides = np.sort(np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)]), axis=1)
+    unique, count = np.unique(sides, axis=0, return_counts=True)
+    return unique[count == 1]
+
+
+def boundary_loops(mesh, magnification):
+    """(region, corner points of the deformed closed loop) for every loop of the boundary elements."""
+    shown = (mesh.points + magnification * mesh.point_data["displacement"])[:, :2]
+    t = np.linspace(0, 1, 5)[:-1, None]
+    loops, previous = [], None
+    regions = mesh.cell_data.get("region", [np.zeros(len(block.data), int) for block in mesh.cells])
+    for block, block_regions in zip(mesh.cells, regions):
+        if block.type != "line3":
+            continue
+        for (start, end, middle), region in zip(block.data, block_regions):
+            if start != previous:
+                loops.append((int(region), []))
+            arc = (1 - t) * (1 - 2 * t) * shown[start] + 4 * t * (1 - t) * shown[middle] + t * (2 * t - 1) * shown[end]
+            loops[-1][1].append(arc)
+            previous = end
+    return [(region, np.concatenate(arcs)) for region, arcs in loops]
+
+
+def draw_boundary(axes, mesh, magnification, length_unit):
+    """Boundary-element regions as grey bodies in their deformed shape."""
+    loops = boundary_loops(mesh, magnification)
+    for region in sorted({region for region, _ in loops}):
+        vertices, codes = [], []
+        for corners in (corners for number, corners in loops if number == region):
+            vertices.append(np.vstack([corners, corners[:1]]) / length_unit)
+            codes += [Path.MOVETO] + [Path.LINETO] * (len(corners) - 1) + [Path.CLOSEPOLY]
+        path = Path(np.vstack(vertices), codes)
+        axes.add_patch(PathPatch(path, facecolor=BODY_FACE, edgecolor=BODY_EDGE, linewidth=0.8, zorder=1))
+        axes.update_datalim(path.vertices)
+
+
+def draw_damage(axes, mesh, magnification, length_unit, critical_stretch, largest_damage):
+    """Cells of the lattice in their deformed shape, coloured by damage; those that the crack cuts are left out."""
+    quads = mesh.cells_dict["quad"]
+    displacement = mesh.point_data["displacement"]
+    if critical_stretch is not None:
+        quads = quads[~cut_cells(mesh.points, displacement, quads, critical_stretch)]
+    shown = (mesh.points + magnification * displacement)[:, :2] / length_unit
+    cells = PolyCollection(shown[quads], cmap=DAMAGE_COLOURS, edgecolors="face", linewidths=0.15, zorder=2)
+    cells.set_array(mesh.point_data["damage"][quads].mean(axis=1))
+    cells.set_clim(0, largest_damage)
+    cells.set_rasterized(True)
+    axes.add_collection(cells)
+    axes.add_collection(LineCollection(shown[free_sides(quads)], colors=BODY_EDGE, linewidths=0.5, zorder=3))
+    return cells
+
+
+def draw_stage(axes, snapshot, magnification, length_unit, critical_stretch, largest_damage):
+    """One deformed body; returns what a colour bar needs, or None without a lattice."""
+    boundary, lattice = snapshot.mesh("boundary"), snapshot.mesh("lattice")
+    cells = None
+    if boundary is not None:
+        draw_boundary(axes, boundary, magnification, length_unit)
+    if lattice is not None:
+        cells = draw_damage(axes, lattice, magnification, length_unit, critical_stretch, largest_damage)
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.margins(0.04)
+    return cells
+
+
+def engineering(largest, unit):
+    """(factor, unit with prefix) that bring the numbers between 1 and 1000."""
+    prefixes = {-9: "n", -6: "\u00b5", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+    exponent = 0 if not largest > 0 else int(np.clip(3 * np.floor(np.log10(largest) / 3 + 1e-12), -9, 9))
+    return 10.0**-exponent, prefixes[exponent] + unit
+
+
+def growth_rows(history):
+    """Rows of the first break and of the last one, or None if nothing broke."""
+    broken = history["total_broken_bonds"]
+    if not broken[-1] > 0:
+        return None
+    return int(np.argmax(broken > 0)), int(np.argmax(broken >= broken[-1]))
+
+
+def is_separated(history, reaction):
+    load = np.abs(history[reaction])
+    return bool(load[-1] < 0.01 * load.max())
+
+
+def draw_load_displacement(axes, history, reaction, displacement, displacement_label):
+    """Reaction against imposed displacement, with the first break and the end of growth."""
+    imposed = displacement * history["load_factor"]
+    load = history[reaction]
+    load = load * np.sign(load[np.argmax(np.abs(load))])
+    to_length, length_unit = engineering(np.abs(imposed).max(), "m")
+    to_force, force_unit = engineering(np.abs(load).max(), "N")
+    x, y = np.append(0, imposed) * to_length, np.append(0, load) * to_force
+    axes.plot(x, y, color=CURVE, linewidth=1.3, zorder=2)
+    rows = growth_rows(history)
+    if rows:
+        end = "complete" if is_separated(history, reaction) else "end of growth"
+        for row, text, marker in ((rows[0], "first break", "o"), (rows[1], end, "s")):
+            at = (imposed[row] * to_length, load[row] * to_force)
+            axes.plot(*at, marker, color=MARK, markersize=5, zorder=3, clip_on=False,
+                      label=f"{text}: {at[0]:.3g} {length_unit}, {max(at[1], 0):.3g} {force_unit}")
+        axes.legend(loc="upper left", handletextpad=0.3, borderaxespad=0.3)
+    axes.set_xlabel(f"{displacement_label} [{length_unit}]")
+    axes.set_ylabel(f"reaction [{force_unit}]")
+    axes.set_xlim(left=0)
+    axes.set_ylim(bottom=min(0, y.min() * 1.05), top=y.max() * 1.25)
+    axes.grid(color="#dddddd", linewidth=0.5)
+    axes.set_axisbelow(True)
+
+
+def fracture_figure(folder, name, *, reaction, displacement, displacement_label, critical_stretch=None,
+                    magnification=None, length_unit=1e-3, length_name="mm"):
+    """Stages of the crack beside the load-displacement curve, written to FOLDER/NAME.png.
+
+    reaction: column of the history; displacement: imposed displacement per unit of load factor [m].
+    """
+    folder = pathlib.Path(folder)
+    history = read_history(folder / "history.csv")
+    end_title = "Complete" if is_separated(history, reaction) else "End of growth"
+    stages = crack_stages(read_series(folder / f"{name}.pvd"), end_title)
+    if not stages:
+        raise SystemExit(f"{folder / name}.pvd lists no snapshots")
+    magnification = magnification or round_magnification([stage.snapshot for stage in stages])
+    damage = max(stage.snapshot.damage().max(initial=0) for stage in stages)
+    largest_damage = max(0.1, np.ceil(10 * damage - 1e-9) / 10)
+    to_length, unit = engineering(displacement * max(stage.snapshot.load_factor for stage in stages), "m")
+    with plt.rc_context(STYLE):
+        figure = plt.figure(figsize=(2.35 * len(stages) + 4.6, 3.1), layout="constrained")
+        left, right = figure.subfigures(1, 2, width_ratios=[2.35 * len(stages) + 0.8, 3.8])
+        panels = left.subplots(1, len(stages), sharex=True, sharey=True, squeeze=False)[0]
+        for axes, stage in zip(panels, stages):
+            cells = draw_stage(axes, stage.snapshot, magnification, length_unit, critical_stretch, largest_damage)
+            axes.set_title(f"{stage.title}, {displacement * stage.snapshot.load_factor * to_length:.3g} {unit}")
+            axes.set_xlabel(f"x [{length_name}]")
+        panels[0].set_ylabel(f"y [{length_name}]")
+        if cells is not None:
+            left.colorbar(cells, ax=panels, shrink=0.72, pad=0.015, label="damage [-]")
+        left.supxlabel(f"displacements magnified {magnification:g} times", fontsize=8, color="#444444")
+        axes = right.subplots()
+        draw_load_displacement(axes, history, reaction, displacement, displacement_label)
+        axes.set_title("Load and displacement")
+        target = folder / f"{name}.png"
+        figure.savefig(target, dpi=200)
+        plt.close(figure)
+    return target
