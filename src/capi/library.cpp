@@ -1,7 +1,6 @@
 #include <cstring>
 
 #include "capi/guard.hpp"
-#include "capi/version.hpp"
 #include "linalg/sparse_cholesky.hpp"
 
 using namespace bempd;
@@ -11,7 +10,7 @@ const char* bempd_version_string(void) { return version_string; }
 
 const char* bempd_build_info(void) {
   static const std::string info = [] {
-    return std::string("bempd ") + version_string + ", sparse factorization " + linalg::backend_name() + ", Eigen " +
+    return std::string("bempd ") + BEMPD_VERSION + ", sparse factorization " + linalg::backend_name() + ", Eigen " +
            std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
            std::to_string(EIGEN_MINOR_VERSION) + ", compiler " + __VERSION__;
   }();

@@ -13,7 +13,7 @@ namespace {
 
 // Wanted residual of the sparse system relative to its right-hand side; one application of an up-to-date factor reaches
 // it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
-constexpr double solution_tolerance = 1e-14;
+constexpr double solution_tolerance = 1e-13;
 constexpr double acceptable_residual = 1e-12;
 constexpr int most_iterations = 40;
 

@@ -1,3 +1,4 @@
-bempd_add_engine_test(linalg_cholesky_test linalg_cholesky_test.cpp)
+bempd_add_engine_test(linalg_cholesky_test linalg_cholesky_test.cpp linalg_backend_test.cpp)
 bempd_add_engine_test(linalg_conjugate_gradient_test linalg_conjugate_gradient_test.cpp)
-target_compile_definitions(linalg_cholesky_test PRIVATE "BEMPD_EXPECTED_BACKEND=\"${BEMPD_LINALG}\"")
+set_source_files_properties(linalg_backend_test.cpp PROPERTIES
+  COMPILE_DEFINITIONS "BEMPD_EXPECTED_BACKEND=\"${BEMPD_LINALG}\"")

@@ -49,8 +49,6 @@ SparseMatrix free_chain(int n) {
   return lower;
 }
 
-TEST(SparseCholesky, backend_is_the_configured_one) { EXPECT_STREQ(backend_name(), BEMPD_EXPECTED_BACKEND); }
-
 TEST(SparseCholesky, random_matrices_of_all_small_sizes_solve_like_a_dense_factorization) {
   for (int n = 1; n <= 60; ++n) {
     const SparseMatrix matrix = random_positive_definite(n, static_cast<unsigned>(n));

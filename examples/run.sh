@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Builds the library and runs examples; results go to out/<name>/. Installs missing Debian packages first.
+#   examples/run.sh            runs centre_crack
+#   examples/run.sh NAME...    runs the examples named
+#   examples/run.sh --list     lists them
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+
+list_examples() {
+  local program folder
+  for program in examples/*/main.c; do
+    [ -f "$program" ] || continue
+    folder=$(dirname "$program")
+    printf '%-24s %s\n' "$(basename "$folder")" "$(head -n 1 "$folder/README.md" 2>/dev/null | sed 's/^#* *//')"
+  done
+}
+
+case "${1:-}" in
+  --list) list_examples; exit 0 ;;
+  -h | --help) sed -n '2,5s/^# *//p' "examples/run.sh"; exit 0 ;;
+esac
+
+[ $# -gt 0 ] || set -- centre_crack
+targets=()
+for name in "$@"; do
+  if [[ ! $name =~ ^[a-z0-9_]+$ || ! -f examples/$name/main.c ]]; then
+    echo "error: there is no example '$name'; there are:" >&2
+    list_examples >&2
+    exit 2
+  fi
+  targets+=("example_$name")
+done
+
+# Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
+export PATH="/usr/bin:/bin:$PATH"
+.ci/require_packages.sh cmake ninja-build gcc g++ libeigen3-dev libsuitesparse-dev libopenblas-dev \
+  python3 python3-numpy python3-matplotlib
+
+cmake --preset release -Wno-dev >/dev/null
+cmake --build --preset release -j "$(nproc)" --target "${targets[@]}"
+
+for name in "$@"; do
+  mkdir -p "out/$name"
+  "build/release/examples/example_$name"
+  if [ -f "examples/$name/plot.py" ]; then
+    MPLBACKEND=Agg /usr/bin/python3 "examples/$name/plot.py"
+  fi
+done
