@@ -6,7 +6,7 @@
 using namespace bempd;
 using namespace bempd::capi;
 
-const char* bempd_version_string(void) { return version_string; }
+const char* bempd_version_string(void) { return BEMPD_VERSION; }
 
 const char* bempd_build_info(void) {
   static const std::string info = [] {
