@@ -45,10 +45,11 @@ class DenseSolver final : public MinimumNormSolver {
 };
 
 // Conjugate gradients on B B^T lambda = r. The matrix is singular, so the Cholesky factor of the slightly shifted one
-// is the preconditioner.
+// is the preconditioner. It amplifies the kernel's share of the rounding by the inverse of the shift, which would soon
+// drown the rest; the known part of the kernel is therefore taken out in every step.
 class SparseSolver final : public MinimumNormSolver {
  public:
-  explicit SparseSolver(const Sparse& b) : b_(b), bt_(b.transpose()) {
+  SparseSolver(const Sparse& b, const Eigen::MatrixXd& kernel) : b_(b), bt_(b.transpose()), kernel_(kernel) {
     Sparse normal = b_ * bt_;
     double largest = 0;
     for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
@@ -60,7 +61,8 @@ class SparseSolver final : public MinimumNormSolver {
 
   Step solve(VectorXd r, int& steps) const override {
     Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
-    VectorXd z = factor_.solve(r), p = z;
+    project(r);
+    VectorXd z = precondition(r), p = z;
     double rz = r.dot(z);
     // One round need not be exact: the next one starts from the residual recomputed from the stiffnesses.
     const double goal = 1e-5 * r.lpNorm<Eigen::Infinity>();
@@ -73,7 +75,7 @@ class SparseSolver final : public MinimumNormSolver {
       r -= alpha * (b_ * q);
       ++steps;
       if (r.lpNorm<Eigen::Infinity>() <= goal) break;
-      z = factor_.solve(r);
+      z = precondition(r);
       const double next = r.dot(z);
       p = z + next / rz * p;
       rz = next;
@@ -82,7 +84,18 @@ class SparseSolver final : public MinimumNormSolver {
   }
 
  private:
+  void project(VectorXd& v) const {
+    if (kernel_.cols() > 0) v -= kernel_ * (kernel_.transpose() * v);
+  }
+  VectorXd precondition(const VectorXd& r) const {
+    const VectorXd in_range = b_ * (bt_ * VectorXd(factor_.solve(r)));
+    VectorXd z = factor_.solve(in_range);
+    project(z);
+    return z;
+  }
+
   Sparse b_, bt_;
+  const Eigen::MatrixXd& kernel_;
   Eigen::SimplicialLDLT<Sparse> factor_;
 };
 
@@ -107,7 +120,7 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   if (scaled.rows() <= 80) {
     solver = std::make_unique<DenseSolver>(scaled);
   } else {
-    solver = std::make_unique<SparseSolver>(scaled);
+    solver = std::make_unique<SparseSolver>(scaled, problem.dependencies);
   }
   VectorXd missing = problem.target - problem.constraints * c.stiffness;
   c.residual = largest(missing);
