@@ -44,7 +44,10 @@ static void progress_is_told_after_every_event(double first_event) {
   bempd_model_free(plate.model);
 }
 
-/** Cancel the step from `start` to `goal` at some event, by the return value or by a request; then let it run. */
+/**
+ * Cancel the step from `start` to `goal` at some event, by the return value or by a request; then let it run. The model
+ * is as before to the last bit; the step that then runs through may find its way to the same answer by other rounding.
+ */
 static void cancelled_step_returns_to_its_start(double start, double goal, int64_t cancel_at, int by_request) {
   const coupled_plate plate = coupled_plate_create();
   const coupled_plate undisturbed = coupled_plate_create();
@@ -65,7 +68,7 @@ static void cancelled_step_returns_to_its_start(double start, double goal, int64
   CHECK_OK(plate.model, bempd_step(plate.model, goal, NULL));
   seen = coupled_plate_outcome(&plate);
   expected = coupled_plate_outcome(&undisturbed);
-  CHECK(outcome_same(&seen, &expected));
+  CHECK_CLOSE(outcome_difference(&seen, &expected), 0.0, 1e-9);
   outcome_free(&before);
   outcome_free(&after);
   outcome_free(&seen);
@@ -96,6 +99,33 @@ static void cancelled_step_leaves_the_counters(double first_event) {
   CHECK(report.events == 1 && report.total_events == 1 && report.broken_bonds == report.total_broken_bonds);
   CHECK_CLOSE(report.load_factor, first_event, 0.0);
   bempd_model_free(plate.model);
+}
+
+/** The model is at work while its callback runs: other calls on it are refused and change nothing. */
+static int32_t call_back(double load_factor, int64_t events, int64_t broken_bonds, void* user) {
+  const coupled_plate* plate = (const coupled_plate*)user;
+  double value = 0.0;
+  (void)load_factor, (void)events, (void)broken_bonds;
+  CHECK(bempd_step(plate->model, 0.0, NULL) == BEMPD_ERROR_ORDER);
+  CHECK(bempd_load_factor(plate->model, &value) == BEMPD_ERROR_ORDER);
+  CHECK(check_has_word(bempd_last_error(NULL), "callback"));
+  return 0;
+}
+
+static void callbacks_cannot_call_their_model(double first_event) {
+  coupled_plate plate = coupled_plate_create();
+  const coupled_plate undisturbed = coupled_plate_create();
+  outcome seen, expected;
+  CHECK_OK(plate.model, bempd_set_progress(plate.model, call_back, &plate));
+  CHECK_OK(plate.model, bempd_step(plate.model, 1.05 * first_event, NULL));
+  CHECK_OK(undisturbed.model, bempd_step(undisturbed.model, 1.05 * first_event, NULL));
+  seen = coupled_plate_outcome(&plate);
+  expected = coupled_plate_outcome(&undisturbed);
+  CHECK(outcome_same(&seen, &expected));
+  outcome_free(&seen);
+  outcome_free(&expected);
+  bempd_model_free(plate.model);
+  bempd_model_free(undisturbed.model);
 }
 
 static void early_request_to_cancel_is_forgotten(void) {
@@ -199,6 +229,7 @@ int main(void) {
   cancelled_step_returns_to_its_start(0.5 * first_event, 1.1 * first_event, 2, 1);
   cancelled_step_returns_to_its_start(1.02 * first_event, 1.3 * first_event, 1, 0);
   cancelled_step_leaves_the_counters(first_event);
+  callbacks_cannot_call_their_model(first_event);
   early_request_to_cancel_is_forgotten();
   boundary_function_gives_tractions();
   boundary_function_can_cancel();

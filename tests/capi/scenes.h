@@ -143,16 +143,16 @@ static inline double coupled_plate_first_event(void) {
 
 /** All that a host can see of a run. Free it with outcome_free(). */
 typedef struct outcome {
-  unsigned char* bytes;
-  size_t size;
+  double* numbers;
+  size_t count;
 } outcome;
 
-static inline void outcome_append(outcome* seen, const void* bytes, size_t size) {
-  unsigned char* longer = (unsigned char*)realloc(seen->bytes, seen->size + size + 1);
+static inline void outcome_append(outcome* seen, const double* numbers, size_t count) {
+  double* longer = (double*)realloc(seen->numbers, (seen->count + count + 1) * sizeof *longer);
   if (longer == NULL) abort();
-  memcpy(longer + seen->size, bytes, size);
-  seen->bytes = longer;
-  seen->size += size;
+  memcpy(longer + seen->count, numbers, count * sizeof *numbers);
+  seen->numbers = longer;
+  seen->count += count;
 }
 
 static inline void outcome_append_field(outcome* seen, bempd_model* model, int32_t region, int32_t field) {
@@ -161,17 +161,21 @@ static inline void outcome_append_field(outcome* seen, bempd_model* model, int32
   int32_t components = 0;
   CHECK_OK(model, bempd_view_field(model, region, field, &values, &count, &components, NULL));
   CHECK(values != NULL && count > 0 && components > 0);
-  if (values != NULL) outcome_append(seen, values, (size_t)count * (size_t)components * sizeof(double));
+  if (values != NULL) outcome_append(seen, values, (size_t)count * (size_t)components);
 }
 
 static inline void outcome_append_bonds(outcome* seen, bempd_model* model, int32_t region) {
   int64_t count = 0;
+  int64_t k;
   int32_t* states;
   CHECK_OK(model, bempd_bond_count(model, region, &count));
   states = (int32_t*)calloc((size_t)count + 1, sizeof *states);
   if (states == NULL) abort();
   CHECK_OK(model, bempd_copy_bonds(model, region, count, NULL, states));
-  outcome_append(seen, states, (size_t)count * sizeof *states);
+  for (k = 0; k < count; ++k) {
+    const double state = states[k];
+    outcome_append(seen, &state, 1);
+  }
   free(states);
 }
 
@@ -181,7 +185,7 @@ static inline outcome coupled_plate_outcome(const coupled_plate* plate) {
   CHECK_OK(plate->model, bempd_load_factor(plate->model, &numbers[0]));
   CHECK_OK(plate->model, bempd_reaction(plate->model, plate->pulled_left, &numbers[1]));
   CHECK_OK(plate->model, bempd_reaction(plate->model, plate->pulled_right, &numbers[3]));
-  outcome_append(&seen, numbers, sizeof numbers);
+  outcome_append(&seen, numbers, 5);
   outcome_append_bonds(&seen, plate->model, plate->strip);
   outcome_append_field(&seen, plate->model, plate->left, BEMPD_DISPLACEMENT);
   outcome_append_field(&seen, plate->model, plate->left, BEMPD_TRACTION);
@@ -194,14 +198,28 @@ static inline outcome coupled_plate_outcome(const coupled_plate* plate) {
   return seen;
 }
 
+/** Bit for bit. */
 static inline int outcome_same(const outcome* one, const outcome* other) {
-  return one->size > 0 && one->size == other->size && memcmp(one->bytes, other->bytes, one->size) == 0;
+  return one->count > 0 && one->count == other->count &&
+         memcmp(one->numbers, other->numbers, one->count * sizeof *one->numbers) == 0;
+}
+
+/** Largest difference of two numbers; infinite where the outcomes cannot be compared. */
+static inline double outcome_difference(const outcome* one, const outcome* other) {
+  double largest = 0.0;
+  size_t k;
+  if (one->count == 0 || one->count != other->count) return INFINITY;
+  for (k = 0; k < one->count; ++k) {
+    const double difference = fabs(one->numbers[k] - other->numbers[k]);
+    if (!(difference <= largest)) largest = isnan(difference) ? INFINITY : difference;
+  }
+  return largest;
 }
 
 static inline void outcome_free(outcome* seen) {
-  free(seen->bytes);
-  seen->bytes = NULL;
-  seen->size = 0;
+  free(seen->numbers);
+  seen->numbers = NULL;
+  seen->count = 0;
 }
 
 #endif

@@ -1,0 +1,66 @@
+#include "pd/bond_family.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace bempd::pd {
+
+namespace {
+
+std::vector<BondOffset> half_family(int m) {
+  std::vector<BondOffset> family;
+  for (int b = 0; b < m; ++b) {
+    for (int a = b == 0 ? 1 : 1 - m; a < m; ++a) {
+      const int square = a * a + b * b;
+      if (square >= m * m) continue;
+      BondOffset offset;
+      offset.step = {a, b};
+      offset.length = std::sqrt(static_cast<double>(square));
+      offset.direction = offset.step.cast<double>() / offset.length;
+      offset.moment = Eigen::Vector4d(a * a * a, a * a * b, a * b * b, b * b * b) / square;
+      family.push_back(offset);
+    }
+  }
+  return family;
+}
+
+// Micromodulus times volume for C1111 = 1, with the usual linear reduction of the volumes that the horizon cuts.
+double kernel_weight(double r, double m) {
+  const double s = r / m;
+  const double inside = std::min(1.0, m + 0.5 - r);
+  return 35 / std::numbers::pi / (m * m * m) * (1 - s * s) * (1 - s * s) * inside;
+}
+
+// Contribution of a unit weight to C1111, C2222 and C1122.
+Eigen::Vector3d constants_of(const BondOffset& offset) {
+  const double c = offset.direction.x() * offset.direction.x(), s = offset.direction.y() * offset.direction.y();
+  return offset.length * Eigen::Vector3d(c * c, s * s, c * s);
+}
+
+}  // namespace
+
+std::vector<BondOffset> bond_family(int horizon_ratio) {
+  assert(horizon_ratio >= 2);
+  std::vector<BondOffset> family = half_family(horizon_ratio);
+  // Weights w <- w + diag(w) R^T mu, with mu such that R w gives the wanted constants.
+  Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d missing(1, 1, 1.0 / 3);
+  for (const BondOffset& offset : family) {
+    const Eigen::Vector3d row = constants_of(offset);
+    const double weight = kernel_weight(offset.length, horizon_ratio);
+    system += weight * row * row.transpose();
+    missing -= weight * row;
+  }
+  // The shortest family has only two kinds of bonds, and C1111 = C2222 makes the system consistent but not regular.
+  const Eigen::Vector3d mu = system.fullPivLu().solve(missing);
+  for (BondOffset& offset : family) {
+    const double weight = kernel_weight(offset.length, horizon_ratio) * (1 + constants_of(offset).dot(mu));
+    offset.bulk_stiffness = weight / offset.length;
+  }
+  return family;
+}
+
+}  // namespace bempd::pd

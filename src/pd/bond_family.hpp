@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace bempd::pd {
+
+// One bond vector of the lattice, in units of the spacing, and what a loop over bonds needs to know about it.
+struct BondOffset {
+  Eigen::Vector2i step;
+  double length = 0;
+  Eigen::Vector2d direction = {0, 0};
+  double bulk_stiffness = 0;              // far from all faces, for C1111 = 1 and thickness 1
+  Eigen::Vector4d moment = {0, 0, 0, 0};  // length * direction^3, components 111, 112, 122, 222
+};
+
+// Half of the bonds of a material point: every pair of points closer than `horizon_ratio` spacings appears once, as the
+// step from its lower end (its left end when both are level), sorted by row and then by column of the step. Squared
+// lengths are compared in integers, and a bond as long as the horizon is left out: it would carry nothing.
+//
+// Stiffnesses come from the micromodulus c0 (1 - r^2/delta^2)^2 and are then changed as little as possible, in the
+// sense of relative weights, so that the lattice has the elastic constants C1111 = 1, C1122 = C1212 = 1/3 exactly.
+std::vector<BondOffset> bond_family(int horizon_ratio);
+
+}  // namespace bempd::pd

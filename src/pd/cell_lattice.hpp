@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace bempd::pd {
+
+// Union of unit cells bounded by simple rectilinear loops with integer corners: the outer loop counter-clockwise, holes
+// clockwise. Material points are the corners of the cells, those on the boundary included, numbered row by row (y
+// first, then x). All lengths are in units of the lattice spacing.
+class CellLattice {
+ public:
+  explicit CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops);
+
+  int point_count() const { return static_cast<int>(points_.size()); }
+  const Eigen::Vector2i& point(int i) const { return points_[i]; }
+  // Index of the material point at a place, -1 where there is none.
+  int find_point(const Eigen::Vector2i& at) const;
+
+  int cell_count() const { return cell_count_; }
+  bool has_cell(const Eigen::Vector2i& lower_left) const;
+  // Material points at the corners of a present cell: lower left, lower right, upper left, upper right.
+  std::array<int, 4> cell_corners(const Eigen::Vector2i& lower_left) const;
+
+  // Smallest box that holds all points.
+  const Eigen::Vector2i& lower() const { return lower_; }
+  const Eigen::Vector2i& upper() const { return upper_; }
+
+  // How many of the four cells around a material point are present: 4 inside, 2 on a straight face, 1 or 3 at a corner.
+  int cells_around(int point) const;
+
+ private:
+  void mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& loops);
+  void number_points();
+
+  Eigen::Vector2i lower_, upper_;
+  int cell_count_ = 0;
+  std::vector<std::uint8_t> cells_;  // width * height of the box
+  std::vector<int> point_at_;        // (width + 1) * (height + 1), -1 where there is no point
+  std::vector<Eigen::Vector2i> points_;
+};
+
+}  // namespace bempd::pd

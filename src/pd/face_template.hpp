@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "pd/bond_family.hpp"
+
+namespace bempd::pd {
+
+// Stiffnesses next to straight faces as multiples of the bulk stiffness. They make a half plane, or a strip, of
+// material points reproduce every linear displacement field up to its faces. A bond is named by the depth `row` of its
+// end that is nearer to the face and by its step across (>= 0) and away from the face (>= 0).
+class FaceTemplate {
+ public:
+  FaceTemplate() = default;
+  FaceTemplate(int horizon_ratio, int rows)
+      : horizon_ratio_(horizon_ratio), ratio_(static_cast<std::size_t>(rows) * horizon_ratio * horizon_ratio, 1.0) {}
+
+  double& ratio(int row, int across, int away) { return ratio_[index(row, across, away)]; }
+  double ratio(int row, int across, int away) const { return ratio_[index(row, across, away)]; }
+
+ private:
+  std::size_t index(int row, int across, int away) const {
+    return (static_cast<std::size_t>(row) * horizon_ratio_ + across) * horizon_ratio_ + away;
+  }
+  int horizon_ratio_ = 0;
+  std::vector<double> ratio_;
+};
+
+// What the stiffnesses of all bodies with one horizon ratio share. It does not depend on the material.
+struct LatticeTemplates {
+  std::vector<BondOffset> family;
+  FaceTemplate face;                 // one face, rows 0 .. m - 1; deeper bonds keep the bulk stiffness
+  std::vector<FaceTemplate> strips;  // strips[n] for two faces n cells apart, 2 <= n < 2 m
+  double residual = 0;               // largest error of the equations that define the templates
+
+  // Ratio for a bond with the given clear depths of its lower end below and of its upper end above.
+  double ratio(int below, int above, int across, int away) const;
+  int horizon_ratio = 0;
+};
+
+// Computed on first use and kept; may be called from several threads. 3 <= horizon_ratio <= 8.
+const LatticeTemplates& lattice_templates(int horizon_ratio);
+
+}  // namespace bempd::pd

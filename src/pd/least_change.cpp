@@ -1,0 +1,168 @@
+#include "pd/least_change.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace bempd::pd {
+
+namespace {
+
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+// Shortest x = B^T lambda with B x = r, for a consistent right-hand side.
+class MinimumNormSolver {
+ public:
+  struct Step {
+    VectorXd lambda, change;  // change = B^T lambda
+  };
+  virtual ~MinimumNormSolver() = default;
+  virtual Step solve(VectorXd r, int& steps) const = 0;
+};
+
+// Complete orthogonal decomposition, for a few equations that may be close to dependent.
+class DenseSolver final : public MinimumNormSolver {
+ public:
+  explicit DenseSolver(const Sparse& b) {
+    rows_.setThreshold(1e-13);
+    columns_.setThreshold(1e-13);
+    rows_.compute(Eigen::MatrixXd(b));
+    columns_.compute(Eigen::MatrixXd(b.transpose()));
+  }
+  Step solve(VectorXd r, int& steps) const override {
+    ++steps;
+    const VectorXd change = rows_.solve(r);
+    return {columns_.solve(change), change};
+  }
+
+ private:
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows_, columns_;
+};
+
+// Conjugate gradients on B B^T lambda = r. The matrix is singular, so the Cholesky factor of the slightly shifted one
+// is the preconditioner. It amplifies the kernel's share of the rounding by the inverse of the shift, which would soon
+// drown the rest; the known part of the kernel is therefore taken out in every step.
+class SparseSolver final : public MinimumNormSolver {
+ public:
+  SparseSolver(const Sparse& b, const Eigen::MatrixXd& kernel) : b_(b), bt_(b.transpose()), kernel_(kernel) {
+    Sparse normal = b_ * bt_;
+    double largest = 0;
+    for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
+    Sparse identity(normal.rows(), normal.cols());
+    identity.setIdentity();
+    normal += 1e-10 * std::max(largest, 1e-300) * identity;
+    factor_.compute(normal);
+  }
+
+  Step solve(VectorXd r, int& steps) const override {
+    Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
+    project(r);
+    VectorXd z = precondition(r), p = z;
+    double rz = r.dot(z);
+    // One round need not be exact: the next one starts from the residual recomputed from the stiffnesses.
+    const double goal = 1e-5 * r.lpNorm<Eigen::Infinity>();
+    for (int step = 0; step < 100 && rz > 0; ++step) {
+      const VectorXd q = bt_ * p;
+      const double alpha = rz / q.squaredNorm();
+      if (!std::isfinite(alpha)) break;
+      s.lambda += alpha * p;
+      s.change += alpha * q;
+      r -= alpha * (b_ * q);
+      ++steps;
+      if (r.lpNorm<Eigen::Infinity>() <= goal) break;
+      z = precondition(r);
+      const double next = r.dot(z);
+      p = z + next / rz * p;
+      rz = next;
+    }
+    return s;
+  }
+
+ private:
+  void project(VectorXd& v) const {
+    if (kernel_.cols() > 0) v -= kernel_ * (kernel_.transpose() * v);
+  }
+  VectorXd precondition(const VectorXd& r) const {
+    const VectorXd in_range = b_ * (bt_ * VectorXd(factor_.solve(r)));
+    VectorXd z = factor_.solve(in_range);
+    project(z);
+    return z;
+  }
+
+  Sparse b_, bt_;
+  const Eigen::MatrixXd& kernel_;
+  Eigen::SimplicialLDLT<Sparse> factor_;
+};
+
+double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+
+struct Candidate {
+  VectorXd stiffness, lambda;
+  double residual = 0;
+};
+
+// Least change with some of the stiffnesses held at the bound.
+Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held, int& steps) {
+  Candidate c{problem.start, VectorXd::Zero(problem.target.size()), 0};
+  VectorXd free_scale = problem.scale;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (!held[i]) continue;
+    c.stiffness[i] = problem.lower * problem.scale[i];
+    free_scale[i] = 0;
+  }
+  const Sparse scaled = problem.constraints * free_scale.asDiagonal();
+  std::unique_ptr<MinimumNormSolver> solver;
+  if (scaled.rows() <= 80) {
+    solver = std::make_unique<DenseSolver>(scaled);
+  } else {
+    solver = std::make_unique<SparseSolver>(scaled, problem.dependencies);
+  }
+  VectorXd missing = problem.target - problem.constraints * c.stiffness;
+  c.residual = largest(missing);
+  for (int round = 0; round < 30 && c.residual > 1e-16; ++round) {
+    const MinimumNormSolver::Step step = solver->solve(missing, steps);
+    const VectorXd next = c.stiffness + free_scale.cwiseProduct(step.change);
+    missing = problem.target - problem.constraints * next;
+    const double residual = largest(missing), before = c.residual;
+    if (!(residual < before)) break;
+    c.stiffness = next;
+    c.lambda += step.lambda;
+    c.residual = residual;
+    if (residual > 0.5 * before) break;
+  }
+  return c;
+}
+
+}  // namespace
+
+// Primal-dual active sets (Hintermueller, Ito, Kunisch 2002): a semismooth Newton method for the dual problem, in which
+// k = max(lower * scale, start + scale^2 A^T lambda).
+LeastChangeResult solve_least_change(const LeastChange& problem) {
+  assert(problem.constraints.cols() == problem.start.size() && problem.start.size() == problem.scale.size());
+  LeastChangeResult result;
+  std::vector<char> held(problem.start.size(), 0);
+  for (int round = 0; round < 30; ++round) {
+    const Candidate c = solve_with_held(problem, held, result.conjugate_steps);
+    result.stiffness = c.stiffness;
+    result.residual = c.residual;
+    result.bounded = static_cast<int>(std::count(held.begin(), held.end(), 1));
+    const VectorXd pull = problem.constraints.transpose() * c.lambda;
+    std::vector<char> next(held.size(), 0);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const double wanted = problem.start[i] + problem.scale[i] * problem.scale[i] * pull[i];
+      // A margin keeps rounding from letting a bond change sides for ever.
+      const double margin = held[i] ? 1e-12 : -1e-12;
+      next[i] = wanted < (problem.lower + margin) * problem.scale[i];
+    }
+    if (next == held) break;
+    held = next;
+  }
+  return result;
+}
+
+}  // namespace bempd::pd

@@ -1,0 +1,167 @@
+#include "pd/network.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "pd/cell_grid.hpp"
+#include "pd/face_template.hpp"
+#include "pd/thick_network.hpp"
+
+namespace bempd::pd {
+
+namespace {
+
+using Eigen::Vector2i;
+
+// A cell is thin where the body is one cell wide. A thin cell gets the network of nearest neighbours and is taken out
+// of the rest of the body, which has faces of its own there: the right-hand sides of the moment equations are sums over
+// cells, so networks of disjoint parts add up to an exact one.
+void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
+  const auto thin = [&](const Vector2i& c) {
+    const Vector2i x(1, 0), y(0, 1);
+    return cells.has(c) && ((!cells.has(c - x) && !cells.has(c + x)) || (!cells.has(c - y) && !cells.has(c + y)));
+  };
+  std::vector<Vector2i> found(1);
+  while (!found.empty()) {
+    found.clear();
+    for (int y = lattice.lower().y(); y < lattice.upper().y(); ++y) {
+      for (int x = lattice.lower().x(); x < lattice.upper().x(); ++x) {
+        if (thin({x, y})) found.emplace_back(x, y);
+      }
+    }
+    for (const Vector2i& c : found) cells.remove(c);
+  }
+}
+
+// Stiffness that the nearest-neighbour network of single cells gives a bond: C1111 / 3 for the edges and the diagonals
+// of every cell. `in` tells which cells take part.
+template <class In>
+double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const In& in) {
+  const int a = step.x(), b = step.y();
+  if (a * a + b * b > 2) return 0;
+  const Vector2i corner(a < 0 ? from.x() - 1 : from.x(), from.y());
+  int count = in(corner);
+  if (b == 0) count += in(corner - Vector2i(0, 1));
+  if (a == 0) count += in(corner - Vector2i(1, 0));
+  return count / 3.0;
+}
+
+// Ratio of a bond's stiffness to the bulk stiffness from the faces that are closest to it in the two directions.
+double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, const Vector2i& from,
+                      const Vector2i& step) {
+  const int a = std::abs(step.x()), b = step.y();
+  const CellGrid::Depth lower = cells.depth(from), upper = cells.depth(from + step);
+  const CellGrid::Depth &left = step.x() >= 0 ? lower : upper, &right = step.x() >= 0 ? upper : lower;
+  const int below = std::max(0, std::min<int>(lower.below, upper.below - b));
+  const int above = std::max(0, std::min<int>(upper.above, lower.above - b));
+  const int before = std::max(0, std::min<int>(left.left, right.left - a));
+  const int behind = std::max(0, std::min<int>(right.right, left.right - a));
+  return templates.ratio(below, above, a, b) * templates.ratio(before, behind, b, a);
+}
+
+void append(DraftBonds& bonds, int first, int second, std::size_t offset, double stiffness, bool adjustable) {
+  bonds.first.push_back(first);
+  bonds.second.push_back(second);
+  bonds.offset.push_back(static_cast<std::uint16_t>(offset));
+  bonds.stiffness.push_back(stiffness);
+  bonds.adjustable.push_back(adjustable);
+}
+
+// All bonds in sight of each other in the thick part, with template stiffnesses, and those of thin cells, still
+// without.
+DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates) {
+  const int m = templates.horizon_ratio;
+  const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !cells.has(c); };
+  DraftBonds bonds;
+  const std::size_t expected = templates.family.size() * lattice.point_count();
+  bonds.first.reserve(expected), bonds.second.reserve(expected), bonds.offset.reserve(expected);
+  bonds.stiffness.reserve(expected), bonds.adjustable.reserve(expected);
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    const Vector2i p = lattice.point(i), deep(2 * m, 2 * m), near(m - 1, m - 1);
+    const bool bulk = cells.filled(p - deep, p + deep);
+    const bool clear = bulk || cells.filled(p - near, p + near);
+    for (std::size_t o = 0; o < templates.family.size(); ++o) {
+      const BondOffset& offset = templates.family[o];
+      const Vector2i q = p + offset.step;
+      const int j = lattice.find_point(q);
+      if (j < 0) continue;
+      if (clear || cells.in_sight(p, offset.step)) {
+        const double ratio = bulk ? 1 : template_ratio(templates, cells, p, offset.step);
+        append(bonds, i, j, o, offset.bulk_stiffness * ratio, true);
+      } else if (cell_network_stiffness(p, offset.step, thin) > 0) {
+        append(bonds, i, j, o, 0, false);
+      }
+    }
+  }
+  return bonds;
+}
+
+// Adds the nearest-neighbour network of the cells that are not in the thick part.
+void add_thin_cells(const CellLattice& lattice, const CellGrid& thick, const std::vector<BondOffset>& family,
+                    DraftBonds& bonds) {
+  const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !thick.has(c); };
+  for (std::size_t b = 0; b < bonds.first.size(); ++b) {
+    bonds.stiffness[b] += cell_network_stiffness(lattice.point(bonds.first[b]), family[bonds.offset[b]].step, thin);
+  }
+}
+
+DraftBonds nearest_neighbours(const CellLattice& lattice, const std::vector<BondOffset>& family) {
+  const auto in = [&](const Vector2i& c) { return lattice.has_cell(c); };
+  DraftBonds bonds;
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    for (std::size_t o = 0; o < family.size(); ++o) {
+      const double stiffness = cell_network_stiffness(lattice.point(i), family[o].step, in);
+      if (stiffness > 0) append(bonds, i, lattice.find_point(lattice.point(i) + family[o].step), o, stiffness, false);
+    }
+  }
+  return bonds;
+}
+
+Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family, const DraftBonds& draft,
+               const PlaneElasticity& elasticity) {
+  Network network;
+  network.offsets = family;
+  network.offset_of = draft.offset;
+  network.bonds.reserve(draft.first.size());
+  network.min_weight_ratio = draft.first.empty() ? 1 : HUGE_VAL;
+  const double unit = elasticity.thickness * elasticity.c11();
+  for (std::size_t b = 0; b < draft.first.size(); ++b) {
+    network.bonds.push_back({draft.first[b], draft.second[b], unit * draft.stiffness[b]});
+    const double ratio = draft.stiffness[b] / family[draft.offset[b]].bulk_stiffness;
+    network.min_weight_ratio = std::min(network.min_weight_ratio, ratio);
+    network.max_weight_ratio = std::max(network.max_weight_ratio, ratio);
+  }
+  const CellGrid whole(lattice, 1);
+  for (const Eigen::Vector4d& r : missing_moments(lattice, whole, family, draft)) {
+    network.max_residual = std::max(network.max_residual, r.lpNorm<Eigen::Infinity>());
+  }
+  return network;
+}
+
+}  // namespace
+
+Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity) {
+  assert(horizon_ratio >= 2 && horizon_ratio <= 8);
+  assert(std::abs(elasticity.c12() * 3 - elasticity.c11()) < 1e-9 * elasticity.c11());
+  if (horizon_ratio > 2) {
+    const LatticeTemplates& templates = lattice_templates(horizon_ratio);
+    CellGrid thick(lattice, 2 * horizon_ratio);
+    remove_thin_cells(lattice, thick);
+    thick.finish(3 * horizon_ratio);
+    DraftBonds bonds = draft_bonds(lattice, thick, templates);
+    const CornerReport corners = close_corners(lattice, thick, templates, bonds);
+    if (corners.positive && corners.residual < 1e-10) {
+      add_thin_cells(lattice, thick, templates.family, bonds);
+      Network network = finish(lattice, templates.family, bonds, elasticity);
+      network.bounded_bonds = corners.bounded;
+      return network;
+    }
+  }
+  const std::vector<BondOffset> family = bond_family(2);
+  Network network = finish(lattice, family, nearest_neighbours(lattice, family), elasticity);
+  network.reduced = horizon_ratio > 2;
+  return network;
+}
+
+}  // namespace bempd::pd

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "elasticity/plane_elasticity.hpp"
+#include "pd/bond_family.hpp"
+#include "pd/cell_lattice.hpp"
+
+namespace bempd::pd {
+
+// Pair of material points that pull on each other along their common line: force = stiffness * elongation.
+struct Bond {
+  int first, second;
+  double stiffness;  // [N/m], thickness included
+};
+
+// Bonds that reproduce every linear displacement field exactly: under constant strain their forces equal the resultants
+// of the tractions on the faces around each material point, everywhere in the body.
+struct Network {
+  std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
+  std::vector<Bond> bonds;               // sorted by (first, second)
+  std::vector<std::uint16_t> offset_of;  // one a bond: index into `offsets`
+  double max_residual = 0;               // largest error of a point's third moments, for C1111 = thickness = 1
+  double min_weight_ratio = 1;           // smallest and largest stiffness over that of the same bond in the bulk
+  double max_weight_ratio = 1;
+  int bounded_bonds = 0;  // bonds that only a bound keeps positive
+  bool reduced = false;   // no such network was found at this horizon: nearest neighbours only
+};
+
+// 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Poisson's ratio must be that of a
+// bond-based solid. Parts of the body one cell wide get the network of nearest neighbours.
+Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity);
+
+}  // namespace bempd::pd

@@ -1,0 +1,242 @@
+#include "pd/thick_network.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "pd/least_change.hpp"
+
+namespace bempd::pd {
+
+namespace {
+
+using Eigen::Vector2i;
+using Eigen::Vector4d;
+
+constexpr double smallest_ratio = 0.02;  // bound on a stiffness over its bulk value
+constexpr double rounding = 1e-13;
+
+// Marks the points closer than `radius` to a given one.
+void mark_around(const CellLattice& lattice, const Vector2i& center, int radius, std::vector<std::uint8_t>& mark) {
+  for (int dy = -radius + 1; dy < radius; ++dy) {
+    for (int dx = -radius + 1; dx < radius; ++dx) {
+      if (dx * dx + dy * dy >= radius * radius) continue;
+      const int i = lattice.find_point(center + Vector2i(dx, dy));
+      if (i >= 0) mark[i] = 1;
+    }
+  }
+}
+
+bool is_corner(const CellGrid& cells, const Vector2i& p) {
+  const auto [ll, lr, ul, ur] = cells.around(p);
+  const int count = ll + lr + ul + ur;
+  return count == 1 || count == 3 || (count == 2 && ll == ur);
+}
+
+// Points whose bonds may change: around the corners, and wherever else the templates leave something missing.
+std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const CellGrid& cells, int m,
+                                            const std::vector<Vector4d>& missing) {
+  const int radius = 2 * m + 1;
+  std::vector<std::uint8_t> near(lattice.point_count(), 0), core(lattice.point_count(), 0);
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    if (!is_corner(cells, lattice.point(i))) continue;
+    mark_around(lattice, lattice.point(i), radius, near);
+    mark_around(lattice, lattice.point(i), radius - 2, core);
+  }
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    if (!core[i] && missing[i].lpNorm<Eigen::Infinity>() > rounding)
+      mark_around(lattice, lattice.point(i), m + 1, near);
+  }
+  return near;
+}
+
+// Sets of bonds that share no point with each other and can be solved one by one.
+std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::vector<int>& free, int points) {
+  std::vector<int> parent(points);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const int b : free) {
+    const int r = root(bonds.first[b]), s = root(bonds.second[b]);
+    parent[std::max(r, s)] = std::min(r, s);
+  }
+  std::vector<int> number(points, -1);
+  std::vector<std::vector<int>> clusters;
+  for (const int b : free) {
+    int& n = number[root(bonds.first[b])];
+    if (n < 0) {
+      n = static_cast<int>(clusters.size());
+      clusters.emplace_back();
+    }
+    clusters[n].push_back(b);
+  }
+  return clusters;
+}
+
+// The moment equations of connected points depend on each other: lambda_klm e_k e_l e_m has the same value at both ends
+// of every bond if lambda is a Killing tensor, a symmetric product of three of e_x, e_y and the rotation rho = (-y, x).
+// There are ten; they are returned as orthonormal columns.
+Eigen::MatrixXd killing_tensors(const CellLattice& lattice, const std::vector<int>& points) {
+  Eigen::MatrixXd tensors(4 * points.size(), 10);
+  Eigen::Vector2d middle = {0, 0};
+  for (const int p : points) middle += lattice.point(p).cast<double>() / static_cast<double>(points.size());
+  double size = 1;
+  for (const int p : points) size = std::max(size, (lattice.point(p).cast<double>() - middle).norm());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Eigen::Vector2d at = (lattice.point(points[p]).cast<double>() - middle) / size;
+    const Eigen::Vector2d factor[3] = {{1, 0}, {0, 1}, {-at.y(), at.x()}};
+    int column = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = i; j < 3; ++j) {
+        for (int k = j; k < 3; ++k) {
+          const Eigen::Vector2d &u = factor[i], &v = factor[j], &w = factor[k];
+          tensors.block<4, 1>(4 * p, column++) =
+              Vector4d(u.x() * v.x() * w.x(), u.x() * v.x() * w.y() + u.x() * v.y() * w.x() + u.y() * v.x() * w.x(),
+                       u.x() * v.y() * w.y() + u.y() * v.x() * w.y() + u.y() * v.y() * w.x(), u.y() * v.y() * w.y());
+        }
+      }
+    }
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(tensors);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(tensors.rows(), qr.rank());
+}
+
+// The unknown is the change of the stiffness in units of the bulk value, which keeps the columns of one size.
+LeastChange cluster_problem(const CellLattice& lattice, const std::vector<BondOffset>& family,
+                            const std::vector<Vector4d>& missing, const DraftBonds& bonds,
+                            const std::vector<int>& cluster) {
+  std::vector<int> points;
+  for (const int b : cluster) points.insert(points.end(), {bonds.first[b], bonds.second[b]});
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto row = [&](int point) {
+    return 4 * static_cast<int>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
+  };
+  const int count = static_cast<int>(cluster.size());
+  LeastChange problem;
+  problem.lower = smallest_ratio;
+  problem.dependencies = killing_tensors(lattice, points);
+  problem.start.resize(count);
+  problem.scale.resize(count);
+  problem.target.resize(4 * points.size());
+  for (std::size_t p = 0; p < points.size(); ++p) problem.target.segment<4>(4 * p) = missing[points[p]];
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(8 * cluster.size());
+  for (int k = 0; k < count; ++k) {
+    const int b = cluster[k], first = row(bonds.first[b]), second = row(bonds.second[b]);
+    const BondOffset& offset = family[bonds.offset[b]];
+    problem.start[k] = bonds.stiffness[b];
+    problem.scale[k] = offset.bulk_stiffness;
+    for (int c = 0; c < 4; ++c) {
+      if (offset.moment[c] == 0) continue;
+      entries.emplace_back(first + c, k, offset.moment[c]);
+      entries.emplace_back(second + c, k, -offset.moment[c]);
+      problem.target[first + c] += offset.moment[c] * bonds.stiffness[b];
+      problem.target[second + c] -= offset.moment[c] * bonds.stiffness[b];
+    }
+  }
+  problem.constraints.resize(problem.target.size(), count);
+  problem.constraints.setFromTriplets(entries.begin(), entries.end());
+  return problem;
+}
+
+// Position of every bond's image under a symmetry of the lattice; empty where the lattice does not have the symmetry.
+// `map` takes points to points.
+template <class Map>
+bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Map& map) {
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    const Vector2i p = lattice.point(i);
+    if (lattice.find_point(map(p)) < 0) return false;
+    // A cell is named by the mean of two opposite corners.
+    const Vector2i a = map(p), b = map(p + Vector2i(1, 1));
+    if (cells.has(p) && !cells.has(a.cwiseMin(b))) return false;
+  }
+  return true;
+}
+
+int find_bond(const DraftBonds& bonds, int first, int second) {
+  if (first > second) std::swap(first, second);
+  const auto begin = std::lower_bound(bonds.first.begin(), bonds.first.end(), first) - bonds.first.begin();
+  const auto end = std::upper_bound(bonds.first.begin() + begin, bonds.first.end(), first) - bonds.first.begin();
+  const auto at =
+      std::lower_bound(bonds.second.begin() + begin, bonds.second.begin() + end, second) - bonds.second.begin();
+  return at < end && bonds.second[at] == second ? static_cast<int>(at) : -1;
+}
+
+// Mean of the stiffnesses of a bond and its mirror image: still exact, and symmetric to the last bit.
+template <class Map>
+void average(const CellLattice& lattice, const std::vector<int>& free, const Map& map, DraftBonds& bonds) {
+  const std::vector<double> before = bonds.stiffness;
+  for (const int b : free) {
+    const int image = find_bond(bonds, lattice.find_point(map(lattice.point(bonds.first[b]))),
+                                lattice.find_point(map(lattice.point(bonds.second[b]))));
+    if (image >= 0) bonds.stiffness[b] = 0.5 * (before[b] + before[image]);
+  }
+}
+
+// A symmetric body must break symmetrically, so the rounding of the solve must not tell its halves apart.
+void symmetrise(const CellLattice& lattice, const CellGrid& cells, const std::vector<int>& free, DraftBonds& bonds) {
+  const Vector2i sum = lattice.lower() + lattice.upper(), size = lattice.upper() - lattice.lower();
+  const Vector2i low = lattice.lower();
+  const auto attempt = [&](const auto& map) {
+    if (!symmetric_under(lattice, cells, map)) return false;
+    average(lattice, free, map, bonds);
+    return true;
+  };
+  const bool x = attempt([&](const Vector2i& p) { return Vector2i(sum.x() - p.x(), p.y()); });
+  const bool y = attempt([&](const Vector2i& p) { return Vector2i(p.x(), sum.y() - p.y()); });
+  if (!x && !y) attempt([&](const Vector2i& p) { return Vector2i(sum - p); });
+  if (size.x() != size.y()) return;
+  attempt([&](const Vector2i& p) { return Vector2i(low + (p - low).reverse()); });
+  if (x && y) return;
+  attempt([&](const Vector2i& p) { return Vector2i(lattice.upper() - (p - low).reverse()); });
+}
+
+}  // namespace
+
+std::vector<Vector4d> missing_moments(const CellLattice& lattice, const CellGrid& cells,
+                                      const std::vector<BondOffset>& family, const DraftBonds& bonds) {
+  std::vector<Vector4d> missing(lattice.point_count());
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    const Eigen::Vector2d n = cells.surface_vector(lattice.point(i));
+    missing[i] = -Vector4d(n.x(), n.y() / 3, n.x() / 3, n.y());
+  }
+  for (std::size_t b = 0; b < bonds.first.size(); ++b) {
+    const Vector4d moment = bonds.stiffness[b] * family[bonds.offset[b]].moment;
+    missing[bonds.first[b]] -= moment;
+    missing[bonds.second[b]] += moment;
+  }
+  return missing;
+}
+
+CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
+                           DraftBonds& bonds) {
+  std::vector<Vector4d> missing = missing_moments(lattice, cells, templates.family, bonds);
+  const std::vector<std::uint8_t> near = adjustable_points(lattice, cells, templates.horizon_ratio, missing);
+  std::vector<int> free;
+  for (std::size_t b = 0; b < bonds.first.size(); ++b) {
+    if (bonds.adjustable[b] && (near[bonds.first[b]] || near[bonds.second[b]])) free.push_back(static_cast<int>(b));
+  }
+  const std::vector<std::vector<int>> clusters = clusters_of(bonds, free, lattice.point_count());
+  std::vector<LeastChangeResult> results(clusters.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    results[c] = solve_least_change(cluster_problem(lattice, templates.family, missing, bonds, clusters[c]));
+  }
+  CornerReport report;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    for (std::size_t k = 0; k < clusters[c].size(); ++k) bonds.stiffness[clusters[c][k]] = results[c].stiffness[k];
+    report.bounded += results[c].bounded;
+  }
+  symmetrise(lattice, cells, free, bonds);
+  for (const int b : free) report.positive = report.positive && bonds.stiffness[b] > 0;
+  for (const Vector4d& r : missing_moments(lattice, cells, templates.family, bonds)) {
+    report.residual = std::max(report.residual, r.lpNorm<Eigen::Infinity>());
+  }
+  return report;
+}
+
+}  // namespace bempd::pd

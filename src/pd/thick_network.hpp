@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pd/cell_grid.hpp"
+#include "pd/face_template.hpp"
+
+namespace bempd::pd {
+
+// Bonds during set-up, for C1111 = thickness = 1.
+struct DraftBonds {
+  std::vector<int> first, second;
+  std::vector<std::uint16_t> offset;
+  std::vector<double> stiffness;
+  std::vector<std::uint8_t> adjustable;  // 0: not a bond of the thick part
+};
+
+// For every material point the four third moments 111, 112, 122, 222 that its bonds lack.
+std::vector<Eigen::Vector4d> missing_moments(const CellLattice& lattice, const CellGrid& cells,
+                                             const std::vector<BondOffset>& family, const DraftBonds& bonds);
+
+struct CornerReport {
+  double residual = 0;
+  int bounded = 0;
+  bool positive = true;
+};
+
+// Changes stiffnesses around corners as little as possible so that no point lacks anything.
+CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
+                           DraftBonds& bonds);
+
+}  // namespace bempd::pd
