@@ -1,4 +1,4 @@
-#include "pd/thick_network.hpp"
+#include "pd/corners.hpp"
 
 #include <algorithm>
 #include <cmath>
