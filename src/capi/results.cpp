@@ -75,13 +75,13 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
 
 bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count) {
   return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = static_cast<std::int64_t>(m.lattice(region).bonds.size());
+    out(count, "count") = static_cast<std::int64_t>(m.lattice(region).bonds().size());
   });
 }
 
 bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const auto& bonds = m.lattice(region).bonds;
+    const auto& bonds = m.lattice(region).bonds();
     require_capacity(capacity, static_cast<std::int64_t>(bonds.size()), "bonds");
     const std::vector<model::BondState> known = m.bond_states(region);
     for (std::size_t b = 0; b < bonds.size(); ++b) {

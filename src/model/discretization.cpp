@@ -100,12 +100,16 @@ void number_boundary_nodes(BoundaryPart& part, NodeRegistry& registry) {
 void add_bonds(const Scene& scene, LatticePart& part, Discretization& result) {
   const Region& region = scene.region(part.region);
   const Material& material = scene.material(region.material);
-  pd::Network network = pd::build_network(*part.lattice, region.horizon_ratio, material.elasticity);
+  part.network = pd::build_network(*part.lattice, region.horizon_ratio, material.elasticity);
+  if (part.network.reduced) {
+    result.warnings.push_back(text("region ", part.region,
+                                   " has a shape for which no network of positive bonds with horizon ratio ",
+                                   region.horizon_ratio, " was found; it has bonds between nearest neighbours only"));
+  }
   const double spacing = part.outline.spacing;
   const double critical = material.critical_stretch_for(region.horizon_ratio * spacing);
   part.first_bond = result.bonds.size();
-  part.bonds = std::move(network.bonds);
-  for (const pd::Bond& bond : part.bonds) {
+  for (const pd::Bond& bond : part.bonds()) {
     const Point offset = (part.lattice->point(bond.second) - part.lattice->point(bond.first)).cast<double>();
     const double length = offset.norm();
     result.bonds.first.push_back(part.nodes[bond.first]);

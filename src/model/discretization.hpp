@@ -44,9 +44,11 @@ struct LatticePart {
   int region;
   LatticeOutline outline;
   std::unique_ptr<pd::CellLattice> lattice;
-  std::vector<int> nodes;       // of the scene, per material point
-  std::vector<pd::Bond> bonds;  // between material points
-  std::size_t first_bond;       // index of bonds[0] among the scene's bonds
+  std::vector<int> nodes;  // of the scene, per material point
+  pd::Network network;     // bonds between material points
+  std::size_t first_bond;  // index of its bonds[0] among the scene's bonds
+
+  const std::vector<pd::Bond>& bonds() const { return network.bonds; }
 
   Point position(int point) const;
   Point to_lattice(const Point& p) const { return (p - outline.origin) / outline.spacing; }
@@ -61,6 +63,7 @@ struct Discretization {
   std::vector<LatticePart> lattices;
   coupling::BondSet bonds;
   std::vector<double> critical_stretch;  // per bond
+  std::vector<std::string> warnings;
   double seconds_boundary = 0, seconds_lattice = 0;
 
   const BoundaryPart* boundary_of(int region) const;

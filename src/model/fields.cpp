@@ -20,11 +20,6 @@ Eigen::VectorXd point_displacements(const LatticePart& part, const Eigen::Vector
   return values;
 }
 
-std::vector<char> intact_bonds(const LatticePart& part, const std::vector<char>& intact) {
-  const auto first = intact.begin() + static_cast<std::ptrdiff_t>(part.first_bond);
-  return {first, first + static_cast<std::ptrdiff_t>(part.bonds.size())};
-}
-
 FieldValues lattice_positions(const LatticePart& part) {
   FieldValues field{{}, 2};
   for (int i = 0; i < part.lattice->point_count(); ++i) {
@@ -37,8 +32,8 @@ FieldValues lattice_positions(const LatticePart& part) {
 // 1 - intact bonds / bonds before any crack.
 FieldValues damage(const LatticePart& part, const std::vector<char>& intact) {
   std::vector<int> all(part.nodes.size(), 0), left(part.nodes.size(), 0);
-  for (std::size_t b = 0; b < part.bonds.size(); ++b) {
-    for (int point : {part.bonds[b].first, part.bonds[b].second}) {
+  for (std::size_t b = 0; b < part.bonds().size(); ++b) {
+    for (int point : {part.bonds()[b].first, part.bonds()[b].second}) {
       ++all[point];
       left[point] += intact[part.first_bond + b];
     }
@@ -50,12 +45,19 @@ FieldValues damage(const LatticePart& part, const std::vector<char>& intact) {
   return field;
 }
 
+// Stress of the undamaged material under the gradients that the intact bonds show.
 FieldValues lattice_stress(const LatticePart& part, const PlaneElasticity& elasticity, const std::vector<char>& intact,
                            const Eigen::VectorXd& scene_displacement) {
-  const Eigen::MatrixXd stress =
-      pd::point_stresses(*part.lattice, part.bonds, intact_bonds(part, intact),
-                         point_displacements(part, scene_displacement) / part.outline.spacing, elasticity);
-  return {{stress.data(), stress.data() + stress.size()}, 3};
+  std::vector<std::uint8_t> broken(part.bonds().size());
+  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[part.first_bond + b] ? 0 : 1;
+  const Eigen::VectorXd displacement = point_displacements(part, scene_displacement) / part.outline.spacing;
+  FieldValues field{{}, 3};
+  for (const Eigen::Matrix2d& gradient :
+       pd::displacement_gradients(part.lattice->point_count(), part.network, broken, displacement)) {
+    const Eigen::Vector3d stress = pd::stress_of(gradient, elasticity);
+    field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
+  }
+  return field;
 }
 
 FieldValues boundary_positions(const BoundaryPart& part) {
@@ -120,7 +122,7 @@ FieldValues Model::compute_field(int region, Field which) {
       case Field::bond_stretch: {
         FieldValues field{{}, 1};
         const coupling::BondSet& bonds = prepared_->system->bonds();
-        for (std::size_t b = part->first_bond; b < part->first_bond + part->bonds.size(); ++b) {
+        for (std::size_t b = part->first_bond; b < part->first_bond + part->bonds().size(); ++b) {
           field.values.push_back(bonds.elongation(b, state.total_displacement.data()) / bonds.length[b]);
         }
         return field;
@@ -172,7 +174,8 @@ FieldSize Model::field_size(int region, Field which) {
   std::int64_t count = 0;
   if (const LatticePart* part = prepared_->discretization.lattice_of(region)) {
     require(which != Field::traction, "region ", region, " is peridynamic and has no tractions; ask a BEM region");
-    count = which == Field::bond_stretch ? static_cast<std::int64_t>(part->bonds.size()) : part->lattice->point_count();
+    count =
+        which == Field::bond_stretch ? static_cast<std::int64_t>(part->bonds().size()) : part->lattice->point_count();
   } else {
     require(which != Field::damage && which != Field::bond_stretch, "region ", region,
             " is a BEM region and has no bonds; ask a peridynamic region");
@@ -184,7 +187,7 @@ FieldSize Model::field_size(int region, Field which) {
 
 std::vector<BondState> Model::bond_states(int region) {
   const LatticePart* part = &lattice(region);
-  std::vector<BondState> states(part->bonds.size());
+  std::vector<BondState> states(part->bonds().size());
   const std::vector<char>& intact = prepared_->evolution->state().intact;
   for (std::size_t b = 0; b < states.size(); ++b) {
     states[b] = intact[part->first_bond + b] ? BondState::intact : BondState::broken;

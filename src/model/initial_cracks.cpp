@@ -66,7 +66,7 @@ std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d
                 "); a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
                 0.5 * part.outline.spacing, ")");
       }
-      for (int bond : pd::bonds_cut_by(*part.lattice, part.bonds, polyline)) {
+      for (int bond : pd::bonds_cut_by(*part.lattice, part.bonds(), polyline)) {
         cut.push_back(static_cast<int>(part.first_bond) + bond);
       }
     }

@@ -77,6 +77,7 @@ void Model::prepare() {
   p->evolution->set_load(p->conditions.force, p->conditions.displacement);
   prepared_ = std::move(p);
   ++generation_;
+  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
   log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->bonds().size(),
               " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
 }

@@ -7,12 +7,20 @@
 
 namespace bempd::pd {
 
-// Stretch at which all bonds across a line of unit length dissipate the fracture energy G0, for the micromodulus
-// c0 (1 - r^2/delta^2)^2. Silling and Askari (Comput. Struct. 83, 2005) integrate the work of separation; with this
-// micromodulus int_0^1 (1 - s^2)^2 s^3 ds = 1/24, so that G0 = s_c^2 c0 delta^4 / 24.
+// Energy per unit area that it takes to break all bonds across a plane, G0 = factor E horizon s_c^2, for the
+// micromodulus c0 (1 - r^2/horizon^2)^2: G0 = s_c^2 c0 horizon^4 / 24 with c0 = 315 E / (8 pi horizon^3) in plane
+// stress and 42 E / (pi horizon^3) in plane strain.
+inline double fracture_energy_factor(PlaneState state) {
+  return (state == PlaneState::stress ? 105.0 / 64 : 7.0 / 4) / std::numbers::pi;
+}
+
+// Stretch at which a bond breaks.
 inline double critical_stretch(double fracture_energy, double young_modulus, double horizon, PlaneState state) {
-  const double coefficient = state == PlaneState::stress ? 64.0 / 105.0 : 4.0 / 7.0;
-  return std::sqrt(coefficient * std::numbers::pi * fracture_energy / (young_modulus * horizon));
+  return std::sqrt(fracture_energy / (fracture_energy_factor(state) * young_modulus * horizon));
+}
+
+inline double fracture_energy(double critical_stretch, double young_modulus, double horizon, PlaneState state) {
+  return fracture_energy_factor(state) * young_modulus * horizon * critical_stretch * critical_stretch;
 }
 
 }  // namespace bempd::pd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "elasticity/plane_elasticity.hpp"
@@ -8,17 +9,16 @@
 
 namespace bempd::pd {
 
-// Displacement gradients du_i/dx_j at the material points: least-squares fits over each point's intact bonds, weighted
-// with one over the squared bond length, exact for linear fields wherever the bonds span the plane. What a point's
-// bonds cannot see (a direction across them all) counts as not deformed. Displacements are numbered 2 * point +
-// component, in units of the spacing.
-std::vector<Eigen::Matrix2d> displacement_gradients(const CellLattice& lattice, const std::vector<Bond>& bonds,
-                                                    const std::vector<char>& intact,
-                                                    const Eigen::VectorXd& displacement);
+// Displacement gradient du_k/dx_l at every material point: weighted least squares over the bonds that are intact, exact
+// for linear fields everywhere. `broken` holds one entry a bond (nonzero: broken) or is empty; `displacements` the
+// components of point i in 2 i and 2 i + 1; x is in lattice units, the caller divides by the spacing. Where the intact
+// bonds lie on one line only the stretch and the rotation of that line are known and the rest is taken as rigid; a
+// point without intact bonds has no gradient and gets zero.
+std::vector<Eigen::Matrix2d> displacement_gradients(int point_count, const Network& network,
+                                                    const std::vector<std::uint8_t>& broken,
+                                                    const Eigen::Ref<const Eigen::VectorXd>& displacements);
 
-// Stress xx, yy, xy of the undamaged material under these gradients, one column per material point [Pa].
-Eigen::Matrix3Xd point_stresses(const CellLattice& lattice, const std::vector<Bond>& bonds,
-                                const std::vector<char>& intact, const Eigen::VectorXd& displacement,
-                                const PlaneElasticity& elasticity);
+// Stresses (xx, yy, xy) of the symmetric part of a displacement gradient.
+Eigen::Vector3d stress_of(const Eigen::Matrix2d& gradient, const PlaneElasticity& elasticity);
 
 }  // namespace bempd::pd

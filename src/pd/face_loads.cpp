@@ -1,7 +1,6 @@
 #include "pd/face_loads.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -9,37 +8,36 @@ namespace bempd::pd {
 
 namespace {
 
-// Gauss-Legendre rule with four points on [0, 1], exact to degree 7.
-constexpr std::array<double, 4> gauss_point{0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                            0.93056815579702629};
-constexpr std::array<double, 4> gauss_weight{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                             0.17392742256872693};
-
-// Pieces of a cell edge shorter than this are the rounding of fractions of an edge.
-constexpr double negligible = 1e-12;
+// Gauss rule on [-1, 1].
+constexpr double abscissa[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
 
 }  // namespace
 
 void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces) {
-  const Point direction = (b - a).normalized();
-  const double first = a.dot(direction), last = b.dot(direction);
-  const Point base = a - first * direction;  // place with coordinate 0 along the line
-  const auto point_at = [&](double along) {
-    const Point p = base + along * direction;
-    const int point = lattice.find_point({static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))});
-    assert(point >= 0);
-    return point;
-  };
-  for (double cell = std::floor(first); cell < last; cell += 1) {
-    const double from = std::max(first, cell), to = std::min(last, cell + 1);
-    if (to - from < negligible) continue;
-    const int start = point_at(cell), end = point_at(cell + 1);
-    for (std::size_t q = 0; q < gauss_point.size(); ++q) {
-      const double along = from + gauss_point[q] * (to - from);
-      const Point force = gauss_weight[q] * (to - from) * traction(base + along * direction);
-      forces.segment<2>(2 * start) += (cell + 1 - along) * force;
-      forces.segment<2>(2 * end) += (along - cell) * force;
+  assert(forces.size() == 2 * lattice.point_count());
+  const int along = std::abs(b.x() - a.x()) >= std::abs(b.y() - a.y()) ? 0 : 1, across = 1 - along;
+  const int line = static_cast<int>(std::lround(a[across]));
+  assert(std::abs(a[across] - line) < 1e-9 && std::abs(b[across] - line) < 1e-9);
+  // An end that misses a material point by rounding only is at that point.
+  const auto snapped = [](double s) { return std::abs(s - std::round(s)) < 1e-9 ? std::round(s) : s; };
+  const double from = snapped(std::min(a[along], b[along])), to = snapped(std::max(a[along], b[along]));
+  for (int edge = static_cast<int>(std::floor(from)); edge < to; ++edge) {
+    Eigen::Vector2i first, second;
+    first[along] = edge, second[along] = edge + 1;
+    first[across] = second[across] = line;
+    const int i = lattice.find_point(first), j = lattice.find_point(second);
+    assert(i >= 0 && j >= 0);
+    const double start = std::max(from, static_cast<double>(edge)), half = 0.5 * (std::min(to, edge + 1.0) - start);
+    for (int g = 0; g < 4; ++g) {
+      Point at;
+      at[along] = start + half * (1 + abscissa[g]);
+      at[across] = line;
+      const Point force = weight[g] * half * traction(at);
+      const double s = at[along] - edge;
+      forces.segment<2>(2 * i) += (1 - s) * force;
+      forces.segment<2>(2 * j) += s * force;
     }
   }
 }

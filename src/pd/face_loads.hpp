@@ -8,10 +8,10 @@
 
 namespace bempd::pd {
 
-// Adds the consistent nodal forces of a traction on the straight piece from a to b of the lattice's boundary, in units
-// of traction * thickness * spacing; a and b are any two places on one lattice line. Forces are numbered
-// 2 * point + component; the traction is asked for at places in lattice coordinates. The shape functions are linear
-// hats: sampling the traction at the material points would misjudge a parabolic shear by (spacing / height)^2.
+// Adds the nodal forces of a traction on the straight piece of boundary from a to b, which lies on one lattice line and
+// may begin and end anywhere: f_i = integral of phi_i t ds with linear hats phi_i, four Gauss points for every (part of
+// a) cell edge. All in lattice coordinates; the caller multiplies by spacing and thickness. `forces` holds the
+// components of point i in 2 i and 2 i + 1.
 void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces);
 

@@ -44,12 +44,12 @@ class DenseSolver final : public MinimumNormSolver {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows_, columns_;
 };
 
-// Conjugate gradients on B B^T lambda = r. The matrix is singular, so the Cholesky factor of the slightly shifted one
-// is the preconditioner. It amplifies the kernel's share of the rounding by the inverse of the shift, which would soon
-// drown the rest; the known part of the kernel is therefore taken out in every step.
+// Conjugate gradients on N lambda = r, N = B B^T. N is singular, so the Cholesky factor F of the slightly shifted
+// matrix serves as preconditioner, in the form F^-1 N F^-1: F^-1 alone would amplify the kernel's share of the rounding
+// in r by the inverse of the shift and drown the rest.
 class SparseSolver final : public MinimumNormSolver {
  public:
-  SparseSolver(const Sparse& b, const Eigen::MatrixXd& kernel) : b_(b), bt_(b.transpose()), kernel_(kernel) {
+  explicit SparseSolver(const Sparse& b) : b_(b), bt_(b.transpose()) {
     Sparse normal = b_ * bt_;
     double largest = 0;
     for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
@@ -61,7 +61,6 @@ class SparseSolver final : public MinimumNormSolver {
 
   Step solve(VectorXd r, int& steps) const override {
     Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
-    project(r);
     VectorXd z = precondition(r), p = z;
     double rz = r.dot(z);
     // One round need not be exact: the next one starts from the residual recomputed from the stiffnesses.
@@ -84,18 +83,12 @@ class SparseSolver final : public MinimumNormSolver {
   }
 
  private:
-  void project(VectorXd& v) const {
-    if (kernel_.cols() > 0) v -= kernel_ * (kernel_.transpose() * v);
-  }
   VectorXd precondition(const VectorXd& r) const {
-    const VectorXd in_range = b_ * (bt_ * VectorXd(factor_.solve(r)));
-    VectorXd z = factor_.solve(in_range);
-    project(z);
-    return z;
+    const VectorXd pulled = bt_ * VectorXd(factor_.solve(r));
+    return factor_.solve(VectorXd(b_ * pulled));
   }
 
   Sparse b_, bt_;
-  const Eigen::MatrixXd& kernel_;
   Eigen::SimplicialLDLT<Sparse> factor_;
 };
 
@@ -120,7 +113,7 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   if (scaled.rows() <= 80) {
     solver = std::make_unique<DenseSolver>(scaled);
   } else {
-    solver = std::make_unique<SparseSolver>(scaled, problem.dependencies);
+    solver = std::make_unique<SparseSolver>(scaled);
   }
   VectorXd missing = problem.target - problem.constraints * c.stiffness;
   c.residual = largest(missing);

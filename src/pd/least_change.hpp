@@ -10,7 +10,6 @@ namespace bempd::pd {
 struct LeastChange {
   Eigen::SparseMatrix<double> constraints;  // A; rows may depend on each other as long as they do not contradict
   Eigen::VectorXd target;                   // b
-  Eigen::MatrixXd dependencies;             // orthonormal columns q with q^T A = 0, as far as they are known
   Eigen::VectorXd start, scale;
   double lower = 0;  // bound on k / scale
 };

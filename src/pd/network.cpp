@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "pd/cell_grid.hpp"
+#include "pd/corners.hpp"
 #include "pd/face_template.hpp"
-#include "pd/thick_network.hpp"
 
 namespace bempd::pd {
 

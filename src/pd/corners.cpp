@@ -1,6 +1,5 @@
-#include "pd/thick_network.hpp"
+#include "pd/corners.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -76,38 +75,9 @@ std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::ve
   return clusters;
 }
 
-// The moment equations of connected points depend on each other: lambda_klm e_k e_l e_m has the same value at both ends
-// of every bond if lambda is a Killing tensor, a symmetric product of three of e_x, e_y and the rotation rho = (-y, x).
-// There are ten; they are returned as orthonormal columns.
-Eigen::MatrixXd killing_tensors(const CellLattice& lattice, const std::vector<int>& points) {
-  Eigen::MatrixXd tensors(4 * points.size(), 10);
-  Eigen::Vector2d middle = {0, 0};
-  for (const int p : points) middle += lattice.point(p).cast<double>() / static_cast<double>(points.size());
-  double size = 1;
-  for (const int p : points) size = std::max(size, (lattice.point(p).cast<double>() - middle).norm());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const Eigen::Vector2d at = (lattice.point(points[p]).cast<double>() - middle) / size;
-    const Eigen::Vector2d factor[3] = {{1, 0}, {0, 1}, {-at.y(), at.x()}};
-    int column = 0;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = i; j < 3; ++j) {
-        for (int k = j; k < 3; ++k) {
-          const Eigen::Vector2d &u = factor[i], &v = factor[j], &w = factor[k];
-          tensors.block<4, 1>(4 * p, column++) =
-              Vector4d(u.x() * v.x() * w.x(), u.x() * v.x() * w.y() + u.x() * v.y() * w.x() + u.y() * v.x() * w.x(),
-                       u.x() * v.y() * w.y() + u.y() * v.x() * w.y() + u.y() * v.y() * w.x(), u.y() * v.y() * w.y());
-        }
-      }
-    }
-  }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(tensors);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(tensors.rows(), qr.rank());
-}
-
 // The unknown is the change of the stiffness in units of the bulk value, which keeps the columns of one size.
-LeastChange cluster_problem(const CellLattice& lattice, const std::vector<BondOffset>& family,
-                            const std::vector<Vector4d>& missing, const DraftBonds& bonds,
-                            const std::vector<int>& cluster) {
+LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::vector<Vector4d>& missing,
+                            const DraftBonds& bonds, const std::vector<int>& cluster) {
   std::vector<int> points;
   for (const int b : cluster) points.insert(points.end(), {bonds.first[b], bonds.second[b]});
   std::sort(points.begin(), points.end());
@@ -118,7 +88,6 @@ LeastChange cluster_problem(const CellLattice& lattice, const std::vector<BondOf
   const int count = static_cast<int>(cluster.size());
   LeastChange problem;
   problem.lower = smallest_ratio;
-  problem.dependencies = killing_tensors(lattice, points);
   problem.start.resize(count);
   problem.scale.resize(count);
   problem.target.resize(4 * points.size());
@@ -224,7 +193,7 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
   std::vector<LeastChangeResult> results(clusters.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t c = 0; c < clusters.size(); ++c) {
-    results[c] = solve_least_change(cluster_problem(lattice, templates.family, missing, bonds, clusters[c]));
+    results[c] = solve_least_change(cluster_problem(templates.family, missing, bonds, clusters[c]));
   }
   CornerReport report;
   for (std::size_t c = 0; c < clusters.size(); ++c) {

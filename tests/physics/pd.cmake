@@ -1,0 +1,2 @@
+bempd_add_engine_test(pd_patch_test pd_patch_test.cpp)
+bempd_add_engine_test(pd_kirsch_test pd_kirsch_test.cpp)

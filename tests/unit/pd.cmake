@@ -1,0 +1,3 @@
+bempd_add_engine_test(pd_lattice_test pd_lattice_test.cpp)
+bempd_add_engine_test(pd_network_test pd_network_test.cpp)
+bempd_add_engine_test(pd_fields_test pd_fields_test.cpp)

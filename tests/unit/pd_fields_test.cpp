@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pd/critical_stretch.hpp"
+#include "pd/deformation.hpp"
+#include "pd/face_loads.hpp"
+#include "unit/pd_bodies.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace bempd::pd;
+using namespace bempd::pd::test;
+
+TEST(FaceLoads, polynomial_traction_has_its_resultant_and_moment) {
+  const CellLattice lattice({rectangle(1, 2, 8, 5)});
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * lattice.point_count());
+  add_face_forces(
+      lattice, {2.3, 2}, {7.75, 2}, [](const Point& x) { return Point(1, x.x() * x.x()); }, forces);
+  double fx = 0, fy = 0, moment = 0;
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    fx += forces[2 * i];
+    fy += forces[2 * i + 1];
+    moment += lattice.point(i).x() * forces[2 * i + 1];
+    if (lattice.point(i).y() != 2 || lattice.point(i).x() < 2 || lattice.point(i).x() > 8) {
+      EXPECT_EQ(forces[2 * i], 0);
+    }
+  }
+  EXPECT_NEAR(fx, 7.75 - 2.3, 1e-13);
+  EXPECT_NEAR(fy, (std::pow(7.75, 3) - std::pow(2.3, 3)) / 3, 1e-11);
+  EXPECT_NEAR(moment, (std::pow(7.75, 4) - std::pow(2.3, 4)) / 4, 1e-10);
+}
+
+TEST(FaceLoads, direction_of_the_piece_does_not_matter_and_ends_snap_to_points) {
+  const CellLattice lattice({rectangle(0, 0, 4, 4)});
+  Eigen::VectorXd up = Eigen::VectorXd::Zero(2 * lattice.point_count()), down = up;
+  const auto pull = [](const Point&) { return Point(1, 0); };
+  add_face_forces(lattice, {4, 1 - 1e-12}, {4, 3 + 1e-12}, pull, up);
+  add_face_forces(lattice, {4, 3}, {4, 1}, pull, down);
+  EXPECT_LT((up - down).norm(), 1e-15);
+  EXPECT_NEAR(up[2 * lattice.find_point({4, 1})], 0.5, 1e-15);
+  EXPECT_NEAR(up[2 * lattice.find_point({4, 2})], 1.0, 1e-15);
+  EXPECT_EQ(up[2 * lattice.find_point({4, 4})], 0);
+}
+
+TEST(Deformation, linear_field_has_its_gradient_at_every_point) {
+  Eigen::Matrix2d g;
+  g << 0.3, -1.2, 0.7, 0.1;
+  for (const Body& body : bodies()) {
+    const CellLattice lattice(body.loops);
+    const Network network = build_network(lattice, 3, bond_based(1, PlaneState::stress, 1));
+    Eigen::VectorXd u(2 * lattice.point_count());
+    for (int i = 0; i < lattice.point_count(); ++i) {
+      u.segment<2>(2 * i) = g * lattice.point(i).cast<double>() + Eigen::Vector2d(4, 5);
+    }
+    std::vector<std::uint8_t> broken(network.bonds.size(), 0);
+    for (std::size_t b = 0; b < broken.size(); b += 3) broken[b] = 1;
+    const auto whole = displacement_gradients(lattice.point_count(), network, {}, u);
+    const auto damaged = displacement_gradients(lattice.point_count(), network, broken, u);
+    int spanned = 0;
+    for (int i = 0; i < lattice.point_count(); ++i) {
+      EXPECT_LT((whole[i] - g).norm(), 1e-12) << body.name;
+      spanned += (damaged[i] - g).norm() < 1e-12;
+    }
+    EXPECT_GT(spanned, 0.7 * lattice.point_count()) << body.name;
+  }
+}
+
+TEST(Deformation, rotation_strains_nothing_where_bonds_do_not_span_the_plane) {
+  const CellLattice lattice({rectangle(0, 0, 3, 3)});
+  const Network network = build_network(lattice, 3, bond_based(1, PlaneState::stress, 1));
+  Eigen::VectorXd u(2 * lattice.point_count());
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    u.segment<2>(2 * i) = Eigen::Vector2d(-lattice.point(i).y(), lattice.point(i).x());
+  }
+  // Keep one bond only.
+  std::vector<std::uint8_t> broken(network.bonds.size(), 1);
+  broken[7] = 0;
+  const auto gradients = displacement_gradients(lattice.point_count(), network, broken, u);
+  for (int i = 0; i < lattice.point_count(); ++i) {
+    EXPECT_TRUE(gradients[i].allFinite());
+    EXPECT_LT((gradients[i] + gradients[i].transpose()).norm(), 1e-13);
+  }
+  const int end = network.bonds[7].first;
+  EXPECT_NEAR(gradients[end](1, 0), 1, 1e-13);
+  // A stretched bond shows its stretch.
+  for (int i = 0; i < lattice.point_count(); ++i) u.segment<2>(2 * i) = 0.01 * lattice.point(i).cast<double>();
+  const Eigen::Vector2d e = network.offsets[network.offset_of[7]].direction;
+  const Eigen::Matrix2d g = displacement_gradients(lattice.point_count(), network, broken, u)[end];
+  EXPECT_NEAR(e.dot(g * e), 0.01, 1e-15);
+}
+
+TEST(Deformation, stress_follows_hookes_law) {
+  const PlaneElasticity elasticity = bond_based(90, PlaneState::stress, 1);
+  Eigen::Matrix2d uniaxial;
+  uniaxial << 1, 0.5, -0.5, -1.0 / 3;
+  const Eigen::Vector3d stress = stress_of(uniaxial, elasticity);
+  EXPECT_NEAR(stress[0], 90, 1e-12);
+  EXPECT_NEAR(stress[1], 0, 1e-12);
+  EXPECT_NEAR(stress[2], 0, 1e-12);
+}
+
+// s_c = sqrt(64 pi G0 / (105 E horizon)) and sqrt(4 pi G0 / (7 E horizon)).
+TEST(CriticalStretch, has_the_exact_constants_and_an_inverse) {
+  EXPECT_NEAR(std::pow(critical_stretch(1, 1, 1, PlaneState::stress), 2), 1.91488, 6e-6);
+  EXPECT_NEAR(std::pow(critical_stretch(1, 1, 1, PlaneState::strain), 2), 1.79520, 6e-6);
+  for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
+    const double s = critical_stretch(120, 3e10, 0.004, state);
+    EXPECT_NEAR(fracture_energy(s, 3e10, 0.004, state), 120, 1e-10);
+  }
+}
+
+// All bonds of the continuum across a plane, integrated numerically: G0 = 2 int_0^d int_z^d int_0^acos(z/r) c0 g s^2/2
+// r ...
+TEST(CriticalStretch, agrees_with_the_energy_of_all_bonds_across_a_plane) {
+  const double c0 = 315 / (8 * M_PI);  // E = horizon = 1, plane stress
+  double energy = 0;
+  const int n = 400;
+  for (int i = 0; i < n; ++i) {
+    const double r = (i + 0.5) / n;
+    // Bonds of length r and angle t to the normal cross the plane from a layer of thickness r cos t.
+    for (int j = 0; j < n; ++j) {
+      const double t = (-0.5 + (j + 0.5) / n) * M_PI;
+      energy += c0 * (1 - r * r) * (1 - r * r) * r / 2 * r * std::cos(t) * r * (1.0 / n) * (M_PI / n);
+    }
+  }
+  EXPECT_NEAR(fracture_energy(1, 1, 1, PlaneState::stress) / energy, 1, 1e-4);
+}
+
+}  // namespace

@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pd/bond_family.hpp"
+#include "pd/cell_grid.hpp"
+#include "pd/face_template.hpp"
+#include "unit/pd_bodies.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace bempd::pd;
+using namespace bempd::pd::test;
+
+TEST(Lattice, has_the_corners_of_all_cells_row_by_row) {
+  const CellLattice lattice({rectangle(-2, 3, 3, 2)});
+  EXPECT_EQ(lattice.cell_count(), 6);
+  ASSERT_EQ(lattice.point_count(), 12);
+  EXPECT_EQ(lattice.point(0), Vector2i(-2, 3));
+  EXPECT_EQ(lattice.point(5), Vector2i(-1, 4));
+  for (int i = 0; i < lattice.point_count(); ++i) EXPECT_EQ(lattice.find_point(lattice.point(i)), i);
+  EXPECT_EQ(lattice.find_point({2, 3}), -1);
+  EXPECT_EQ(lattice.find_point({-3, 4}), -1);
+  const auto corners = lattice.cell_corners({0, 4});
+  EXPECT_EQ(lattice.point(corners[0]), Vector2i(0, 4));
+  EXPECT_EQ(lattice.point(corners[3]), Vector2i(1, 5));
+}
+
+TEST(Lattice, holes_have_no_cells_but_points_on_their_faces) {
+  const CellLattice lattice({rectangle(0, 0, 9, 9), hole(3, 3, 3, 3)});
+  EXPECT_EQ(lattice.cell_count(), 72);
+  EXPECT_EQ(lattice.point_count(), 100 - 4);
+  EXPECT_FALSE(lattice.has_cell({4, 4}));
+  EXPECT_TRUE(lattice.has_cell({6, 4}));
+  EXPECT_GE(lattice.find_point({3, 3}), 0);
+  EXPECT_EQ(lattice.find_point({4, 4}), -1);
+  EXPECT_EQ(lattice.cells_around(lattice.find_point({3, 3})), 3);
+  EXPECT_EQ(lattice.cells_around(lattice.find_point({4, 3})), 2);
+  EXPECT_EQ(lattice.cells_around(lattice.find_point({0, 0})), 1);
+  EXPECT_EQ(lattice.cells_around(lattice.find_point({1, 1})), 4);
+}
+
+TEST(Lattice, cells_match_the_area_of_every_body) {
+  for (const Body& body : bodies()) {
+    double area = 0;
+    for (const Loop& loop : body.loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        area += 0.5 * cross(loop[k].cast<double>(), loop[(k + 1) % loop.size()].cast<double>());
+      }
+    }
+    EXPECT_EQ(CellLattice(body.loops).cell_count(), std::lround(area)) << body.name;
+  }
+}
+
+// Independent test of visibility: many places along the bond, each in a closed cell.
+TEST(Lattice, line_of_sight_agrees_with_sampling) {
+  int checked = 0;
+  for (const Body& body : bodies()) {
+    const CellLattice lattice(body.loops);
+    CellGrid cells(lattice, 12);
+    cells.finish(12);
+    for (int i = 0; i < lattice.point_count(); i += 3) {
+      for (const BondOffset& offset : bond_family(6)) {
+        bool inside = true;
+        for (int k = 0; k < 360 && inside; ++k) {
+          // 360 * 5! divisions never hit a lattice line by accident; lines are met at k = 0 only.
+          const double t = (k + 0.5) / 360;
+          const Eigen::Vector2d x = lattice.point(i).cast<double>() + t * offset.step.cast<double>();
+          bool covered = false;
+          for (int sx = -1; sx <= 1; sx += 2) {
+            for (int sy = -1; sy <= 1; sy += 2) {
+              covered = covered || lattice.has_cell({static_cast<int>(std::floor(x.x() + sx * 1e-7)),
+                                                     static_cast<int>(std::floor(x.y() + sy * 1e-7))});
+            }
+          }
+          inside = covered;
+        }
+        EXPECT_EQ(cells.in_sight(lattice.point(i), offset.step), inside)
+            << body.name << " from " << lattice.point(i).transpose() << " step " << offset.step.transpose();
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 10000);
+}
+
+TEST(BondFamily, is_half_of_the_integer_disc_and_sorted) {
+  for (int m = 2; m <= 8; ++m) {
+    int expected = 0;
+    for (int a = -m; a <= m; ++a) {
+      for (int b = -m; b <= m; ++b) expected += a * a + b * b > 0 && a * a + b * b < m * m;
+    }
+    const auto family = bond_family(m);
+    EXPECT_EQ(2 * static_cast<int>(family.size()), expected);
+    for (std::size_t k = 1; k < family.size(); ++k) {
+      const Vector2i p = family[k - 1].step, q = family[k].step;
+      EXPECT_TRUE(p.y() < q.y() || (p.y() == q.y() && p.x() < q.x()));
+    }
+  }
+}
+
+TEST(BondFamily, has_the_elastic_constants_exactly_and_is_positive) {
+  for (int m = 2; m <= 8; ++m) {
+    double c1111 = 0, c2222 = 0, c1122 = 0;
+    for (const BondOffset& o : bond_family(m)) {
+      EXPECT_GT(o.bulk_stiffness, 0);
+      const double c = o.direction.x() * o.direction.x(), s = o.direction.y() * o.direction.y();
+      const double k = o.bulk_stiffness * o.length * o.length;
+      c1111 += k * c * c, c2222 += k * s * s, c1122 += k * c * s;
+    }
+    EXPECT_NEAR(c1111, 1, 1e-15);
+    EXPECT_NEAR(c2222, 1, 1e-15);
+    EXPECT_NEAR(c1122, 1.0 / 3, 1e-15);
+  }
+}
+
+// k / (h E) in plane stress, where C1111 = 9 E / 8; from an independent calculation.
+TEST(BondFamily, agrees_with_an_independent_calculation) {
+  const double expected[][4] = {{3, 1, 0, .342036}, {3, 2, 0, .061972}, {3, 1, 1, .225774}, {3, 2, 1, .044466},
+                                {3, 2, 2, .001734}, {4, 1, 0, .167560}, {4, 2, 0, .052160}, {4, 3, 0, .011501},
+                                {4, 1, 1, .111211}, {4, 2, 1, .042563}, {4, 3, 1, .008585}, {4, 2, 2, .019004},
+                                {4, 3, 2, .001865}};
+  for (const auto& e : expected) {
+    int found = 0;
+    for (const BondOffset& o : bond_family(static_cast<int>(e[0]))) {
+      const int a = std::abs(o.step.x()), b = o.step.y();
+      if (std::max(a, b) != e[1] || std::min(a, b) != e[2]) continue;
+      EXPECT_NEAR(o.bulk_stiffness * 9 / 8, e[3], 6e-7);
+      ++found;
+    }
+    EXPECT_GT(found, 0);
+  }
+}
+
+// k / (h E), plane stress, horizon ratio 3; from an independent calculation.
+TEST(FaceTemplate, agrees_with_an_independent_calculation) {
+  const double expected[3][8] = {{.524230, .071845, .168197, .270856, .052527, .039145, .036654, .001738},
+                                 {.310224, .060152, .324491, .218757, .043392, .059668, .045353, .001733},
+                                 {.346142, .061948, .355381, .229448, .044486, .063724, .042708, .001726}};
+  const int steps[8][2] = {{0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}};
+  const LatticeTemplates& templates = lattice_templates(3);
+  for (int row = 0; row < 3; ++row) {
+    for (int k = 0; k < 8; ++k) {
+      for (const BondOffset& o : templates.family) {
+        if (o.step != Vector2i(steps[k][0], steps[k][1])) continue;
+        EXPECT_NEAR(templates.face.ratio(row, steps[k][0], steps[k][1]) * o.bulk_stiffness * 9 / 8, expected[row][k],
+                    1.2e-6);
+      }
+    }
+  }
+}
+
+TEST(FaceTemplate, ratios_have_the_known_range) {
+  const double expected[][3] = {{3, .49, 1.53}, {4, .56, 2.17}, {5, .62, 2.84},
+                                {6, .42, 3.46}, {7, .25, 4.17}, {8, .125, 5.01}};
+  for (const auto& e : expected) {
+    const int m = static_cast<int>(e[0]);
+    const LatticeTemplates& templates = lattice_templates(m);
+    double low = 1, high = 1;
+    for (const BondOffset& o : templates.family) {
+      for (int row = 0; row < m; ++row) {
+        const double ratio = templates.face.ratio(row, std::abs(o.step.x()), o.step.y());
+        low = std::min(low, ratio), high = std::max(high, ratio);
+      }
+    }
+    EXPECT_NEAR(low, e[1], .006);
+    EXPECT_NEAR(high, e[2], .006);
+    EXPECT_LT(templates.residual, 1e-13);
+  }
+}
+
+}  // namespace
