@@ -91,7 +91,7 @@ typedef struct crack_run {
 static void write_stage(bempd_model* model, const bempd_step_report* report, const char* stage) {
   printf("%-10s increment %8.3f  bonds broken %5" PRId64 "  events %5" PRId64 "\n", stage, report->load_factor,
          report->total_broken_bonds, report->total_events);
-  ensure(model, bempd_write_snapshot(model, OUTPUT "stage"));
+  ensure(model, bempd_write_snapshot(model, OUTPUT "centre_crack"));
 }
 
 /* Event by event to separation, with a snapshot at the first break, on the way and at the end. */

@@ -68,7 +68,7 @@ static void wrong_calls(coupled_plate* plate) {
 
 /** Steps below, onto and beyond the first event, then back; wrong calls in between where asked for. */
 static outcome run(coupled_plate* plate, double first_event, int with_wrong_calls) {
-  const double load_factors[] = {0.5 * first_event, 1.02 * first_event, 1.1 * first_event, 0.3 * first_event};
+  const double load_factors[] = {0.5 * first_event, 1.02 * first_event, 1.4 * first_event, 0.3 * first_event};
   size_t k;
   for (k = 0; k < sizeof load_factors / sizeof load_factors[0]; ++k) {
     if (with_wrong_calls) wrong_calls(plate);

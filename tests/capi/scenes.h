@@ -74,8 +74,8 @@ static inline bempd_model* pd_block(void) {
 }
 
 /**
- * BEM 10 x 8 | PD 9 x 8 cells of size 1 with a crack across the middle three rows | BEM 10 x 8, pulled apart by 0.01
- * per unit of the load factor at each end.
+ * BEM 10 x 8 | PD 9 x 8 cells of size 1 with a crack from the bottom across four rows | BEM 10 x 8. The ends are pulled
+ * apart, per unit of the load factor by 0.02 at the bottom and 0.002 at the top, so that the crack grows stably.
  */
 typedef struct coupled_plate {
   bempd_model* model;
@@ -84,9 +84,9 @@ typedef struct coupled_plate {
 
 /** Build the plate; after every call that adds something, call `between` (NULL for nothing). */
 static inline coupled_plate coupled_plate_build(void (*between)(coupled_plate*)) {
-  static const double crack[4] = {14.5, 2.5, 14.5, 5.5};
-  const double pull_left = -0.01;
-  const double pull_right = 0.01;
+  static const double crack[4] = {14.5, 0.0, 14.5, 3.5};
+  const double pull_left[2] = {-0.002, -0.02};
+  const double pull_right[2] = {0.02, 0.002};
   coupled_plate plate = {NULL, 0, 0, 0, 0, 0, 0, 0, 0};
   int part;
   plate.model = new_model();
@@ -109,11 +109,11 @@ static inline coupled_plate coupled_plate_build(void (*between)(coupled_plate*))
         CHECK_OK(plate.model, bempd_add_crack(plate.model, 2, crack, &plate.crack));
         break;
       case 5:
-        CHECK_OK(plate.model, bempd_prescribe_edge(plate.model, plate.left, 4, 0.0, 1.0, BEMPD_X, 1, NULL, &pull_left,
+        CHECK_OK(plate.model, bempd_prescribe_edge(plate.model, plate.left, 4, 0.0, 1.0, BEMPD_X, 2, NULL, pull_left,
                                                    &plate.pulled_left));
         break;
       case 6:
-        CHECK_OK(plate.model, bempd_prescribe_edge(plate.model, plate.right, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull_right,
+        CHECK_OK(plate.model, bempd_prescribe_edge(plate.model, plate.right, 2, 0.0, 1.0, BEMPD_X, 2, NULL, pull_right,
                                                    &plate.pulled_right));
         break;
       default:

@@ -128,6 +128,7 @@ int main(void) {
   repeated_step_gives_the_same_bits(0.5 * first_event, 1.1 * first_event);
   repeated_step_gives_the_same_bits(1.02 * first_event, 1.4 * first_event);
   restoring_brings_back_history_and_counters(first_event);
+  bytes_carry_a_state_to_another_model(0.5 * first_event, 0.9 * first_event);
   bytes_carry_a_state_to_another_model(0.5 * first_event, 1.1 * first_event);
   bytes_carry_a_state_to_another_model(1.02 * first_event, 1.4 * first_event);
   bytes_of_equal_states_are_equal(first_event);
