@@ -20,7 +20,8 @@
  * Errors. Whatever can fail returns a bempd_status; the sentence that explains it is bempd_last_error(). After any error
  * but BEMPD_ERROR_INTERNAL the model is as it was before the call; after that one only free it.
  *
- * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent.
+ * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A call on a model
+ * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL).
  *
  * Sign conventions. Stress is positive in tension; a traction is the force per area that acts on the body; loops have
  * the body on their left.
@@ -98,7 +99,7 @@ BEMPD_API void bempd_model_free(bempd_model *model);
 /** @brief Whether an option takes a number or a word. @since 0.1 */
 typedef enum bempd_option_kind { BEMPD_OPTION_NUMBER = 1, BEMPD_OPTION_TEXT = 2 } bempd_option_kind;
 
-/** @brief Description of one option. Set struct_size = sizeof(bempd_option_info) before the call. @since 0.1 */
+/** @brief Description of one option. Set struct_size = sizeof(bempd_option_info) first. @since 0.1 */
 typedef struct bempd_option_info {
   int64_t struct_size;      /**< sizeof(bempd_option_info), set by the caller */
   const char *name;         /**< name for bempd_set_option() and its kin; constant string */
@@ -161,8 +162,10 @@ typedef struct bempd_material {
   int32_t reserved;        /**< 0 */
 } bempd_material;
 
-/** @brief Set struct_size and the defaults. @param[out] material the struct to fill @return status @since 0.1 */
-BEMPD_API bempd_status bempd_material_init(bempd_material *material);
+/** @brief Set struct_size and the defaults. @param[out] material the struct to fill
+ *  @param[in] struct_size sizeof(bempd_material) as the caller was compiled: older programs keep working when it grows
+ *  @return status @since 0.1 */
+BEMPD_API bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
 
 /** @brief Add a material. @param[in] model the model @param[in] material copied @param[out] id its id; may be NULL
  *  @return status @since 0.1 */
@@ -386,8 +389,10 @@ typedef struct bempd_step_report {
   double seconds_search;       /**< of it: stretches, choice of bonds, connectivity [s] */
 } bempd_step_report;
 
-/** @brief Set struct_size and zeros. @param[out] report the struct to fill @return status @since 0.1 */
-BEMPD_API bempd_status bempd_step_report_init(bempd_step_report *report);
+/** @brief Set struct_size and zeros. @param[out] report the struct to fill
+ *  @param[in] struct_size sizeof(bempd_step_report) as the caller was compiled: older programs keep working when it grows
+ *  @return status @since 0.1 */
+BEMPD_API bempd_status bempd_step_report_init(bempd_step_report *report, int64_t struct_size);
 
 /** @brief Check the scene and build its operators. The first step does it if you do not. From then on nothing can be
  *  added; loads and supports can still change their values. @param[in] model the model @return status @since 0.1 */
@@ -532,8 +537,10 @@ typedef struct bempd_statistics {
   double seconds_search;          /**< stretches, choice of bonds, connectivity [s] */
 } bempd_statistics;
 
-/** @brief Set struct_size and zeros. @param[out] statistics the struct to fill @return status @since 0.1 */
-BEMPD_API bempd_status bempd_statistics_init(bempd_statistics *statistics);
+/** @brief Set struct_size and zeros. @param[out] statistics the struct to fill
+ *  @param[in] struct_size sizeof(bempd_statistics) as the caller was compiled: older programs keep working when it grows
+ *  @return status @since 0.1 */
+BEMPD_API bempd_status bempd_statistics_init(bempd_statistics *statistics, int64_t struct_size);
 
 /** @brief Sizes, counters and times so far. @param[in] model the model
  *  @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
@@ -553,8 +560,10 @@ typedef struct bempd_history_entry {
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
 } bempd_history_entry;
 
-/** @brief Set struct_size and zeros. @param[out] entry the struct to fill @return status @since 0.1 */
-BEMPD_API bempd_status bempd_history_entry_init(bempd_history_entry *entry);
+/** @brief Set struct_size and zeros. @param[out] entry the struct to fill
+ *  @param[in] struct_size sizeof(bempd_history_entry) as the caller was compiled: older programs keep working when it grows
+ *  @return status @since 0.1 */
+BEMPD_API bempd_status bempd_history_entry_init(bempd_history_entry *entry, int64_t struct_size);
 
 /** @brief Number of lines of the history: one per event and per end of a step. @param[in] model the model
  *  @param[out] count number of lines @return status @since 0.1 */

@@ -49,7 +49,7 @@ static bempd_model* create_plate(void) {
   const double crack[4] = {25.0 * mm, 19.75 * mm, 25.0 * mm, 29.75 * mm};
 
   ensure(NULL, bempd_model_create(&model));
-  ensure(NULL, bempd_material_init(&material));
+  ensure(NULL, bempd_material_init(&material, sizeof material));
   material.young_modulus = 30e9;
   material.poisson_ratio = 1.0 / 3.0;
   material.critical_stretch = 8e-4;
@@ -104,11 +104,11 @@ static crack_run pull_apart(bempd_model* model) {
 
   ensure(model, bempd_prepare(model));
   run.seconds = seconds_now() - start;
-  ensure(NULL, bempd_statistics_init(&statistics));
+  ensure(NULL, bempd_statistics_init(&statistics, sizeof statistics));
   ensure(model, bempd_get_statistics(model, &statistics));
   run.cut_bonds = statistics.cut_bonds;
 
-  ensure(NULL, bempd_step_report_init(&run.last));
+  ensure(NULL, bempd_step_report_init(&run.last, sizeof run.last));
   do {
     ensure(model, bempd_step_to_next_event(model, increment_limit, &run.last));
     run.seconds += run.last.seconds_total;

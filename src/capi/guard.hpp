@@ -104,7 +104,7 @@ template <class T>
 std::size_t struct_bytes(const T* given, const char* name, std::size_t least) {
   require(given != nullptr, name, " is NULL; give a struct filled by its _init function");
   require(given->struct_size >= static_cast<std::int64_t>(least) && given->struct_size < (1 << 20), name,
-          "->struct_size is ", given->struct_size, "; fill the struct with its _init function first");
+          "->struct_size is ", given->struct_size, "; give the struct's size to its _init function first");
   return static_cast<std::size_t>(given->struct_size);
 }
 
@@ -117,11 +117,13 @@ void write_struct(T* target, const T& values, const char* name) {
   target->struct_size = keep;
 }
 
+// Fills a caller's struct of the size it was compiled with.
 template <class T>
-bempd_status init_struct(const char* function, const char* name, T* target, const T& defaults) {
+bempd_status init_struct(const char* function, const char* name, T* target, std::int64_t size, const T& defaults) {
   return without_model(function, [&] {
-    out(target, name) = defaults;
-    target->struct_size = sizeof(T);
+    out(target, name).struct_size = size;
+    struct_bytes(target, name, sizeof(std::int64_t));
+    write_struct(target, defaults, name);
   });
 }
 

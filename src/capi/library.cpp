@@ -47,7 +47,10 @@ const char* bempd_last_error(const bempd_model* model) {
 }
 
 bempd_status bempd_model_create(bempd_model** model) {
-  return without_model(__func__, [&] { out(model, "model") = new bempd_model; });
+  return without_model(__func__, [&] {
+    bempd_model*& created = out(model, "model");
+    created = new bempd_model;
+  });
 }
 
 void bempd_model_free(bempd_model* model) { delete model; }

@@ -115,8 +115,8 @@ bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* poi
   });
 }
 
-bempd_status bempd_statistics_init(bempd_statistics* statistics) {
-  return init_struct(__func__, "statistics", statistics, {});
+bempd_status bempd_statistics_init(bempd_statistics* statistics, int64_t struct_size) {
+  return init_struct(__func__, "statistics", statistics, struct_size, {});
 }
 
 bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics) {
@@ -152,7 +152,9 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
   });
 }
 
-bempd_status bempd_history_entry_init(bempd_history_entry* entry) { return init_struct(__func__, "entry", entry, {}); }
+bempd_status bempd_history_entry_init(bempd_history_entry* entry, int64_t struct_size) {
+  return init_struct(__func__, "entry", entry, struct_size, {});
+}
 
 bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
   return with_model(model, __func__, [&](model::Model& m) {

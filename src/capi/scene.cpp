@@ -5,14 +5,20 @@
 using namespace bempd;
 using namespace bempd::capi;
 
-bempd_status bempd_material_init(bempd_material* material) {
-  return init_struct(__func__, "material", material, {sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0});
+namespace {
+
+constexpr bempd_material material_defaults{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0};
+
+}  // namespace
+
+bempd_status bempd_material_init(bempd_material* material, int64_t struct_size) {
+  return init_struct(__func__, "material", material, struct_size, material_defaults);
 }
 
 bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id) {
   return with_model(model, __func__, [&](model::Model& m) {
     const std::size_t size = struct_bytes(material, "material", offsetof(bempd_material, thickness));
-    bempd_material given{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0};
+    bempd_material given = material_defaults;
     std::memcpy(&given, material, std::min(size, sizeof given));
     const auto* bytes = reinterpret_cast<const unsigned char*>(material);
     require(
@@ -20,6 +26,7 @@ bempd_status bempd_add_material(bempd_model* model, const bempd_material* materi
         "material was filled by a program made for a newer bempd, with members this version does not know");
     require(given.plane == BEMPD_PLANE_STRESS || given.plane == BEMPD_PLANE_STRAIN, "plane is ", given.plane,
             "; it must be BEMPD_PLANE_STRESS (1) or BEMPD_PLANE_STRAIN (2)");
+    require(given.reserved == 0, "reserved is ", given.reserved, "; it must be 0");
     model::Material values;
     values.elasticity = {given.young_modulus, given.poisson_ratio,
                          given.plane == BEMPD_PLANE_STRESS ? PlaneState::stress : PlaneState::strain, given.thickness};

@@ -81,7 +81,9 @@ bempd_status bempd_request_cancel(bempd_model* model) {
   return BEMPD_OK;
 }
 
-bempd_status bempd_step_report_init(bempd_step_report* report) { return init_struct(__func__, "report", report, {}); }
+bempd_status bempd_step_report_init(bempd_step_report* report, int64_t struct_size) {
+  return init_struct(__func__, "report", report, struct_size, {});
+}
 
 bempd_status bempd_prepare(bempd_model* model) {
   return with_model(model, __func__, [](model::Model& m) { m.prepare(); });

@@ -208,6 +208,7 @@ SoftMotion EquilibriumSystem::softest_motion() const {
 }
 
 void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
+  condense();  // internal forces of a restored displacement are asked for without a solution
   intact_ = std::move(intact);
   springs_ = std::move(springs);
   for (std::size_t b = 0; b < bonds_.size(); ++b) active_stiffness_[b] = intact_[b] ? bonds_.stiffness[b] : 0.0;

@@ -217,12 +217,26 @@ void CrackEvolution::note_separation() {
   if (unit_energy() < separated_energy_ratio * state_.first_unit_energy) state_.separated = true;
 }
 
+EvolutionState CrackEvolution::without_history() {
+  // The history only grows; copying it at every step would cost more and more.
+  std::vector<HistoryEntry> history;
+  std::vector<double> reactions;
+  history.swap(state_.history);
+  reactions.swap(state_.reactions);
+  EvolutionState copy = state_;
+  history.swap(state_.history);
+  reactions.swap(state_.reactions);
+  return copy;
+}
+
 StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
                                    const std::function<void(const EvolutionState&)>& on_event) {
   std::optional<EvolutionState> start;
+  const std::int64_t events_before = state_.events;
+  const std::size_t history_size = state_.history.size(), reactions_size = state_.reactions.size();
   try {
     if (!state_.in_equilibrium) {
-      start = state_;
+      start = without_history();
       find_equilibrium();
     }
     for (;;) {
@@ -241,11 +255,11 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
         return StopReason::no_further_event;
       }
       if (!next || beyond) break;
-      if (state_.events >= options.max_events) {
-        fail(Failure::convergence, state_.events,
-             " events happened, as many as the option stepping.max_events allows; raise it to go on");
+      if (state_.events - events_before >= options.max_events) {
+        fail(Failure::convergence, options.max_events,
+             " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
       }
-      if (!start) start = state_;
+      if (!start) start = without_history();
       perform_event(*next, options);
       if (on_event) on_event(state_);
       if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
@@ -254,7 +268,13 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
     record(0, 0);
     return state_.separated ? StopReason::separated : StopReason::load_factor;
   } catch (...) {
-    if (start) restore(std::move(*start));
+    if (start) {
+      state_.history.resize(history_size);
+      state_.reactions.resize(reactions_size);
+      start->history = std::move(state_.history);
+      start->reactions = std::move(state_.reactions);
+      restore(std::move(*start));
+    }
     throw;
   }
 }

@@ -51,6 +51,7 @@ class CrackEvolution {
 
  private:
   void hold_pieces_cut_off_by_initial_cracks();
+  EvolutionState without_history();
   void move_to(double load_factor);
   void perform_event(double load_factor, const SteppingOptions& options);
   void solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,

@@ -71,7 +71,7 @@ const std::vector<OptionDescription>& option_descriptions() {
                     0, 0.5, false),
       number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0, 1e9,
                     true),
-      number_option("stepping.max_events", "Events after which a step gives up.", 1e7, 1, 1e15, true),
+      number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),
   };
   return all;
 }

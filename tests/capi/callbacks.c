@@ -32,7 +32,7 @@ static void progress_is_told_after_every_event(double first_event) {
   const coupled_plate plate = coupled_plate_create();
   listener heard = quiet_listener();
   bempd_step_report report;
-  CHECK_OK(NULL, bempd_step_report_init(&report));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(plate.model, bempd_set_progress(plate.model, listen, &heard));
   CHECK_OK(plate.model, bempd_step(plate.model, 0.5 * first_event, &report));
   CHECK(heard.calls == 0 && report.events == 0);
@@ -84,8 +84,8 @@ static void cancelled_step_leaves_the_counters(double first_event) {
   bempd_step_report report;
   int64_t lines = 0;
   heard.cancel_at = 1;
-  CHECK_OK(NULL, bempd_statistics_init(&statistics));
-  CHECK_OK(NULL, bempd_step_report_init(&report));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(plate.model, bempd_set_progress(plate.model, listen, &heard));
   CHECK_FAILS(plate.model, BEMPD_ERROR_CANCELLED, "cancel|stop",
               bempd_run_to_separation(plate.model, 100.0 * first_event, &report));

@@ -42,7 +42,7 @@ static void wrong_questions(bempd_model* model) {
   double values[2];
   int64_t count = 0;
   bempd_history_entry entry;
-  CHECK_OK(NULL, bempd_history_entry_init(&entry));
+  CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
   WRONG(bempd_node_count(model, 99, &count));
   WRONG(bempd_copy_field(model, 99, BEMPD_POSITION, 2, values));
   WRONG(bempd_reaction(model, 99, values));

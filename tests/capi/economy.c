@@ -3,7 +3,7 @@
 
 static bempd_statistics statistics_of(const bempd_model* model) {
   bempd_statistics statistics;
-  CHECK_OK(NULL, bempd_statistics_init(&statistics));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
   CHECK_OK(model, bempd_get_statistics(model, &statistics));
   return statistics;
 }

@@ -53,7 +53,7 @@ static void sizes_views_and_copies_agree(const coupled_plate* plate) {
   field_has_size(model, plate->right, BEMPD_TRACTION, elements[2] * 3, 2);
   CHECK(nodes[1] == 10 * 9 && elements[1] == 9 * 8);
   CHECK(elements[0] == 5 + 8 + 5 + 4 && elements[2] == 5 + 4 + 5 + 8);
-  CHECK_OK(NULL, bempd_statistics_init(&statistics));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
   CHECK_OK(model, bempd_get_statistics(model, &statistics));
   CHECK(statistics.material_points == nodes[1] && statistics.bonds == bonds);
   CHECK(statistics.boundary_nodes == nodes[0] + nodes[2]);
@@ -148,7 +148,7 @@ static void bonds_agree_with_counters_and_damage(const coupled_plate* plate) {
   }
   for (k = 0; k < points; ++k)
     if (all[k] > 0.0) largest_difference = fmax(largest_difference, fabs(damage[k] - lost[k] / all[k]));
-  CHECK_OK(NULL, bempd_statistics_init(&statistics));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
   CHECK_OK(model, bempd_get_statistics(model, &statistics));
   CHECK(cut > 0 && cut == statistics.cut_bonds && broken == statistics.broken_bonds);
   CHECK(ends_in_range == 2 * bonds && overstretched == 0);

@@ -89,7 +89,7 @@ static void piece_cut_off_by_a_crack_is_reported(void) {
   CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
   CHECK_OK(model, bempd_prescribe_edge(model, 1, 4, 0.0, 1.0, BEMPD_X, 1, NULL, &pull, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_Y, NULL));
-  CHECK_OK(NULL, bempd_step_report_init(&report));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(model, bempd_step(model, 1.0, &report));
   CHECK(report.fragments == 1 && report.broken_bonds == 0);
   CHECK_OK(model, bempd_evaluate(model, 2, places, displacement, NULL, NULL));

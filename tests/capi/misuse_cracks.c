@@ -56,7 +56,7 @@ static void cracks_from_the_edge_and_bent_cracks_are_accepted(void) {
   CHECK(crack == 2);
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_prepare(model));
-  CHECK_OK(model, bempd_statistics_init(&statistics));
+  CHECK_OK(model, bempd_statistics_init(&statistics, sizeof statistics));
   CHECK_OK(model, bempd_get_statistics(model, &statistics));
   CHECK(statistics.cut_bonds > 0 && statistics.cut_bonds < statistics.bonds);
   bempd_model_free(model);

@@ -67,9 +67,9 @@ static void null_model_is_refused_while_running(void) {
   double values[8] = {0};
   int32_t integers[8] = {0};
   int64_t count = 0;
-  CHECK_OK(NULL, bempd_step_report_init(&report));
-  CHECK_OK(NULL, bempd_statistics_init(&statistics));
-  CHECK_OK(NULL, bempd_history_entry_init(&entry));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
+  CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
   NO_MODEL(bempd_prepare(NULL));
   NO_MODEL(bempd_step(NULL, 1.0, &report));
   NO_MODEL(bempd_step_to_next_event(NULL, 1.0, &report));
@@ -104,10 +104,10 @@ static void null_structs_and_arrays_are_refused(void) {
   const bempd_material material = sound_material();
   uint8_t byte = 0;
   bempd_state* state = NULL;
-  NO_OUTPUT(NULL, bempd_material_init(NULL));
-  NO_OUTPUT(NULL, bempd_step_report_init(NULL));
-  NO_OUTPUT(NULL, bempd_statistics_init(NULL));
-  NO_OUTPUT(NULL, bempd_history_entry_init(NULL));
+  NO_OUTPUT(NULL, bempd_material_init(NULL, sizeof(bempd_material)));
+  NO_OUTPUT(NULL, bempd_step_report_init(NULL, sizeof(bempd_step_report)));
+  NO_OUTPUT(NULL, bempd_statistics_init(NULL, sizeof(bempd_statistics)));
+  NO_OUTPUT(NULL, bempd_history_entry_init(NULL, sizeof(bempd_history_entry)));
   NO_OUTPUT(NULL, bempd_option_count(NULL));
   NO_OUTPUT(NULL, bempd_option_describe(0, NULL));
   NO_OUTPUT(model, bempd_add_material(model, NULL, NULL));

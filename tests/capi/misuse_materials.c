@@ -16,7 +16,7 @@ static void add_good_material_first(bempd_model* model) { CHECK(add_sound_materi
 static void defaults_come_from_init(void) {
   bempd_material material;
   memset(&material, 0x5a, sizeof material);
-  CHECK_OK(NULL, bempd_material_init(&material));
+  CHECK_OK(NULL, bempd_material_init(&material, sizeof material));
   CHECK(material.struct_size == (int64_t)sizeof material);
   CHECK(material.thickness == 1.0 && material.critical_stretch == 0.0 && material.fracture_energy == 0.0);
   CHECK(material.plane == BEMPD_PLANE_STRESS && material.reserved == 0);

@@ -65,7 +65,7 @@ static void steps_go_to_finite_load_factors(void) {
   double load_factor = 7.0;
   int prepared;
   size_t k;
-  CHECK_OK(NULL, bempd_step_report_init(&report));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   for (prepared = 0; prepared < 2; ++prepared) {
     for (k = 0; k < sizeof nowhere / sizeof nowhere[0]; ++k) {
       CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "load factor|load_factor", bempd_step(model, nowhere[k], &report));
@@ -88,9 +88,9 @@ static void structs_that_come_back_say_their_size(void) {
   bempd_statistics statistics;
   bempd_history_entry entry;
   double load_factor = 7.0;
-  CHECK_OK(NULL, bempd_step_report_init(&report));
-  CHECK_OK(NULL, bempd_statistics_init(&statistics));
-  CHECK_OK(NULL, bempd_history_entry_init(&entry));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
+  CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
   CHECK(report.struct_size == (int64_t)sizeof report && statistics.struct_size == (int64_t)sizeof statistics);
   CHECK(entry.struct_size == (int64_t)sizeof entry);
   report.struct_size = 0;

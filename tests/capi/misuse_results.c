@@ -83,7 +83,7 @@ static void history_lines_exist(void) {
   bempd_model* model = plate.model;
   bempd_history_entry entry;
   int64_t count = 0;
-  CHECK_OK(NULL, bempd_history_entry_init(&entry));
+  CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index|history", bempd_history(model, 0, &entry));
   CHECK_OK(model, bempd_step(model, 0.1, NULL));
   CHECK_OK(model, bempd_history_count(model, &count));

@@ -78,7 +78,7 @@ static void history_follows_the_events(const coupled_plate* plate, const bempd_s
   int64_t k;
   int64_t events = 0;
   int64_t broken = 0;
-  CHECK_OK(NULL, bempd_history_entry_init(&entry));
+  CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
   CHECK_OK(plate->model, bempd_history_count(plate->model, &lines));
   for (k = 0; k < lines; ++k) {
     CHECK_OK(plate->model, bempd_history(plate->model, k, &entry));
@@ -99,7 +99,7 @@ static void run_ends_with_separation(double first_event) {
   const coupled_plate plate = coupled_plate_create();
   bempd_step_report report;
   double reaction[2] = {-7.0, -7.0};
-  CHECK_OK(NULL, bempd_step_report_init(&report));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(plate.model, bempd_step(plate.model, 1.4 * first_event, &report));
   CHECK(report.stop_reason == BEMPD_STOP_LOAD_FACTOR && report.events > 0);
   CHECK(report.load_factor == 1.4 * first_event);
@@ -125,7 +125,7 @@ static void body_that_cannot_break_has_no_further_event(void) {
   CHECK_OK(model, bempd_add_material(model, &material, NULL));
   add_pd_rectangle(model, 1, 0.0, 0.0, 10.0, 8.0, 1.0);
   hold_and_pull(model, traction);
-  CHECK_OK(NULL, bempd_step_report_init(&report));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(model, bempd_run_to_separation(model, 1e6, &report));
   CHECK(report.stop_reason == BEMPD_STOP_NO_FURTHER_EVENT && report.separated == 0 && report.total_events == 0);
   bempd_model_free(model);

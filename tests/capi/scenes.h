@@ -15,7 +15,7 @@ static inline bempd_model* new_model(void) {
 /** E = 1000, nu = 1/3, plane stress, critical stretch 1e-3. */
 static inline bempd_material sound_material(void) {
   bempd_material material;
-  CHECK_OK(NULL, bempd_material_init(&material));
+  CHECK_OK(NULL, bempd_material_init(&material, sizeof material));
   material.young_modulus = 1000.0;
   material.poisson_ratio = 1.0 / 3.0;
   material.critical_stretch = 1e-3;
@@ -132,7 +132,7 @@ static inline double coupled_plate_first_event(void) {
   const coupled_plate plate = coupled_plate_create();
   double load_factor = 0.0;
   bempd_step_report report;
-  CHECK_OK(plate.model, bempd_step_report_init(&report));
+  CHECK_OK(plate.model, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(plate.model, bempd_step_to_next_event(plate.model, 100.0, &report));
   CHECK(report.stop_reason == BEMPD_STOP_EVENT && report.events == 1 && report.broken_bonds > 0);
   CHECK_OK(plate.model, bempd_load_factor(plate.model, &load_factor));

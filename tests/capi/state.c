@@ -42,8 +42,8 @@ static void restoring_brings_back_history_and_counters(double first_event) {
   bempd_statistics before, after;
   int64_t lines_before = 0;
   int64_t lines_after = 0;
-  CHECK_OK(NULL, bempd_statistics_init(&before));
-  CHECK_OK(NULL, bempd_statistics_init(&after));
+  CHECK_OK(NULL, bempd_statistics_init(&before, sizeof before));
+  CHECK_OK(NULL, bempd_statistics_init(&after, sizeof after));
   CHECK_OK(plate.model, bempd_step(plate.model, 1.01 * first_event, NULL));
   CHECK_OK(plate.model, bempd_get_statistics(plate.model, &before));
   CHECK_OK(plate.model, bempd_history_count(plate.model, &lines_before));

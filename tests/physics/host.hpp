@@ -32,7 +32,7 @@ inline Outline rectangular_hole(double x0, double y0, double x1, double y1) {
 inline bempd_material material(double young, double poisson, int32_t plane = BEMPD_PLANE_STRESS, double thickness = 1,
                                double critical_stretch = 0) {
   bempd_material result;
-  bempd_material_init(&result);
+  bempd_material_init(&result, sizeof result);
   result.young_modulus = young;
   result.poisson_ratio = poisson;
   result.plane = plane;
@@ -232,7 +232,7 @@ class Model {
   }
   bempd_statistics statistics() const {
     bempd_statistics result;
-    bempd_statistics_init(&result);
+    bempd_statistics_init(&result, sizeof result);
     check(bempd_get_statistics(get(), &result));
     return result;
   }
@@ -258,7 +258,7 @@ class Model {
   static const double* data(const Outline& outline) { return outline.data()->data(); }
   static bempd_step_report empty_report() {
     bempd_step_report report;
-    bempd_step_report_init(&report);
+    bempd_step_report_init(&report, sizeof report);
     return report;
   }
   static int32_t call(double x, double y, double*, double* proportional, void* user) {
