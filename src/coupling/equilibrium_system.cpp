@@ -187,7 +187,8 @@ bool EquilibriumSystem::resists_all_motions() const {
   return !has_factor_ || (factor_is_current_ && factor_->smallest_pivot_ratio() > suspicious_pivot_ratio);
 }
 
-SoftMotion EquilibriumSystem::softest_motion() const {
+SoftMotion EquilibriumSystem::softest_motion() {
+  condense();
   // Inverse iteration with a shift that makes a singular matrix factorizable without hiding its null space.
   const Eigen::SparseMatrix<double> matrix = assemble_lower();
   const double largest = matrix.diagonal().maxCoeff();

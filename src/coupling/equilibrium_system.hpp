@@ -71,7 +71,7 @@ class EquilibriumSystem {
   bool resists_all_motions() const;
 
   // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
-  SoftMotion softest_motion() const;
+  SoftMotion softest_motion();
 
   // Nodal forces of operators and bonds (not of holding springs) under a displacement.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement) const;

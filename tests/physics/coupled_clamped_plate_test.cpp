@@ -38,22 +38,22 @@ void expect_references(Tip tip) {
 
 int32_t plate(Model& model, double end, double grading) {
   const int32_t region = model.bem(model.add(material(100e9, 1.0 / 3)), rectangle(0, 0, end, 0.2), 0.05);
-  model.mesh(region, 1, end / 24, grading);
-  model.mesh(region, 3, end / 24, grading);
-  model.mesh(region, 4, 0.2 / 16, grading);
+  model.mesh(region, 1, end / 32, grading);
+  model.mesh(region, 3, end / 32, grading);
+  model.mesh(region, 4, 0.2 / 32, grading);
   model.fix(region, 4, BEMPD_BOTH);
   return region;
 }
 
 TEST(ClampedPlate, boundary_elements_reach_the_reference) {
   Model model;
-  const int32_t region = plate(model, 1, 2);
+  const int32_t region = plate(model, 1, 1.2);
   expect_references(solve(model, region));
 }
 
 TEST(ClampedPlate, boundary_elements_and_peridynamics_reach_the_reference) {
   Model model;
-  plate(model, 0.5, 2);
+  plate(model, 0.5, 1.2);
   const int32_t right = model.pd(1, rectangle(0.5, 0, 1, 0.2), 0.005, 4);
   expect_references(solve(model, right));
 }

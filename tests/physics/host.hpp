@@ -241,7 +241,7 @@ class Model {
     check(bempd_history_count(get(), &entries));
     std::vector<bempd_history_entry> lines(static_cast<std::size_t>(entries));
     for (int64_t i = 0; i < entries; ++i) {
-      bempd_history_entry_init(&lines[static_cast<std::size_t>(i)]);
+      bempd_history_entry_init(&lines[static_cast<std::size_t>(i)], sizeof(bempd_history_entry));
       check(bempd_history(get(), i, &lines[static_cast<std::size_t>(i)]));
     }
     return lines;
