@@ -82,8 +82,11 @@ class Stage:
     snapshot: Snapshot
 
 
-def crack_stages(snapshots, end_title="End of growth"):
-    """First damage, half of the final damage, and the end of growth; fewer if these coincide."""
+def crack_stages(snapshots, end_title="End of growth", first_break=None):
+    """First damage, half of the final damage, and the end of growth; fewer if these coincide.
+
+    first_break: load factor of the first break, where known; else the first snapshot with more damage than the first.
+    """
     if not snapshots:
         return []
     total = np.array([snapshot.damage().sum() for snapshot in snapshots])
@@ -91,6 +94,8 @@ def crack_stages(snapshots, end_title="End of growth"):
     if grown[-1] <= 0:
         return [Stage("No damage", snapshots[-1])]
     first = int(np.argmax(grown > 0))
+    if first_break is not None:
+        first = int(np.argmax([snapshot.load_factor >= first_break * (1 - 1e-9) for snapshot in snapshots]))
     last = int(np.argmax(grown >= grown[-1] * (1 - 1e-9)))
     half = first + int(np.argmin(np.abs(grown[first : last + 1] - 0.5 * (grown[first] + grown[last]))))
     titles = {}
@@ -230,7 +235,7 @@ def draw_load_displacement(axes, history, reaction, displacement, displacement_l
         for row, text, marker in ((rows[0], "first break", "o"), (rows[1], end, "s")):
             at = (imposed[row] * to_length, load[row] * to_force)
             axes.plot(*at, marker, color=MARK, markersize=5, zorder=3, clip_on=False,
-                      label=f"{text}: {at[0]:.3g} {length_unit}, {max(at[1], 0):.3g} {force_unit}")
+                      label=f"{text}: {at[0]:.3g} {length_unit}, {0 if at[1] < 1e-6 * y.max() else at[1]:.3g} {force_unit}")
         axes.legend(loc="upper left", handletextpad=0.3, borderaxespad=0.3)
     axes.set_xlabel(f"{displacement_label} [{length_unit}]")
     axes.set_ylabel(f"reaction [{force_unit}]")
@@ -249,7 +254,9 @@ def fracture_figure(folder, name, *, reaction, displacement, displacement_label,
     folder = pathlib.Path(folder)
     history = read_history(folder / "history.csv")
     end_title = "Complete" if is_separated(history, reaction) else "End of growth"
-    stages = crack_stages(read_series(folder / f"{name}.pvd"), end_title)
+    rows = growth_rows(history)
+    first_break = history["load_factor"][rows[0]] if rows else None
+    stages = crack_stages(read_series(folder / f"{name}.pvd"), end_title, first_break)
     if not stages:
         raise SystemExit(f"{folder / name}.pvd lists no snapshots")
     magnification = magnification or round_magnification([stage.snapshot for stage in stages])

@@ -35,7 +35,7 @@ done
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ libeigen3-dev libsuitesparse-dev libopenblas-dev \
-  python3 python3-numpy python3-matplotlib
+  python3 python3-numpy python3-matplotlib python3-meshio
 
 cmake --preset release -Wno-dev >/dev/null
 cmake --build --preset release -j "$(nproc)" --target "${targets[@]}"
