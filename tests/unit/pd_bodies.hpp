@@ -85,13 +85,16 @@ inline Eigen::SparseMatrix<double> stiffness_matrix(const CellLattice& lattice, 
 // Solves K u = f with three displacement components fixed at given values, which prevent rigid motions.
 inline Eigen::VectorXd solve_pinned(Eigen::SparseMatrix<double> matrix, Eigen::VectorXd forces,
                                     const CellLattice& lattice, const Eigen::VectorXd& known) {
+  // The third component holds the rotation with the longest lever: the far end of the lower or of the left face.
   const Vector2i p = lattice.point(0);
-  int far = 0;
+  int right = 0, top = 0;
   for (int i = 0; i < lattice.point_count(); ++i) {
-    if (lattice.point(i).y() == p.y() && lattice.point(i).x() > lattice.point(far).x()) far = i;
+    if (lattice.point(i).y() == p.y() && lattice.point(i).x() > lattice.point(right).x()) right = i;
+    if (lattice.point(i).x() == p.x() && lattice.point(i).y() > lattice.point(top).y()) top = i;
   }
+  const bool wide = (lattice.point(right) - p).x() >= (lattice.point(top) - p).y();
   std::vector<char> fixed(forces.size(), 0);
-  fixed[0] = fixed[1] = fixed[2 * far + 1] = 1;
+  fixed[0] = fixed[1] = fixed[wide ? 2 * right + 1 : 2 * top] = 1;
   Eigen::VectorXd given = Eigen::VectorXd::Zero(forces.size());
   for (Eigen::Index d = 0; d < forces.size(); ++d) given[d] = fixed[d] ? known[d] : 0;
   forces -= matrix * given;
