@@ -55,7 +55,7 @@ class SparseSolver final : public MinimumNormSolver {
     for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
     Sparse identity(normal.rows(), normal.cols());
     identity.setIdentity();
-    normal += 1e-10 * std::max(largest, 1e-300) * identity;
+    normal += 1e-12 * std::max(largest, 1e-300) * identity;
     factor_.compute(normal);
   }
 
@@ -92,6 +92,9 @@ class SparseSolver final : public MinimumNormSolver {
   Eigen::SimplicialLDLT<Sparse> factor_;
 };
 
+// Residual that no further round can improve, for stiffnesses and equations of order one.
+constexpr double rounding = 5e-16;
+
 double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
 struct Candidate {
@@ -117,7 +120,7 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   }
   VectorXd missing = problem.target - problem.constraints * c.stiffness;
   c.residual = largest(missing);
-  for (int round = 0; round < 30 && c.residual > 1e-16; ++round) {
+  for (int round = 0; round < 30 && c.residual > rounding; ++round) {
     const MinimumNormSolver::Step step = solver->solve(missing, steps);
     const VectorXd next = c.stiffness + free_scale.cwiseProduct(step.change);
     missing = problem.target - problem.constraints * next;

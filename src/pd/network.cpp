@@ -48,6 +48,7 @@ double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const 
 }
 
 // Ratio of a bond's stiffness to the bulk stiffness from the faces that are closest to it in the two directions.
+// Changes add up, because the moment equations are linear: that leaves the least for the corners to do.
 double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, const Vector2i& from,
                       const Vector2i& step) {
   const int a = std::abs(step.x()), b = step.y();
@@ -57,7 +58,7 @@ double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, 
   const int above = std::max(0, std::min<int>(upper.above, lower.above - b));
   const int before = std::max(0, std::min<int>(left.left, right.left - a));
   const int behind = std::max(0, std::min<int>(right.right, left.right - a));
-  return templates.ratio(below, above, a, b) * templates.ratio(before, behind, b, a);
+  return templates.ratio(below, above, a, b) + (templates.ratio(before, behind, b, a) - 1);
 }
 
 void append(DraftBonds& bonds, int first, int second, std::size_t offset, double stiffness, bool adjustable) {

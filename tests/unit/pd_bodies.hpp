@@ -82,30 +82,45 @@ inline Eigen::SparseMatrix<double> stiffness_matrix(const CellLattice& lattice, 
   return matrix;
 }
 
+// f - K u, bond by bond and in extended precision: slender bodies magnify the rounding of an assembled matrix.
+inline Eigen::VectorXd unbalanced_forces(const CellLattice& lattice, const Network& network,
+                                         const Eigen::VectorXd& forces, const Eigen::VectorXd& u) {
+  Eigen::Matrix<long double, Eigen::Dynamic, 1> rest = forces.cast<long double>();
+  for (const Bond& bond : network.bonds) {
+    const Eigen::Matrix<long double, 2, 1> step =
+        (lattice.point(bond.second) - lattice.point(bond.first)).cast<long double>();
+    const Eigen::Matrix<long double, 2, 1> difference =
+        u.segment<2>(2 * bond.second).cast<long double>() - u.segment<2>(2 * bond.first).cast<long double>();
+    const Eigen::Matrix<long double, 2, 1> force = bond.stiffness * step.dot(difference) / step.squaredNorm() * step;
+    rest.segment<2>(2 * bond.first) += force;
+    rest.segment<2>(2 * bond.second) -= force;
+  }
+  return rest.cast<double>();
+}
+
 // Solves K u = f with three displacement components fixed at given values, which prevent rigid motions.
-inline Eigen::VectorXd solve_pinned(Eigen::SparseMatrix<double> matrix, Eigen::VectorXd forces,
-                                    const CellLattice& lattice, const Eigen::VectorXd& known) {
+inline Eigen::VectorXd solve_pinned(const CellLattice& lattice, const Network& network, const Eigen::VectorXd& forces,
+                                    const Eigen::VectorXd& known) {
+  // The third component holds the rotation with the longest lever: the far end of the lower or of the left face.
   const Vector2i p = lattice.point(0);
-  int far = 0;
+  int right = 0, top = 0;
   for (int i = 0; i < lattice.point_count(); ++i) {
-    if (lattice.point(i).y() == p.y() && lattice.point(i).x() > lattice.point(far).x()) far = i;
+    if (lattice.point(i).y() == p.y() && lattice.point(i).x() > lattice.point(right).x()) right = i;
+    if (lattice.point(i).x() == p.x() && lattice.point(i).y() > lattice.point(top).y()) top = i;
   }
+  const bool wide = (lattice.point(right) - p).x() >= (lattice.point(top) - p).y();
   std::vector<char> fixed(forces.size(), 0);
-  fixed[0] = fixed[1] = fixed[2 * far + 1] = 1;
-  Eigen::VectorXd given = Eigen::VectorXd::Zero(forces.size());
-  for (Eigen::Index d = 0; d < forces.size(); ++d) given[d] = fixed[d] ? known[d] : 0;
-  forces -= matrix * given;
-  const double unit = matrix.coeff(0, 0);
-  for (Eigen::Index d = 0; d < forces.size(); ++d) {
-    if (fixed[d]) forces[d] = unit * known[d];
-  }
+  fixed[0] = fixed[1] = fixed[wide ? 2 * right + 1 : 2 * top] = 1;
+  Eigen::SparseMatrix<double> matrix = stiffness_matrix(lattice, network);
   matrix.prune([&](Eigen::Index r, Eigen::Index c, double) { return r == c || (!fixed[r] && !fixed[c]); });
-  for (Eigen::Index d = 0; d < forces.size(); ++d) {
-    if (fixed[d]) matrix.coeffRef(d, d) = unit;
-  }
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-  Eigen::VectorXd u = factor.solve(forces);
-  u += factor.solve(forces - matrix * u);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(forces.size());
+  for (Eigen::Index d = 0; d < u.size(); ++d) u[d] = fixed[d] ? known[d] : 0;
+  for (int round = 0; round < 4; ++round) {
+    Eigen::VectorXd rest = unbalanced_forces(lattice, network, forces, u);
+    for (Eigen::Index d = 0; d < u.size(); ++d) rest[d] = fixed[d] ? 0 : rest[d];
+    u += factor.solve(rest);
+  }
   return u;
 }
 
