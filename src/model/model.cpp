@@ -105,26 +105,23 @@ void Model::reload() {
   ++generation_;
 }
 
-void Model::set_load_values(int load, SampledValues values) {
-  Condition before = scene_.load(load);
-  scene_.set_values(scene_.load(load), "load", load, std::move(values));
+void Model::set_values(Condition& condition, const char* what, int id, SampledValues values) {
+  Condition before = condition;
+  scene_.set_values(condition, what, id, std::move(values));
   try {
     reload();
   } catch (...) {
-    scene_.load(load) = std::move(before);
+    condition = std::move(before);
     throw;
   }
 }
 
+void Model::set_load_values(int load, SampledValues values) {
+  set_values(scene_.load(load), "load", load, std::move(values));
+}
+
 void Model::set_support_values(int support, SampledValues values) {
-  Condition before = scene_.support(support);
-  scene_.set_values(scene_.support(support), "support", support, std::move(values));
-  try {
-    reload();
-  } catch (...) {
-    scene_.support(support) = std::move(before);
-    throw;
-  }
+  set_values(scene_.support(support), "support", support, std::move(values));
 }
 
 StepResult Model::advance(double target, fracture::Goal goal) {

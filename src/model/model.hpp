@@ -112,6 +112,7 @@ class Model {
   void write_history(const std::string& path) const;
 
  private:
+  void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void ensure_equilibrium();
   void reload();
   void check_mechanism(const PreparedScene& prepared) const;
