@@ -166,7 +166,7 @@ void CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std:
       if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
       free_motion = true;
     }
-    if (!free_motion && system_.resists_all_motions()) return;
+    if (!free_motion && system_.resists_all_motions(bonds)) return;
     const coupling::SoftMotion soft = system_.softest_motion();
     if (!free_motion && soft.resistance > free_motion_resistance) return;
     if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");
