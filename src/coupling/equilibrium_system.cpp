@@ -20,6 +20,9 @@ constexpr int most_iterations = 40;
 // Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
 constexpr double suspicious_pivot_ratio = 1e-10;
 
+// So is the answer of a broken bond to a pull of its own, relative to what it would have been on its own.
+constexpr double suspicious_response = 1e8;
+
 }  // namespace
 
 EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
@@ -69,6 +72,7 @@ void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
 void EquilibriumSystem::condense() {
   if (condensed_) return;
   const Stopwatch watch(counters_.seconds_assembly);
+  operators_.clear();  // what an attempt that failed has left
   operators_.reserve(pending_.size());
   for (DenseOperator& op : pending_) {
     operators_.emplace_back(op, kind_);
@@ -87,18 +91,31 @@ void EquilibriumSystem::condense_load() {
 
 Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(10 * bonds_.size());
+  entries.reserve(4 * bonds_.size() + 3 * static_cast<std::size_t>(node_count_));
   const auto add = [&](int row_dof, int column_dof, double value) {
     const int row = unknown_of_[row_dof], column = unknown_of_[column_dof];
     if (row >= 0 && column >= 0 && row >= column) entries.emplace_back(row, column, value);
   };
+  // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
+  Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, node_count_);  // xx, xy, yy
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    const int dof[4] = {2 * bonds_.first[b], 2 * bonds_.first[b] + 1, 2 * bonds_.second[b], 2 * bonds_.second[b] + 1};
-    const double d[4] = {-bonds_.cosine[b], -bonds_.sine[b], bonds_.cosine[b], bonds_.sine[b]};
+    const int first = 2 * bonds_.first[b], second = 2 * bonds_.second[b];
+    const double c = bonds_.cosine[b], s = bonds_.sine[b];
+    const Eigen::Vector3d block = active_stiffness_[b] * Eigen::Vector3d(c * c, c * s, s * s);
+    diagonal.col(bonds_.first[b]) += block;
+    diagonal.col(bonds_.second[b]) += block;
     // Broken bonds stay as explicit zeros, so that the pattern and its analysis do not change.
-    for (int r = 0; r < 4; ++r) {
-      for (int c = 0; c < 4; ++c) add(dof[r], dof[c], active_stiffness_[b] * d[r] * d[c]);
+    for (int r = 0; r < 2; ++r) {
+      for (int k = 0; k < 2; ++k) {
+        add(first + r, second + k, -block[r + k]);
+        add(second + k, first + r, -block[r + k]);
+      }
     }
+  }
+  for (int node = 0; node < node_count_; ++node) {
+    add(2 * node, 2 * node, diagonal(0, node));
+    add(2 * node + 1, 2 * node, diagonal(1, node));
+    add(2 * node + 1, 2 * node + 1, diagonal(2, node));
   }
   for (const CondensedOperator& op : operators_) {
     const auto& dofs = op.shared_dofs();
@@ -183,8 +200,33 @@ void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const
   change_factor(entries, column, linalg::Change::remove);
 }
 
-bool EquilibriumSystem::resists_all_motions() const {
-  return !has_factor_ || (factor_is_current_ && factor_->smallest_pivot_ratio() > suspicious_pivot_ratio);
+bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
+  const auto pivots_are_sound = [&] { return factor_->smallest_pivot_ratio() > suspicious_pivot_ratio; };
+  if (!has_factor_) return true;
+  if (factor_is_current_) return pivots_are_sound();
+  // A stale factor knows nothing of the break. A motion that one bond alone resisted runs away under the load that
+  // broke it; what several resisted together shows under uneven pulls along them.
+  if (broken.size() < 2) return true;
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    const int first = 2 * bonds_.first[broken[i]], second = 2 * bonds_.second[broken[i]];
+    const Eigen::Vector2d along =
+        std::sin(1.0 + static_cast<double>(i)) * Eigen::Vector2d(bonds_.cosine[broken[i]], bonds_.sine[broken[i]]);
+    pull.segment<2>(first) -= along;
+    pull.segment<2>(second) += along;
+  }
+  Eigen::VectorXd response = Eigen::VectorXd::Zero(2 * node_count_);
+  try {
+    response(dof_of_) = solve_column(pull(dof_of_));
+  } catch (const Error&) {
+    return false;
+  }
+  if (factor_is_current_) return pivots_are_sound();
+  for (int b : broken) {
+    const double elongation = bonds_.elongation(static_cast<std::size_t>(b), response.data());
+    if (!(std::abs(elongation) * bonds_.stiffness[b] < suspicious_response)) return false;
+  }
+  return true;
 }
 
 SoftMotion EquilibriumSystem::softest_motion() {
@@ -209,11 +251,11 @@ SoftMotion EquilibriumSystem::softest_motion() {
 }
 
 void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
-  condense();  // internal forces of a restored displacement are asked for without a solution
   intact_ = std::move(intact);
   springs_ = std::move(springs);
   for (std::size_t b = 0; b < bonds_.size(); ++b) active_stiffness_[b] = intact_[b] ? bonds_.stiffness[b] : 0.0;
   forget_factor();
+  condense();  // internal forces of a restored displacement are asked for without a solution
 }
 
 void EquilibriumSystem::forget_factor() { has_factor_ = false; }

@@ -67,8 +67,9 @@ class EquilibriumSystem {
   // Throws Error (unsolvable) if something can move freely.
   Affine solve();
 
-  // False if the factor shows that some motion may have lost its resistance; softest_motion() tells.
-  bool resists_all_motions() const;
+  // False if some motion may have lost its resistance with these bonds, without showing in their elongations under the
+  // present load; softest_motion() tells.
+  bool resists_all_motions(std::span<const int> broken);
 
   // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
   SoftMotion softest_motion();

@@ -64,25 +64,23 @@ double RigidMotion::work(int motion, const std::vector<Point>& positions, const 
 }
 
 std::vector<HeldDirection> RigidMotion::missing_supports(const std::vector<Point>& positions,
-                                                         const std::vector<int>& nodes) const {
+                                                         const std::vector<HeldDirection>& candidates) const {
   std::vector<HeldDirection> supports;
   Eigen::MatrixXd remaining = free_;
   while (remaining.cols() > 0) {
-    HeldDirection best{nodes.front(), 1, 0};
-    double largest = -1;
-    for (int node : nodes) {
-      for (int component = 0; component < 2; ++component) {
-        const double c = component == 0 ? 1 : 0, s = 1 - c;
-        const double size = (row(positions[node], c, s) * remaining).norm();
-        if (size > largest * (1 + 1e-12)) {
-          largest = size;
-          best = {node, c, s};
-        }
+    const HeldDirection* best = nullptr;
+    double largest = std::sqrt(rank_tolerance);
+    for (const HeldDirection& h : candidates) {
+      const double size = (row(positions[h.node], h.cosine, h.sine) * remaining).norm();
+      if (size > largest * (1 + 1e-12)) {
+        largest = size;
+        best = &h;
       }
     }
-    supports.push_back(best);
+    if (!best) break;
+    supports.push_back(*best);
     // Take the motion now held out of the remaining ones.
-    const Eigen::RowVectorXd held = row(positions[best.node], best.cosine, best.sine) * remaining;
+    const Eigen::RowVectorXd held = row(positions[best->node], best->cosine, best->sine) * remaining;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);
     remaining = (remaining * svd.matrixV().rightCols(remaining.cols() - 1)).eval();
   }

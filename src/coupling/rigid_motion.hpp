@@ -28,8 +28,9 @@ class RigidMotion {
   double work(int motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
               const Eigen::Ref<const Eigen::VectorXd>& forces) const;
 
-  // Directions to hold, one per free motion, each where that motion is largest.
-  std::vector<HeldDirection> missing_supports(const std::vector<Point>& positions, const std::vector<int>& nodes) const;
+  // Candidates to hold, one per free motion that they can hold, each where that motion is largest.
+  std::vector<HeldDirection> missing_supports(const std::vector<Point>& positions,
+                                              const std::vector<HeldDirection>& candidates) const;
 
   // "move along x and rotate"
   std::string describe() const;

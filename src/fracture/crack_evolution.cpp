@@ -47,6 +47,7 @@ void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
   force_ = force;
   prescribed_ = prescribed;
   state_.in_equilibrium = false;
+  state_.first_unit_energy = -1;
   apply_load();
 }
 
@@ -65,22 +66,30 @@ void CrackEvolution::drop_loads(const std::vector<int>& nodes) {
 
 void CrackEvolution::find_equilibrium() {
   if (state_.in_equilibrium) return;
-  if (state_.first_unit_energy < 0) hold_pieces_cut_off_by_initial_cracks();
-  state_.displacement = system_.solve();
-  {
-    const Stopwatch watch(seconds_search_);
-    ratios_.update(state_.displacement);
+  EvolutionState start = without_history();
+  try {
+    hold_free_parts();
+    state_.displacement = system_.solve();
+    {
+      const Stopwatch watch(seconds_search_);
+      ratios_.update(state_.displacement);
+    }
+    state_.work += absorb(state_.load_factor);
+    if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
+    state_.in_equilibrium = true;
+  } catch (...) {
+    start.history = std::move(state_.history);
+    start.reactions = std::move(state_.reactions);
+    restore(std::move(start));
+    throw;
   }
-  state_.work += absorb(state_.load_factor);
-  state_.in_equilibrium = true;
-  if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
 }
 
-void CrackEvolution::hold_pieces_cut_off_by_initial_cracks() {
+void CrackEvolution::hold_free_parts() {
   const FreedParts freed = freed_parts_.all_pieces(state_.total_displacement);
   system_.commit_break({}, freed.springs);
   if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
-  state_.fragments = freed.fragments;
+  state_.fragments += freed.fragments;
   state_.springs = system_.springs();
 }
 
@@ -157,7 +166,7 @@ void CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std:
       if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
       free_motion = true;
     }
-    if (!free_motion && system_.resists_all_motions()) return;
+    if (!free_motion && system_.resists_all_motions(bonds)) return;
     const coupling::SoftMotion soft = system_.softest_motion();
     if (!free_motion && soft.resistance > free_motion_resistance) return;
     if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");

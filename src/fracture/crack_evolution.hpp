@@ -50,7 +50,7 @@ class CrackEvolution {
   double seconds_search() const { return seconds_search_; }
 
  private:
-  void hold_pieces_cut_off_by_initial_cracks();
+  void hold_free_parts();  // those that initial cracks cut off, and those that new loads push
   EvolutionState without_history();
   void move_to(double load_factor);
   void perform_event(double load_factor, const SteppingOptions& options);

@@ -30,7 +30,7 @@ struct EvolutionState {
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
   std::int64_t fragments = 0;
-  double first_unit_energy = -1;  // energy of the proportional load alone in the undamaged scene; < 0: not known yet
+  double first_unit_energy = -1;  // energy of the proportional load alone when it was given; < 0: not known yet
   double released_energy = 0;
   double work = 0;
   double largest_work = 0;

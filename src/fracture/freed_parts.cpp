@@ -20,13 +20,6 @@ constexpr double collinearity_tolerance = 1e-10;
 // Forces whose work on a free motion is a smaller share of their size are in equilibrium without support.
 constexpr double balance_tolerance = 1e-9;
 
-void append(FreedParts& found, FreedParts&& more) {
-  found.springs.insert(found.springs.end(), more.springs.begin(), more.springs.end());
-  found.nodes_with_lost_loads.insert(found.nodes_with_lost_loads.end(), more.nodes_with_lost_loads.begin(),
-                                     more.nodes_with_lost_loads.end());
-  found.fragments += more.fragments;
-}
-
 }  // namespace
 
 FreedPartFinder::FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
@@ -75,59 +68,62 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
   if (resistance.isZero(0)) return;  // a piece of its own
   if (system_.is_prescribed(2 * node)) add(1, 0, spring_stiffness_);
   if (system_.is_prescribed(2 * node + 1)) add(0, 1, spring_stiffness_);
-  for (const HoldingSpring& s : system_.springs()) {
-    if (s.node == node) add(s.cosine, s.sine, s.stiffness);
-  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(resistance);
-  if (eigen.eigenvalues()[0] > collinearity_tolerance * eigen.eigenvalues()[1]) return;
+  const double limit = collinearity_tolerance * eigen.eigenvalues()[1];
+  if (eigen.eigenvalues()[0] > limit) return;
   const Eigen::Vector2d weak = eigen.eigenvectors().col(0);
-  found.springs.push_back(spring(node, weak.x(), weak.y(), displacement));
   const Eigen::RowVector2d push = weak.transpose() * system_.force().middleRows<2>(2 * node);
   if (push.norm() > balance_tolerance * system_.force().middleRows<2>(2 * node).norm()) {
     found.nodes_with_lost_loads.push_back(node);
   }
+  double held = 0;
+  for (const HoldingSpring& s : system_.springs()) {
+    if (s.node == node) held += s.stiffness * std::pow(s.cosine * weak.x() + s.sine * weak.y(), 2);
+  }
+  if (held <= limit) found.springs.push_back(spring(node, weak.x(), weak.y(), displacement));
 }
 
-void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
-                                 FreedParts& found) const {
-  std::vector<HeldDirection> held;
-  std::vector<int> holdable;
-  bool supported = false;
-  for (int node : nodes) {
-    for (int component = 0; component < 2; ++component) {
-      if (!system_.is_prescribed(2 * node + component)) continue;
-      held.push_back({node, component == 0 ? 1.0 : 0.0, component == 1 ? 1.0 : 0.0});
-      supported = true;
-    }
-    if (system_.is_unknown(2 * node) && system_.is_unknown(2 * node + 1)) holdable.push_back(node);
-  }
-  std::vector<char> member(system_.node_count(), 0);
-  for (int node : nodes) member[node] = 1;
-  for (const HoldingSpring& s : system_.springs()) {
-    if (member[s.node]) held.push_back({s.node, s.cosine, s.sine});
-  }
-  for (const HoldingSpring& s : found.springs) {
-    if (member[s.node]) held.push_back({s.node, s.cosine, s.sine});
-  }
-  const RigidMotion motion(positions_, nodes, held);
-  if (motion.free_count() == 0 || holdable.empty()) return;
-
-  FreedParts piece;
-  for (const HeldDirection& h : motion.missing_supports(positions_, holdable)) {
-    piece.springs.push_back(spring(h.node, h.cosine, h.sine, displacement));
-  }
-  piece.fragments = supported ? 0 : 1;
-  bool pushed = false;
+// Forces that have no equilibrium on a piece that can move.
+bool FreedPartFinder::is_pushed(const RigidMotion& motion, const std::vector<int>& nodes) const {
   for (int column = 0; column < 2; ++column) {
     const auto force = system_.force().col(column);
     double size = 0;
     for (int node : nodes) size += force.segment<2>(2 * node).norm();
     for (int k = 0; k < motion.free_count(); ++k) {
-      pushed = pushed || std::abs(motion.work(k, positions_, nodes, force)) > balance_tolerance * size;
+      if (std::abs(motion.work(k, positions_, nodes, force)) > balance_tolerance * size) return true;
     }
   }
-  if (pushed) piece.nodes_with_lost_loads = nodes;
-  append(found, std::move(piece));
+  return false;
+}
+
+void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
+                                 FreedParts& found) const {
+  std::vector<HeldDirection> held, holdable;
+  for (int node : nodes) {
+    for (int component = 0; component < 2; ++component) {
+      const HeldDirection direction{node, component == 0 ? 1.0 : 0.0, component == 1 ? 1.0 : 0.0};
+      if (system_.is_prescribed(2 * node + component)) held.push_back(direction);
+      if (system_.is_unknown(2 * node + component)) holdable.push_back(direction);
+    }
+  }
+  // Springs must not carry loads, whether the loads were there before the springs or not.
+  const RigidMotion unsupported(positions_, nodes, held);
+  if (unsupported.free_count() == 0) return;
+  if (is_pushed(unsupported, nodes)) {
+    found.nodes_with_lost_loads.insert(found.nodes_with_lost_loads.end(), nodes.begin(), nodes.end());
+  }
+  const bool supported = !held.empty();
+  const auto add = [&](const std::vector<HoldingSpring>& springs) {
+    for (const HoldingSpring& s : springs) {
+      if (std::binary_search(nodes.begin(), nodes.end(), s.node)) held.push_back({s.node, s.cosine, s.sine});
+    }
+  };
+  add(system_.springs());
+  add(found.springs);
+  const RigidMotion motion(positions_, nodes, held);
+  const std::vector<HeldDirection> missing = motion.missing_supports(positions_, holdable);
+  for (const HeldDirection& h : missing) found.springs.push_back(spring(h.node, h.cosine, h.sine, displacement));
+  if (!missing.empty() && !supported) ++found.fragments;
 }
 
 HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const {

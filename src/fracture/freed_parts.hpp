@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "coupling/rigid_motion.hpp"
 #include "fracture/connectivity.hpp"
 #include "geometry/point.hpp"
 
@@ -22,7 +23,8 @@ class FreedPartFinder {
  public:
   FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  // Pieces of the scene as it is; `displacement` anchors the springs.
+  // All parts of the scene as it is under its present loads, also those that springs hold already; `displacement`
+  // anchors new springs.
   FreedParts all_pieces(const Eigen::VectorXd& displacement) const;
 
   // After these bonds were taken out of the system's intact bonds.
@@ -34,6 +36,7 @@ class FreedPartFinder {
  private:
   void hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const;
   void hold_piece(const std::vector<int>& nodes, const Eigen::VectorXd& displacement, FreedParts& found) const;
+  bool is_pushed(const coupling::RigidMotion& motion, const std::vector<int>& nodes) const;
   coupling::HoldingSpring spring(int node, double cosine, double sine, const Eigen::VectorXd& displacement) const;
 
   const coupling::EquilibriumSystem& system_;

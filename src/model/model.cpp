@@ -125,6 +125,7 @@ void Model::set_support_values(int support, SampledValues values) {
 }
 
 StepResult Model::advance(double target, fracture::Goal goal) {
+  cancel_requested_ = false;
   prepare();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   const fracture::SteppingOptions stepping{options_.number("stepping.tie_band"),
@@ -134,7 +135,6 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
   const std::int64_t events = evolution.state().events, broken = evolution.state().broken_bonds;
   const std::int64_t fragments = evolution.state().fragments;
-  cancel_requested_ = false;
   StepResult result;
   {
     const Stopwatch watch(result.seconds_total);

@@ -215,7 +215,10 @@ void Model::restore(const SavedState& state) {
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
   fracture::EvolutionState copy = state.evolution;
   // Loads given new values since the state was saved act on it from the next step on.
-  if (state.load_fingerprint != load_fingerprint()) copy.in_equilibrium = false;
+  if (state.load_fingerprint != load_fingerprint()) {
+    copy.in_equilibrium = false;
+    copy.first_unit_energy = -1;
+  }
   prepared_->evolution->restore(std::move(copy));
   ++generation_;
 }

@@ -154,7 +154,9 @@ TEST(RigidMotion, missing_supports_complete_the_given_ones) {
   std::vector<HeldDirection> held{{0, 1, 0}};
   const RigidMotion motion(square, corners, held);
   EXPECT_EQ(motion.free_count(), 2);
-  for (const HeldDirection& h : motion.missing_supports(square, corners)) held.push_back(h);
+  std::vector<HeldDirection> candidates;
+  for (int node : corners) candidates.insert(candidates.end(), {{node, 1, 0}, {node, 0, 1}});
+  for (const HeldDirection& h : motion.missing_supports(square, candidates)) held.push_back(h);
   EXPECT_EQ(held.size(), 3u);
   EXPECT_EQ(RigidMotion(square, corners, held).free_count(), 0);
 }
