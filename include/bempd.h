@@ -376,7 +376,7 @@ typedef struct bempd_step_report {
   int64_t broken_bonds;        /**< bonds broken in this step */
   int64_t total_events;        /**< events since the beginning */
   int64_t total_broken_bonds;  /**< bonds broken since the beginning, without those cut by initial cracks */
-  int64_t fragments;           /**< pieces of peridynamic regions that have come free of all supports */
+  int64_t fragments;           /**< pieces come free of all supports, or loaded ones that swing on a hinge */
   double load_factor;          /**< load factor reached [-] */
   double stored_energy;        /**< elastic energy at the end [J] */
   double released_energy;      /**< energy released by breaking bonds since the beginning [J] */

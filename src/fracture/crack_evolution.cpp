@@ -24,6 +24,9 @@ constexpr int most_holds_per_event = 16;
 // Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
+// Nodes that a free motion moves by less than this share of its largest displacement stay where they are.
+constexpr double moved_share = 1e-6;
+
 }  // namespace
 
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
@@ -151,8 +154,28 @@ Eigen::Vector2d CrackEvolution::reaction(std::size_t support) const {
   return sum;
 }
 
-void CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
+bool CrackEvolution::drop_loads_that_push(const Eigen::VectorXd& motion) {
+  std::vector<char> moves(system_.node_count(), 0);
+  const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
+  for (int node = 0; node < system_.node_count(); ++node) moves[node] = is_moved(node) ? 1 : 0;
+  // A body that cannot break moves as a whole.
+  for (const std::vector<int>& body : system_.dense_bodies()) {
+    if (std::none_of(body.begin(), body.end(), is_moved)) continue;
+    for (int node : body) moves[node] = 1;
+  }
+  std::vector<int> loaded;
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (moves[node] && !system_.force().middleRows<2>(2 * node).isZero(0)) loaded.push_back(node);
+  }
+  if (loaded.empty()) return false;
+  drop_loads(loaded);
+  ++state_.fragments;
+  return true;
+}
+
+bool CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
                                        const Eigen::VectorXd& before) {
+  bool loads_lost = false;
   for (int hold = 0;; ++hold) {
     bool free_motion = false;
     try {
@@ -166,13 +189,14 @@ void CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std:
       if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
       free_motion = true;
     }
-    if (!free_motion && system_.resists_all_motions(bonds)) return;
+    if (!free_motion && system_.resists_all_motions(bonds)) return loads_lost;
     const coupling::SoftMotion soft = system_.softest_motion();
-    if (!free_motion && soft.resistance > free_motion_resistance) return;
+    if (!free_motion && soft.resistance > free_motion_resistance) return loads_lost;
     if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");
     const coupling::HoldingSpring spring = freed_parts_.against(soft.motion, before);
     system_.commit_break({}, {&spring, 1});
     system_.forget_factor();
+    loads_lost = drop_loads_that_push(soft.motion) || loads_lost;
   }
 }
 
@@ -197,14 +221,14 @@ void CrackEvolution::perform_event(double load_factor, const SteppingOptions& op
   const double stored_before = stored_energy();
   system_.commit_break(chosen, freed.springs);
   if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
-  solve_after_break(chosen, elongation, before);
+  const bool loads_lost = solve_after_break(chosen, elongation, before) || !freed.nodes_with_lost_loads.empty();
   {
     const Stopwatch watch(seconds_search_);
     ratios_.update(state_.displacement);
   }
   const double work = absorb(load_factor);
   state_.work += work;
-  if (freed.nodes_with_lost_loads.empty()) {
+  if (!loads_lost) {
     // Potential energy lost: k e^2 / (2 gamma) for a single bond, whose elongation grows from e to e / gamma.
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const double after = bonds.elongation(chosen[i], state_.total_displacement.data());

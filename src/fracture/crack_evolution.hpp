@@ -54,7 +54,10 @@ class CrackEvolution {
   EvolutionState without_history();
   void move_to(double load_factor);
   void perform_event(double load_factor, const SteppingOptions& options);
-  void solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
+  // Loads on the nodes that a free motion moves: nothing balances them any more, the part counts as a fragment.
+  bool drop_loads_that_push(const Eigen::VectorXd& motion);
+  // Returns whether loads were lost with a part that came free.
+  bool solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
                          const Eigen::VectorXd& before);
   void drop_loads(const std::vector<int>& nodes);
   void apply_load();
