@@ -35,8 +35,7 @@ TEST_F(CrackPath, the_plate_separates) {
   EXPECT_TRUE(all_finite(run->model.displacements()));
 }
 
-// Half lattice spacings: the two columns of points beside the line are at -1 and 1. Short bonds along the crack's
-// normal that end in them tear in its process zone; nothing else may.
+// Places in half lattice spacings: the two columns of points beside the line are at -1 and 1.
 TEST_F(CrackPath, the_crack_is_one_crisp_line_to_both_edges) {
   const BondSets sets = bond_sets(run->model, run->scene, run->ids);
   const auto crosses = [](const BondKey& b) { return (b[0] < 0) != (b[2] < 0); };
