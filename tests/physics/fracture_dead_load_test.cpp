@@ -59,8 +59,11 @@ TEST_P(DeadLoad, a_bent_bar_separates_cleanly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bars, DeadLoad,
-                         testing::Values(Bar{4, 31, 12, 3.5}, Bar{3, 16, 12, 2.5}, Bar{3, 9, 6, 1.5},
-                                         Bar{4, 18, 7, 0}));
+                         testing::Values(Bar{4, 31, 12, 3.5}, Bar{3, 16, 12, 2.5}, Bar{3, 9, 6, 1.5}, Bar{4, 18, 7, 0}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.length) + "_by_" + std::to_string(test.param.height) +
+                                  "_m" + std::to_string(test.param.horizon_ratio);
+                         });
 
 // A tab on the free edge of a block is torn off by the load it carries.
 TEST(DeadLoadOnTab, a_torn_off_tab_separates_cleanly) {
