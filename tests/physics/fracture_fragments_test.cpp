@@ -71,43 +71,4 @@ TEST(Fragments, a_square_that_tears_off_both_ligaments_comes_free_and_the_run_go
   scene.expect_finite_fields();
 }
 
-// A bar hung up at its left end and pulled at the right one by a dead load.
-TEST(DeadLoad, a_pulled_bar_separates_cleanly) {
-  Model model;
-  const int32_t id = model.add(material(30e9, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
-  const int32_t bar = model.pd(id, rectangle(0, 0, 31, 12), 1, 4);
-  model.crack({{15.5, 0}, {15.5, 3.5}});
-  const int32_t left = model.fix(bar, 4, BEMPD_BOTH);
-  model.traction(bar, 2, 0, 1, BEMPD_X, 0, 1e6);
-  const double first = model.next_event(1e4).load_factor;
-  report("reaction at the first event", model.reaction(left)[0], -first * 1e6 * 12, "equilibrium");
-  EXPECT_NEAR(model.reaction(left)[0] / (first * 1e6 * 12), -1, 1e-10);
-  const bempd_step_report end = model.run(1e4);
-  EXPECT_EQ(end.stop_reason, BEMPD_STOP_SEPARATED);
-  EXPECT_EQ(end.separated, 1);
-  EXPECT_GE(end.fragments, 1);
-  EXPECT_TRUE(std::isfinite(end.work) && std::isfinite(end.stored_energy) && std::isfinite(end.released_energy));
-  EXPECT_TRUE(all_finite(model.displacements()));
-  EXPECT_TRUE(all_finite(model.field(bar, BEMPD_STRESS)));
-  for (const bempd_history_entry& line : model.history()) {
-    EXPECT_TRUE(std::isfinite(line.work) && std::isfinite(line.residual));
-    EXPECT_LE(line.energy_balance_error, 1e-8) << "event " << line.event;
-  }
-}
-
-// A tab on the free edge of a block is torn off by the load it carries.
-TEST(DeadLoad, a_torn_off_tab_separates_cleanly) {
-  Model model;
-  const int32_t id = model.add(material(30e9, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
-  const int32_t block = model.pd(id, {{0, 0}, {21, 0}, {21, 8}, {13, 8}, {13, 14}, {8, 14}, {8, 8}, {0, 8}}, 1, 3);
-  model.fix(block, 1, BEMPD_BOTH);
-  model.traction(block, 5, 0, 1, BEMPD_Y, 0, 1e6);
-  const bempd_step_report end = model.run(1e4);
-  EXPECT_EQ(end.stop_reason, BEMPD_STOP_SEPARATED);
-  EXPECT_GE(end.fragments, 1);
-  EXPECT_GT(end.broken_bonds, 0);
-  EXPECT_TRUE(all_finite(model.displacements()));
-  EXPECT_LE(report("energy balance", worst_energy_balance(model), 0, "first law"), 1e-8);
-}
-
 }  // namespace

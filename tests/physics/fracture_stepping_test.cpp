@@ -16,18 +16,22 @@ struct Plate {
   CentreCrackIds ids;
 };
 
-double first_break() { return Plate().model.next_event(1e4).load_factor; }
+// Load factors of the first break and of one at which the crack has grown but still stands.
+struct Reference {
+  double first_break, growing;
+};
 
-// A load factor at which the crack has grown but still stands.
-double growing() {
-  Plate plate;
-  const double first = plate.model.next_event(1e4).load_factor;
-  const double end = plate.model.run(1e4).load_factor;
-  return first + 0.5 * (end - first);
+const Reference& reference() {
+  static const Reference found = [] {
+    Plate plate;
+    const double first = plate.model.next_event(1e4).load_factor;
+    return Reference{first, first + 0.5 * (plate.model.run(1e4).load_factor - first)};
+  }();
+  return found;
 }
 
 TEST(Stepping, the_response_between_events_is_linear_and_costs_no_solution) {
-  const double first = first_break();
+  const double first = reference().first_break;
   Plate plate;
   plate.model.step(0.9 * first);
   const std::vector<double> whole = plate.model.displacements();
@@ -41,20 +45,20 @@ TEST(Stepping, the_response_between_events_is_linear_and_costs_no_solution) {
 }
 
 TEST(Stepping, the_path_does_not_depend_on_the_steps) {
-  const double end = std::ceil(growing());
+  const double end = std::ceil(reference().growing);
   Plate once, often, by_event;
   once.model.step(end);
   for (int n = 1; n <= 300; ++n) often.model.step(end * n / 300);
   while (by_event.model.next_event(end).stop_reason == BEMPD_STOP_EVENT) continue;
-  const std::vector<Event> reference = events(once.model);
-  ASSERT_GT(reference.size(), 0u);
+  const std::vector<Event> expected = events(once.model);
+  ASSERT_GT(expected.size(), 0u);
   for (Plate* other : {&often, &by_event}) {
     const std::vector<Event> found = events(other->model);
-    ASSERT_EQ(found.size(), reference.size());
+    ASSERT_EQ(found.size(), expected.size());
     double worst = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_EQ(found[i].broken, reference[i].broken);
-      worst = largest({worst, found[i].load_factor / reference[i].load_factor - 1});
+      EXPECT_EQ(found[i].broken, expected[i].broken);
+      worst = largest({worst, found[i].load_factor / expected[i].load_factor - 1});
     }
     EXPECT_LE(report("load factors of the events", worst, 0, "one step"), 1e-12);
     EXPECT_EQ(other->parted(), once.parted());
@@ -65,7 +69,7 @@ TEST(Stepping, the_path_does_not_depend_on_the_steps) {
 }
 
 TEST(Stepping, unloading_heals_nothing_and_breaks_nothing) {
-  const double top = growing();
+  const double top = reference().growing;
   Plate plate;
   const bempd_step_report up = plate.model.step(top);
   ASSERT_GT(up.total_broken_bonds, 0);
@@ -109,7 +113,7 @@ TEST(Stepping, constant_and_proportional_parts_add) {
 
 TEST(Stepping, a_constant_load_beyond_the_first_break_breaks_at_load_factor_zero) {
   CentreCrack scene = CentreCrack::small();
-  scene.constant_openings = growing();
+  scene.constant_openings = reference().growing;
   Plate plate(scene);
   const bempd_step_report report = plate.model.step(0);
   EXPECT_GT(report.broken_bonds, 0);
@@ -119,7 +123,7 @@ TEST(Stepping, a_constant_load_beyond_the_first_break_breaks_at_load_factor_zero
 
 // The state kept before a step brings the step back.
 TEST(Stepping, a_restored_state_repeats_the_step) {
-  const double top = growing();
+  const double top = reference().growing;
   Plate plate;
   plate.model.step(0.5 * top);
   const SavedState state = plate.model.save();
