@@ -17,8 +17,8 @@
  * Ownership. What a `_create`, `_save` or `_from_bytes` function gave you, you free with the matching `_free`; all else
  * belongs to the model and lives until the model changes (field views) or is freed (strings).
  *
- * Errors. Whatever can fail returns a bempd_status; the sentence that explains it is bempd_last_error(). After any error
- * but BEMPD_ERROR_INTERNAL the model is as it was before the call; after that one only free it.
+ * Errors. Whatever can fail returns a bempd_status; the sentence that explains it is bempd_last_error(). After any
+ * error but BEMPD_ERROR_INTERNAL the model is as it was before the call; after that one only free it.
  *
  * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A call on a model
  * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL).
@@ -42,7 +42,8 @@
 extern "C" {
 #endif
 
-/* ------------------------------------------------------------------------------------------------ Library and errors */
+/* ------------------------------------------------------------------------------------------------ Library and errors
+ */
 
 /** @brief Outcome of a call: 0 is good, negative values are errors, by what the caller can do about them. @since 0.1 */
 typedef enum bempd_status {
@@ -72,29 +73,30 @@ typedef struct bempd_model bempd_model;
 typedef struct bempd_state bempd_state;
 
 /** @brief Version as "major.minor.patch". @return constant string @since 0.1 */
-BEMPD_API const char *bempd_version_string(void);
+BEMPD_API const char* bempd_version_string(void);
 
 /** @brief One line on how the library was built: factorization backend, compiler, BLAS in use.
  *  @return constant string @since 0.1 */
-BEMPD_API const char *bempd_build_info(void);
+BEMPD_API const char* bempd_build_info(void);
 
 /** @brief Name of a status, such as "BEMPD_ERROR_ARGUMENT". @param[in] status any value
  *  @return constant string @since 0.1 */
-BEMPD_API const char *bempd_status_name(bempd_status status);
+BEMPD_API const char* bempd_status_name(bempd_status status);
 
 /** @brief Sentence about the last error of this model: what came, what is needed, what to do.
  *  @param[in] model the model, or NULL for the last failure of a call that had no model (kept per thread)
  *  @return never NULL; empty after no error; valid until the next call with this model @since 0.1 */
-BEMPD_API const char *bempd_last_error(const bempd_model *model);
+BEMPD_API const char* bempd_last_error(const bempd_model* model);
 
 /** @brief Create an empty model. @param[out] model the new model; free it with bempd_model_free()
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_model_create(bempd_model **model);
+BEMPD_API bempd_status bempd_model_create(bempd_model** model);
 
 /** @brief Free a model and everything it owns. @param[in] model may be NULL @since 0.1 */
-BEMPD_API void bempd_model_free(bempd_model *model);
+BEMPD_API void bempd_model_free(bempd_model* model);
 
-/* ----------------------------------------------------------------------------------------------------------- Options */
+/* ----------------------------------------------------------------------------------------------------------- Options
+ */
 
 /** @brief Whether an option takes a number or a word. @since 0.1 */
 typedef enum bempd_option_kind { BEMPD_OPTION_NUMBER = 1, BEMPD_OPTION_TEXT = 2 } bempd_option_kind;
@@ -102,11 +104,11 @@ typedef enum bempd_option_kind { BEMPD_OPTION_NUMBER = 1, BEMPD_OPTION_TEXT = 2 
 /** @brief Description of one option. Set struct_size = sizeof(bempd_option_info) first. @since 0.1 */
 typedef struct bempd_option_info {
   int64_t struct_size;      /**< sizeof(bempd_option_info), set by the caller */
-  const char *name;         /**< name for bempd_set_option() and its kin; constant string */
-  const char *summary;      /**< one sentence; constant string */
-  const char *unit;         /**< unit, "-" for a pure number; constant string */
-  const char *choices;      /**< legal words separated by " | " for a text option, else empty; constant string */
-  const char *default_text; /**< default of a text option, else empty; constant string */
+  const char* name;         /**< name for bempd_set_option() and its kin; constant string */
+  const char* summary;      /**< one sentence; constant string */
+  const char* unit;         /**< unit, "-" for a pure number; constant string */
+  const char* choices;      /**< legal words separated by " | " for a text option, else empty; constant string */
+  const char* default_text; /**< default of a text option, else empty; constant string */
   int32_t kind;             /**< a bempd_option_kind */
   int32_t whole_number;     /**< 1 when only whole numbers are legal */
   double default_value;     /**< default of a number option */
@@ -115,33 +117,34 @@ typedef struct bempd_option_info {
 } bempd_option_info;
 
 /** @brief Number of options. @param[out] count number of options [-] @return status @since 0.1 */
-BEMPD_API bempd_status bempd_option_count(int64_t *count);
+BEMPD_API bempd_status bempd_option_count(int64_t* count);
 
 /** @brief Describe an option. @param[in] index 0 .. count-1 @param[in,out] info struct_size in, the rest out
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_option_describe(int64_t index, bempd_option_info *info);
+BEMPD_API bempd_status bempd_option_describe(int64_t index, bempd_option_info* info);
 
 /** @brief Set a number option, before or between steps; what a prepared model has built already keeps the old value.
  *  @param[in] model the model @param[in] name option name, UTF-8 @param[in] value within the option's range
  *  @return status; an unknown name is an argument error that lists the near ones @since 0.1 */
-BEMPD_API bempd_status bempd_set_option(bempd_model *model, const char *name, double value);
+BEMPD_API bempd_status bempd_set_option(bempd_model* model, const char* name, double value);
 
 /** @brief Value of a number option. @param[in] model the model @param[in] name option name, UTF-8
  *  @param[out] value its value @return status @since 0.1 */
-BEMPD_API bempd_status bempd_get_option(const bempd_model *model, const char *name, double *value);
+BEMPD_API bempd_status bempd_get_option(const bempd_model* model, const char* name, double* value);
 
 /** @brief Set a text option. @param[in] model the model @param[in] name option name, UTF-8
  *  @param[in] value one of the option's choices, UTF-8 @return status @since 0.1 */
-BEMPD_API bempd_status bempd_set_option_text(bempd_model *model, const char *name, const char *value);
+BEMPD_API bempd_status bempd_set_option_text(bempd_model* model, const char* name, const char* value);
 
 /** @brief Value of a text option. @param[in] model the model @param[in] name option name, UTF-8
  *  @param[out] buffer shape [capacity], receives the zero-terminated value; may be NULL when capacity is 0
  *  @param[in] capacity bytes in buffer
  *  @param[out] needed bytes that the value needs with its zero; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_get_option_text(const bempd_model *model, const char *name, char *buffer, int64_t capacity,
-                                             int64_t *needed);
+BEMPD_API bempd_status bempd_get_option_text(const bempd_model* model, const char* name, char* buffer, int64_t capacity,
+                                             int64_t* needed);
 
-/* --------------------------------------------------------------------------------------------------------- Materials */
+/* --------------------------------------------------------------------------------------------------------- Materials
+ */
 
 /** @brief Plane stress (thin plates) or plane strain (long bodies). @since 0.1 */
 typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bempd_plane;
@@ -149,8 +152,9 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
 /** @brief An isotropic elastic material that breaks at a critical bond stretch. Fill it with bempd_material_init().
  *
  *  Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Give critical_stretch or
- *  fracture_energy, or neither for a material that does not break. From the fracture energy G0 and the horizon delta the
- *  critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain. @since 0.1 */
+ *  fracture_energy, or neither for a material that does not break. From the fracture energy G0 and the horizon delta
+ * the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane
+ * strain. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;     /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;    /**< Young's modulus E [Pa], > 0 */
@@ -165,24 +169,25 @@ typedef struct bempd_material {
 /** @brief Set struct_size and the defaults. @param[out] material the struct to fill
  *  @param[in] struct_size sizeof(bempd_material) as the caller was compiled: older programs keep working when it grows
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
+BEMPD_API bempd_status bempd_material_init(bempd_material* material, int64_t struct_size);
 
 /** @brief Add a material. @param[in] model the model @param[in] material copied @param[out] id its id; may be NULL
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_material(bempd_model *model, const bempd_material *material, int32_t *id);
+BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id);
 
 /* ----------------------------------------------------------------------------------------------- Regions and cracks */
 
 /** @brief Add a region treated by boundary elements: a polygon with straight edges.
  *
- *  Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions become
- *  interfaces and are bonded; there the elements follow the peridynamic lattice, or the finer of two boundary meshes.
+ *  Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions
+ * become interfaces and are bonded; there the elements follow the peridynamic lattice, or the finer of two boundary
+ * meshes.
  *  @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
  *  @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  *  @param[in] element_length longest element on any edge [m], > 0
  *  @param[out] region its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_bem_region(bempd_model *model, int32_t material, int64_t vertex_count,
-                                            const double *vertices, double element_length, int32_t *region);
+BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count,
+                                            const double* vertices, double element_length, int32_t* region);
 
 /** @brief Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
  *
@@ -193,23 +198,23 @@ BEMPD_API bempd_status bempd_add_bem_region(bempd_model *model, int32_t material
  *  @param[in] spacing lattice spacing [m], > 0
  *  @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
  *  @param[out] region its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_pd_region(bempd_model *model, int32_t material, int64_t vertex_count,
-                                           const double *vertices, double spacing, int32_t horizon_ratio,
-                                           int32_t *region);
+BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count,
+                                           const double* vertices, double spacing, int32_t horizon_ratio,
+                                           int32_t* region);
 
 /** @brief Cut a hole into a region. The hole's edges continue the region's numbering.
  *  @param[in] model the model @param[in] region id of a region @param[in] vertex_count number of vertices, >= 3
  *  @param[in] vertices shape [vertex_count][2], clockwise (the body on the left) [m]
  *  @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_hole(bempd_model *model, int32_t region, int64_t vertex_count, const double *vertices,
-                                      int32_t *first_edge);
+BEMPD_API bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
+                                      int32_t* first_edge);
 
 /** @brief Choose the elements of one edge of a BEM region.
  *  @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
  *  @param[in] element_length target length [m], > 0: ceil(length / element_length) elements
  *  @param[in] grading ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, int32_t edge, double element_length,
+BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                            double grading);
 
 /** @brief Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
@@ -217,16 +222,18 @@ BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, i
  *  It must lie in peridynamic regions (ending on their boundary is fine) and keep off the material points.
  *  @param[in] model the model @param[in] point_count number of points, >= 2
  *  @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_crack(bempd_model *model, int64_t point_count, const double *points, int32_t *crack);
+BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);
 
-/** @brief Number of regions. @param[in] model the model @param[out] count number of regions @return status @since 0.1 */
-BEMPD_API bempd_status bempd_region_count(const bempd_model *model, int32_t *count);
+/** @brief Number of regions. @param[in] model the model @param[out] count number of regions @return status @since 0.1
+ */
+BEMPD_API bempd_status bempd_region_count(const bempd_model* model, int32_t* count);
 
 /** @brief Number of edges of a region with its holes. @param[in] model the model @param[in] region id of a region
  *  @param[out] count number of edges @return status @since 0.1 */
-BEMPD_API bempd_status bempd_edge_count(const bempd_model *model, int32_t region, int32_t *count);
+BEMPD_API bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count);
 
-/* ------------------------------------------------------------------------------------------------ Supports and loads */
+/* ------------------------------------------------------------------------------------------------ Supports and loads
+ */
 
 /** @brief Direction of a support or load; BEMPD_BOTH where the function says so. @since 0.1 */
 typedef enum bempd_component { BEMPD_X = 1, BEMPD_Y = 2, BEMPD_BOTH = 3 } bempd_component;
@@ -238,19 +245,19 @@ typedef enum bempd_component { BEMPD_X = 1, BEMPD_Y = 2, BEMPD_BOTH = 3 } bempd_
  *  @param[out] proportional shape [2], the part multiplied by the load factor (0 on entry)
  *  @param[in] user the pointer given with the function
  *  @return 0 to go on, else the call fails as cancelled @since 0.1 */
-typedef int32_t (*bempd_boundary_function)(double x, double y, double *constant, double *proportional, void *user);
+typedef int32_t (*bempd_boundary_function)(double x, double y, double* constant, double* proportional, void* user);
 
 /** @brief Fix a whole edge: displacement 0. @param[in] model the model @param[in] region id of a region
  *  @param[in] edge edge number @param[in] component a bempd_component, BEMPD_BOTH allowed
  *  @param[out] support its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_fix_edge(bempd_model *model, int32_t region, int32_t edge, int32_t component,
-                                      int32_t *support);
+BEMPD_API bempd_status bempd_fix_edge(bempd_model* model, int32_t region, int32_t edge, int32_t component,
+                                      int32_t* support);
 
 /** @brief Fix the node or material point at a place. Boundary elements put a node at a place on their boundary.
  *  @param[in] model the model @param[in] x [m] @param[in] y [m]
  *  @param[in] component a bempd_component, BEMPD_BOTH allowed @param[out] support its id; may be NULL
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_fix_point(bempd_model *model, double x, double y, int32_t component, int32_t *support);
+BEMPD_API bempd_status bempd_fix_point(bempd_model* model, double x, double y, int32_t component, int32_t* support);
 
 /** @brief Prescribe the displacement of an edge or a part of it.
  *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
@@ -260,9 +267,9 @@ BEMPD_API bempd_status bempd_fix_point(bempd_model *model, double x, double y, i
  *  @param[in] constant shape [value_count], constant part [m]; NULL for 0
  *  @param[in] proportional shape [value_count], part multiplied by the load factor [m]; NULL for 0
  *  @param[out] support its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_prescribe_edge(bempd_model *model, int32_t region, int32_t edge, double from, double to,
-                                            int32_t component, int64_t value_count, const double *constant,
-                                            const double *proportional, int32_t *support);
+BEMPD_API bempd_status bempd_prescribe_edge(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                            int32_t component, int64_t value_count, const double* constant,
+                                            const double* proportional, int32_t* support);
 
 /** @brief Prescribe the displacement of a part of an edge by a function of the position.
  *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
@@ -270,16 +277,16 @@ BEMPD_API bempd_status bempd_prescribe_edge(bempd_model *model, int32_t region, 
  *  @param[in] component a bempd_component, BEMPD_BOTH allowed
  *  @param[in] function gives displacements [m] @param[in] user handed to the function; may be NULL
  *  @param[out] support its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_prescribe_edge_function(bempd_model *model, int32_t region, int32_t edge, double from,
+BEMPD_API bempd_status bempd_prescribe_edge_function(bempd_model* model, int32_t region, int32_t edge, double from,
                                                      double to, int32_t component, bempd_boundary_function function,
-                                                     void *user, int32_t *support);
+                                                     void* user, int32_t* support);
 
 /** @brief Prescribe the displacement of the node or material point at a place.
  *  @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
  *  @param[in] constant constant part [m] @param[in] proportional part multiplied by the load factor [m]
  *  @param[out] support its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_prescribe_point(bempd_model *model, double x, double y, int32_t component, double constant,
-                                             double proportional, int32_t *support);
+BEMPD_API bempd_status bempd_prescribe_point(bempd_model* model, double x, double y, int32_t component, double constant,
+                                             double proportional, int32_t* support);
 
 /** @brief Add a traction on a part of an edge that is not an interface.
  *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
@@ -289,25 +296,25 @@ BEMPD_API bempd_status bempd_prescribe_point(bempd_model *model, double x, doubl
  *  @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
  *  @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
  *  @param[out] load its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_traction(bempd_model *model, int32_t region, int32_t edge, double from, double to,
-                                          int32_t component, int64_t value_count, const double *constant,
-                                          const double *proportional, int32_t *load);
+BEMPD_API bempd_status bempd_add_traction(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                          int32_t component, int64_t value_count, const double* constant,
+                                          const double* proportional, int32_t* load);
 
 /** @brief Add a traction on a part of an edge, given by a function of the position.
  *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
  *  @param[in] from start of the part [-] @param[in] to end of the part [-]
  *  @param[in] function gives tractions [Pa], both components @param[in] user handed to the function; may be NULL
  *  @param[out] load its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_traction_function(bempd_model *model, int32_t region, int32_t edge, double from,
-                                                   double to, bempd_boundary_function function, void *user,
-                                                   int32_t *load);
+BEMPD_API bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int32_t edge, double from,
+                                                   double to, bempd_boundary_function function, void* user,
+                                                   int32_t* load);
 
 /** @brief Add a force on the node or material point at a place.
  *  @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
  *  @param[in] constant constant part [N] @param[in] proportional part multiplied by the load factor [N]
  *  @param[out] load its id; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32_t component, double constant,
-                                             double proportional, int32_t *load);
+BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
+                                             double proportional, int32_t* load);
 
 /** @brief Give a traction or point force new values, at any time; a prepared model only changes its right-hand side.
  *
@@ -317,8 +324,8 @@ BEMPD_API bempd_status bempd_add_point_force(bempd_model *model, double x, doubl
  *  @param[in] constant shape [value_count], constant part [Pa] or [N]; NULL for 0
  *  @param[in] proportional shape [value_count], part multiplied by the load factor [Pa] or [N]; NULL for 0
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_set_load_values(bempd_model *model, int32_t load, int64_t value_count,
-                                             const double *constant, const double *proportional);
+BEMPD_API bempd_status bempd_set_load_values(bempd_model* model, int32_t load, int64_t value_count,
+                                             const double* constant, const double* proportional);
 
 /** @brief Give a support new prescribed displacements, at any time; as bempd_set_load_values().
  *  @param[in] model the model @param[in] support id of a support that was not given by a function
@@ -326,34 +333,36 @@ BEMPD_API bempd_status bempd_set_load_values(bempd_model *model, int32_t load, i
  *  @param[in] constant shape [value_count], constant part [m]; NULL for 0
  *  @param[in] proportional shape [value_count], part multiplied by the load factor [m]; NULL for 0
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_set_support_values(bempd_model *model, int32_t support, int64_t value_count,
-                                                const double *constant, const double *proportional);
+BEMPD_API bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count,
+                                                const double* constant, const double* proportional);
 
-/* ---------------------------------------------------------------------------------------------------------- Callbacks */
+/* ---------------------------------------------------------------------------------------------------------- Callbacks
+ */
 
 /** @brief Progress of a step, called after every event. @param[in] load_factor where the run stands [-]
  *  @param[in] events events so far @param[in] broken_bonds bonds broken so far
  *  @param[in] user the pointer given with the function
  *  @return 0 to go on; else the step is cancelled and returns to its start @since 0.1 */
-typedef int32_t (*bempd_progress_function)(double load_factor, int64_t events, int64_t broken_bonds, void *user);
+typedef int32_t (*bempd_progress_function)(double load_factor, int64_t events, int64_t broken_bonds, void* user);
 
 /** @brief A line of the log. @param[in] level 1 warning, 2 information, 3 detail
  *  @param[in] message UTF-8, valid during the call @param[in] user the pointer given with the function @since 0.1 */
-typedef void (*bempd_log_function)(int32_t level, const char *message, void *user);
+typedef void (*bempd_log_function)(int32_t level, const char* message, void* user);
 
 /** @brief Ask to be told of progress. @param[in] model the model @param[in] function NULL for none
  *  @param[in] user handed to the function; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_set_progress(bempd_model *model, bempd_progress_function function, void *user);
+BEMPD_API bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function function, void* user);
 
 /** @brief Ask to receive the log. @param[in] model the model @param[in] function NULL for none
  *  @param[in] user handed to the function; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_set_log(bempd_model *model, bempd_log_function function, void *user);
+BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user);
 
 /** @brief Ask the step that runs in another thread to stop; it returns to its start and fails as cancelled. A request
  *  made while no step runs is forgotten. @param[in] model the model @return status @since 0.1 */
-BEMPD_API bempd_status bempd_request_cancel(bempd_model *model);
+BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
 
-/* ----------------------------------------------------------------------------------------------------------- Stepping */
+/* ----------------------------------------------------------------------------------------------------------- Stepping
+ */
 
 /** @brief Why a step ended. @since 0.1 */
 typedef enum bempd_stop_reason {
@@ -382,21 +391,22 @@ typedef struct bempd_step_report {
   double released_energy;      /**< energy released by breaking bonds since the beginning [J] */
   double work;                 /**< work of loads and supports since the beginning [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-] */
-  double residual;             /**< largest unbalanced force at the end over the largest internal nodal force so far [-] */
-  double seconds_total;        /**< wall time of this step [s] */
-  double seconds_solve;        /**< of it: solutions [s] */
-  double seconds_update;       /**< of it: changes of the factorization [s] */
-  double seconds_search;       /**< of it: stretches, choice of bonds, connectivity [s] */
+  double residual;       /**< largest unbalanced force at the end over the largest internal nodal force so far [-] */
+  double seconds_total;  /**< wall time of this step [s] */
+  double seconds_solve;  /**< of it: solutions [s] */
+  double seconds_update; /**< of it: changes of the factorization [s] */
+  double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill
- *  @param[in] struct_size sizeof(bempd_step_report) as the caller was compiled: older programs keep working when it grows
+ *  @param[in] struct_size sizeof(bempd_step_report) as the caller was compiled: older programs keep working when it
+ * grows
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_step_report_init(bempd_step_report *report, int64_t struct_size);
+BEMPD_API bempd_status bempd_step_report_init(bempd_step_report* report, int64_t struct_size);
 
 /** @brief Check the scene and build its operators. The first step does it if you do not. From then on nothing can be
  *  added; loads and supports can still change their values. @param[in] model the model @return status @since 0.1 */
-BEMPD_API bempd_status bempd_prepare(bempd_model *model);
+BEMPD_API bempd_status bempd_prepare(bempd_model* model);
 
 /** @brief Move the load factor, breaking every bond that reaches its critical stretch on the way.
  *
@@ -405,22 +415,22 @@ BEMPD_API bempd_status bempd_prepare(bempd_model *model);
  *  equilibrium is found again at the same load factor, until no bond exceeds its critical stretch.
  *  @param[in] model the model @param[in] load_factor where to go, up or down [-]
  *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_step(bempd_model *model, double load_factor, bempd_step_report *report);
+BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);
 
 /** @brief Go to the next event and perform it: one batch of bonds. While bonds exceed their critical stretch at the
  *  present load factor the next event is there.
  *  @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
  *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_step_to_next_event(bempd_model *model, double load_factor_limit,
-                                                bempd_step_report *report);
+BEMPD_API bempd_status bempd_step_to_next_event(bempd_model* model, double load_factor_limit,
+                                                bempd_step_report* report);
 
 /** @brief Go on until the body is separated, no bond can break any more, or the limit is reached.
  *  @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
  *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_run_to_separation(bempd_model *model, double load_factor_limit,
-                                               bempd_step_report *report);
+BEMPD_API bempd_status bempd_run_to_separation(bempd_model* model, double load_factor_limit, bempd_step_report* report);
 
-/* ------------------------------------------------------------------------------------------------------------ Results */
+/* ------------------------------------------------------------------------------------------------------------ Results
+ */
 
 /** @brief A field on a region. Nodes are boundary nodes or material points. @since 0.1 */
 typedef enum bempd_field {
@@ -447,60 +457,62 @@ typedef enum bempd_bond_state {
 } bempd_bond_state;
 
 /** @brief Present load factor. @param[in] model the model @param[out] load_factor [-] @return status @since 0.1 */
-BEMPD_API bempd_status bempd_load_factor(const bempd_model *model, double *load_factor);
+BEMPD_API bempd_status bempd_load_factor(const bempd_model* model, double* load_factor);
 
 /** @brief Number that changes whenever the model's fields may have changed. @param[in] model the model
  *  @param[out] generation the number @return status @since 0.1 */
-BEMPD_API bempd_status bempd_generation(const bempd_model *model, int64_t *generation);
+BEMPD_API bempd_status bempd_generation(const bempd_model* model, int64_t* generation);
 
 /** @brief Number of boundary nodes or material points of a region. Prepares the model.
- *  @param[in] model the model @param[in] region id of a region @param[out] count number of nodes @return status @since 0.1 */
-BEMPD_API bempd_status bempd_node_count(bempd_model *model, int32_t region, int64_t *count);
+ *  @param[in] model the model @param[in] region id of a region @param[out] count number of nodes @return status @since
+ * 0.1 */
+BEMPD_API bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count);
 
 /** @brief Number of boundary elements or lattice cells of a region. Prepares the model.
  *  @param[in] model the model @param[in] region id of a region @param[out] count number @return status @since 0.1 */
-BEMPD_API bempd_status bempd_element_count(bempd_model *model, int32_t region, int64_t *count);
+BEMPD_API bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count);
 
 /** @brief Nodes of the boundary elements (start, mid, end) or of the lattice cells (counter-clockwise).
  *  @param[in] model the model @param[in] region id of a region @param[in] capacity integers in nodes
  *  @param[out] nodes shape [elements][3] for BEM, [cells][4] for PD; indices from 0 @return status @since 0.1 */
-BEMPD_API bempd_status bempd_copy_elements(bempd_model *model, int32_t region, int64_t capacity, int32_t *nodes);
+BEMPD_API bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes);
 
 /** @brief Size of a field. Prepares the model. @param[in] model the model @param[in] region id of a region
  *  @param[in] field a bempd_field @param[out] count number of entries; may be NULL
  *  @param[out] components numbers per entry; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_field_size(bempd_model *model, int32_t region, int32_t field, int64_t *count,
-                                        int32_t *components);
+BEMPD_API bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field, int64_t* count,
+                                        int32_t* components);
 
 /** @brief Copy a field, computing it if needed. @param[in] model the model @param[in] region id of a region
  *  @param[in] field a bempd_field @param[in] capacity numbers in values, at least count * components
  *  @param[out] values shape [count][components] @return status @since 0.1 */
-BEMPD_API bempd_status bempd_copy_field(bempd_model *model, int32_t region, int32_t field, int64_t capacity,
-                                        double *values);
+BEMPD_API bempd_status bempd_copy_field(bempd_model* model, int32_t region, int32_t field, int64_t capacity,
+                                        double* values);
 
 /** @brief Look at a field without copying. The view is read-only and valid until a call that changes the generation.
  *  @param[in] model the model @param[in] region id of a region @param[in] field a bempd_field
  *  @param[out] values shape [count][components], owned by the model @param[out] count number of entries; may be NULL
  *  @param[out] components numbers per entry; may be NULL
  *  @param[out] generation generation of the view; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_view_field(bempd_model *model, int32_t region, int32_t field, const double **values,
-                                        int64_t *count, int32_t *components, int64_t *generation);
+BEMPD_API bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field, const double** values,
+                                        int64_t* count, int32_t* components, int64_t* generation);
 
 /** @brief Number of bonds of a PD region, with broken and cut ones. Prepares the model.
- *  @param[in] model the model @param[in] region id of a PD region @param[out] count number of bonds @return status @since 0.1 */
-BEMPD_API bempd_status bempd_bond_count(bempd_model *model, int32_t region, int64_t *count);
+ *  @param[in] model the model @param[in] region id of a PD region @param[out] count number of bonds @return status
+ * @since 0.1 */
+BEMPD_API bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count);
 
 /** @brief Ends and states of the bonds of a PD region. @param[in] model the model
  *  @param[in] region id of a PD region @param[in] capacity bonds that the arrays have room for
  *  @param[out] points shape [bonds][2], indices of material points from 0; may be NULL
  *  @param[out] states shape [bonds], each a bempd_bond_state; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_copy_bonds(bempd_model *model, int32_t region, int64_t capacity, int32_t *points,
-                                        int32_t *states);
+BEMPD_API bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points,
+                                        int32_t* states);
 
 /** @brief Force that a support exerts on the body at the present load factor. Where supports share a node's component
  *  the first one counts it. @param[in] model the model @param[in] support id of a support
  *  @param[out] force shape [2], resultant [N] @return status @since 0.1 */
-BEMPD_API bempd_status bempd_reaction(bempd_model *model, int32_t support, double *force);
+BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force);
 
 /** @brief Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
  *  between material points in PD regions. @param[in] model the model @param[in] count number of places
@@ -508,43 +520,44 @@ BEMPD_API bempd_status bempd_reaction(bempd_model *model, int32_t support, doubl
  *  @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
  *  @param[out] regions shape [count], id of the region that holds each place; may be NULL
  *  @return status; a place outside the body is an argument error @since 0.1 */
-BEMPD_API bempd_status bempd_evaluate(bempd_model *model, int64_t count, const double *points, double *displacement,
-                                      double *stress, int32_t *regions);
+BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
+                                      double* stress, int32_t* regions);
 
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {
-  int64_t struct_size;            /**< sizeof(bempd_statistics), set by bempd_statistics_init() */
-  int64_t boundary_nodes;         /**< nodes of all BEM regions */
-  int64_t boundary_elements;      /**< elements of all BEM regions */
-  int64_t material_points;        /**< points of all PD regions */
-  int64_t bonds;                  /**< bonds of all PD regions */
-  int64_t cut_bonds;              /**< bonds cut by initial cracks */
-  int64_t broken_bonds;           /**< bonds broken in steps */
-  int64_t sparse_unknowns;        /**< unknowns of the sparse system after condensing BEM regions */
-  int64_t factor_nonzeros;        /**< entries of the sparse factor */
-  int64_t kernel_evaluations;     /**< evaluations of the boundary kernels */
-  int64_t dense_factorizations;   /**< factorizations of condensed BEM regions */
-  int64_t sparse_factorizations;  /**< factorizations of the sparse system */
-  int64_t factor_updates;         /**< columns added to or removed from the factor */
-  int64_t solves;                 /**< equilibrium solutions (load cases) */
-  int64_t solver_iterations;      /**< applications of the factor in these */
-  double seconds_boundary;        /**< boundary operators [s] */
-  double seconds_lattice;         /**< lattice, bonds and weights [s] */
-  double seconds_assembly;        /**< condensation and assembly [s] */
-  double seconds_factorization;   /**< sparse factorizations [s] */
-  double seconds_solve;           /**< solutions [s] */
-  double seconds_update;          /**< changes of the factor [s] */
-  double seconds_search;          /**< stretches, choice of bonds, connectivity [s] */
+  int64_t struct_size;           /**< sizeof(bempd_statistics), set by bempd_statistics_init() */
+  int64_t boundary_nodes;        /**< nodes of all BEM regions */
+  int64_t boundary_elements;     /**< elements of all BEM regions */
+  int64_t material_points;       /**< points of all PD regions */
+  int64_t bonds;                 /**< bonds of all PD regions */
+  int64_t cut_bonds;             /**< bonds cut by initial cracks */
+  int64_t broken_bonds;          /**< bonds broken in steps */
+  int64_t sparse_unknowns;       /**< unknowns of the sparse system after condensing BEM regions */
+  int64_t factor_nonzeros;       /**< entries of the sparse factor */
+  int64_t kernel_evaluations;    /**< evaluations of the boundary kernels */
+  int64_t dense_factorizations;  /**< factorizations of condensed BEM regions */
+  int64_t sparse_factorizations; /**< factorizations of the sparse system */
+  int64_t factor_updates;        /**< columns added to or removed from the factor */
+  int64_t solves;                /**< equilibrium solutions (load cases) */
+  int64_t solver_iterations;     /**< applications of the factor in these */
+  double seconds_boundary;       /**< boundary operators [s] */
+  double seconds_lattice;        /**< lattice, bonds and weights [s] */
+  double seconds_assembly;       /**< condensation and assembly [s] */
+  double seconds_factorization;  /**< sparse factorizations [s] */
+  double seconds_solve;          /**< solutions [s] */
+  double seconds_update;         /**< changes of the factor [s] */
+  double seconds_search;         /**< stretches, choice of bonds, connectivity [s] */
 } bempd_statistics;
 
 /** @brief Set struct_size and zeros. @param[out] statistics the struct to fill
- *  @param[in] struct_size sizeof(bempd_statistics) as the caller was compiled: older programs keep working when it grows
+ *  @param[in] struct_size sizeof(bempd_statistics) as the caller was compiled: older programs keep working when it
+ * grows
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_statistics_init(bempd_statistics *statistics, int64_t struct_size);
+BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64_t struct_size);
 
 /** @brief Sizes, counters and times so far. @param[in] model the model
  *  @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
-BEMPD_API bempd_status bempd_get_statistics(const bempd_model *model, bempd_statistics *statistics);
+BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
 /** @brief One line of the history. Fill it with bempd_history_entry_init(). @since 0.1 */
 typedef struct bempd_history_entry {
@@ -561,54 +574,58 @@ typedef struct bempd_history_entry {
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill
- *  @param[in] struct_size sizeof(bempd_history_entry) as the caller was compiled: older programs keep working when it grows
+ *  @param[in] struct_size sizeof(bempd_history_entry) as the caller was compiled: older programs keep working when it
+ * grows
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_history_entry_init(bempd_history_entry *entry, int64_t struct_size);
+BEMPD_API bempd_status bempd_history_entry_init(bempd_history_entry* entry, int64_t struct_size);
 
 /** @brief Number of lines of the history: one per event and per end of a step. @param[in] model the model
  *  @param[out] count number of lines @return status @since 0.1 */
-BEMPD_API bempd_status bempd_history_count(const bempd_model *model, int64_t *count);
+BEMPD_API bempd_status bempd_history_count(const bempd_model* model, int64_t* count);
 
 /** @brief A line of the history. @param[in] model the model @param[in] index 0 .. count-1
  *  @param[in,out] entry struct_size in, the rest out @return status @since 0.1 */
-BEMPD_API bempd_status bempd_history(const bempd_model *model, int64_t index, bempd_history_entry *entry);
+BEMPD_API bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry);
 
-/* -------------------------------------------------------------------------------------------------------------- State */
+/* -------------------------------------------------------------------------------------------------------------- State
+ */
 
 /** @brief Save the state of a prepared model in memory, so that a host can repeat a step.
  *  @param[in] model the model @param[out] state the saved state; free it with bempd_state_free()
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_state_save(bempd_model *model, bempd_state **state);
+BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state);
 
 /** @brief Bring a model back to a saved state. Loads and supports keep their present values.
  *  @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
  *  @return status @since 0.1 */
-BEMPD_API bempd_status bempd_state_restore(bempd_model *model, const bempd_state *state);
+BEMPD_API bempd_status bempd_state_restore(bempd_model* model, const bempd_state* state);
 
 /** @brief Free a saved state. @param[in] state may be NULL @since 0.1 */
-BEMPD_API void bempd_state_free(bempd_state *state);
+BEMPD_API void bempd_state_free(bempd_state* state);
 
 /** @brief Write a saved state as bytes, with magic, version, byte order and checksum. @param[in] state the state
  *  @param[in] capacity bytes in buffer
  *  @param[out] buffer shape [capacity]; may be NULL when capacity is 0
  *  @param[out] needed bytes that the state needs; may be NULL @return status @since 0.1 */
-BEMPD_API bempd_status bempd_state_to_bytes(const bempd_state *state, int64_t capacity, uint8_t *buffer,
-                                            int64_t *needed);
+BEMPD_API bempd_status bempd_state_to_bytes(const bempd_state* state, int64_t capacity, uint8_t* buffer,
+                                            int64_t* needed);
 
 /** @brief Read a saved state from bytes. @param[in] size number of bytes @param[in] bytes shape [size]
  *  @param[out] state the state; free it with bempd_state_free() @return status @since 0.1 */
-BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t *bytes, bempd_state **state);
+BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_state** state);
 
-/* -------------------------------------------------------------------------------------------------------------- Files */
+/* -------------------------------------------------------------------------------------------------------------- Files
+ */
 
 /** @brief Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
  *  damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
- *  @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since 0.1 */
-BEMPD_API bempd_status bempd_write_snapshot(bempd_model *model, const char *prefix);
+ *  @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
+ * 0.1 */
+BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);
 
 /** @brief Write the history with the reactions of all supports as comma-separated values.
  *  @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
-BEMPD_API bempd_status bempd_write_history(const bempd_model *model, const char *path);
+BEMPD_API bempd_status bempd_write_history(const bempd_model* model, const char* path);
 
 #ifdef __cplusplus
 }
