@@ -1,0 +1,83 @@
+#include "common/fracture.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "common/common.h"
+
+void step_as_the_paper(bempd_model* model) {
+  ensure(model, bempd_set_option_text(model, "stepping.mode", "paper"));
+  ensure(model, bempd_set_option(model, "stepping.increment", 1.0));
+}
+
+static void write_stage(bempd_model* model, const bempd_step_report* report, const char* stage, const char* prefix) {
+  printf("# %-9s load factor %8.3f  bonds broken %5" PRId64 "  events %5" PRId64 "\n", stage, report->load_factor,
+         report->total_broken_bonds, report->total_events);
+  ensure(model, bempd_write_snapshot(model, prefix));
+}
+
+static int64_t count_cut_bonds(const bempd_model* model) {
+  bempd_statistics statistics;
+  ensure(NULL, bempd_statistics_init(&statistics, sizeof statistics));
+  ensure(model, bempd_get_statistics(model, &statistics));
+  return statistics.cut_bonds;
+}
+
+crack_run run_crack(bempd_model* model, const char* example, const char* case_name, double limit, crack_paths* paths) {
+  const int64_t bonds_between_snapshots = 250;
+  int64_t next_snapshot = bonds_between_snapshots;
+  crack_run run = {0};
+  char prefix[256], history[256];
+  const double start = seconds_now();
+
+  snprintf(prefix, sizeof prefix, "out/%s/%s", example, case_name);
+  snprintf(history, sizeof history, "out/%s/history_%s.csv", example, case_name);
+  ensure(model, bempd_prepare(model));
+  run.seconds = seconds_now() - start;
+  run.cut_bonds = count_cut_bonds(model);
+
+  ensure(NULL, bempd_step_report_init(&run.last, sizeof run.last));
+  do {
+    ensure(model, bempd_step_to_next_event(model, limit, &run.last));
+    run.seconds += run.last.seconds_total;
+    if (paths != NULL) crack_paths_update(paths);
+    if (run.first_break == 0.0 && run.last.total_broken_bonds > 0) {
+      run.first_break = run.last.load_factor;
+      write_stage(model, &run.last, "first", prefix);
+    } else if (run.last.total_broken_bonds >= next_snapshot && !run.last.separated) {
+      next_snapshot = run.last.total_broken_bonds + bonds_between_snapshots;
+      write_stage(model, &run.last, "growing", prefix);
+    }
+  } while (run.last.stop_reason == BEMPD_STOP_EVENT && !run.last.separated);
+  run.complete = run.last.separated ? run.last.load_factor : 0.0;
+  write_stage(model, &run.last, run.last.separated ? "complete" : "stopped", prefix);
+  ensure(model, bempd_write_history(model, history));
+  return run;
+}
+
+double first_break(bempd_model* model, double limit) {
+  bempd_step_report report;
+  ensure(NULL, bempd_step_report_init(&report, sizeof report));
+  ensure(model, bempd_step_to_next_event(model, limit, &report));
+  return report.total_broken_bonds > 0 ? report.load_factor : 0.0;
+}
+
+void add_run(summary* table, const char* case_name, const char* scheme, const crack_run* run, paper_run paper) {
+  const summary_row rows[] = {
+      {.quantity = "first break", .unit = "increment", .value = run->first_break, .paper = paper.first_break},
+      {.quantity = "complete", .unit = "increment", .value = run->complete, .paper = paper.complete},
+      {.quantity = "bonds cut by the crack", .unit = "-", .value = (double)run->cut_bonds},
+      {.quantity = "bonds broken", .unit = "-", .value = (double)run->last.total_broken_bonds},
+      {.quantity = "events", .unit = "-", .value = (double)run->last.total_events},
+      {.quantity = "energy balance error", .unit = "-", .value = run->last.energy_balance_error},
+      {.quantity = "residual", .unit = "-", .value = run->last.residual},
+  };
+  size_t k;
+  for (k = 0; k < sizeof rows / sizeof rows[0]; ++k) {
+    summary_row row = rows[k];
+    row.case_name = case_name;
+    row.scheme = scheme;
+    row.seconds = run->seconds;
+    summary_add(table, &row);
+  }
+}
