@@ -24,6 +24,7 @@ struct crack_paths {
   double* positions;
   broken_bond* broken; /* in the order of breaking */
   int64_t broken_count;
+  double gap; /* between bonds of different tips */
 };
 
 static void* allocate(size_t count, size_t size) {
@@ -39,6 +40,7 @@ crack_paths* crack_paths_open(bempd_model* model, int32_t region, int tip_count,
   paths->model = model;
   paths->region = region;
   paths->tip_count = tip_count;
+  paths->gap = HUGE_VAL;
   paths->tips = allocate(2 * (size_t)tip_count, sizeof *paths->tips);
   memcpy(paths->tips, tips, 2 * (size_t)tip_count * sizeof *tips);
   ensure(model, bempd_bond_count(model, region, &paths->bond_count));
@@ -76,6 +78,18 @@ static int nearest_tip(const crack_paths* paths, const broken_bond* bond, int64_
   return tip;
 }
 
+/* How near the newest bonds come to those of other tips. */
+static void update_gap(crack_paths* paths, int64_t broken_before) {
+  int64_t i, k;
+  for (i = broken_before; i < paths->broken_count; ++i) {
+    for (k = 0; k < i; ++k) {
+      if (paths->broken[i].tip == paths->broken[k].tip) continue;
+      paths->gap =
+          fmin(paths->gap, hypot(paths->broken[i].x - paths->broken[k].x, paths->broken[i].y - paths->broken[k].y));
+    }
+  }
+}
+
 void crack_paths_update(crack_paths* paths) {
   const int64_t broken_before = paths->broken_count;
   int64_t bond;
@@ -87,6 +101,7 @@ void crack_paths_update(crack_paths* paths) {
       broken->tip = nearest_tip(paths, broken, broken_before);
     }
   }
+  update_gap(paths, broken_before);
   memcpy(paths->states_before, paths->states, (size_t)paths->bond_count * sizeof *paths->states);
 }
 
@@ -119,14 +134,7 @@ double crack_paths_height(const crack_paths* paths, int tip, double x, double wi
   return count > 0 ? sum / (double)count : 0.0;
 }
 
-double crack_paths_advance(const crack_paths* paths, int tip) {
-  double advance = 0.0;
-  int64_t k;
-  for (k = 0; k < paths->broken_count; ++k) {
-    if (paths->broken[k].tip == tip) advance = fmax(advance, fabs(paths->broken[k].x - paths->tips[2 * tip]));
-  }
-  return advance;
-}
+double crack_paths_gap(const crack_paths* paths) { return paths->gap; }
 
 void crack_paths_write(const crack_paths* paths, const char* path) {
   FILE* file = fopen(path, "w");

@@ -19,8 +19,8 @@ double crack_paths_direction(const crack_paths* paths, int tip, double reach);
 /* Mean height of the middles of the bonds that broke from a tip, within half a width of x; 0 if none did. */
 double crack_paths_height(const crack_paths* paths, int tip, double x, double width);
 
-/* Distance of the farthest broken bond from its tip along x. */
-double crack_paths_advance(const crack_paths* paths, int tip);
+/* Smallest distance between the middles of bonds that broke from different tips; infinite while there are none. */
+double crack_paths_gap(const crack_paths* paths);
 
 /* tip, x, y of every broken bond's middle, in the order of breaking. */
 void crack_paths_write(const crack_paths* paths, const char* path);

@@ -1,5 +1,6 @@
-/* The plate of the paper's crack examples 1 and 2: 50 mm wide, E = 30 GPa, both ends pulled apart by 2e-8 m an increment,
- * bonds that break at a stretch of 8e-4; boundary elements left and right, a peridynamic strip between them. */
+/* The plate of the paper's crack examples 1 and 2: 50 mm wide, E = 30 GPa, both ends pulled apart by 2e-8 m an
+ * increment, bonds that break at a stretch of 8e-4; boundary elements left and right, a peridynamic strip between them.
+ */
 #ifndef EXAMPLES_CRACKED_PLATE_H
 #define EXAMPLES_CRACKED_PLATE_H
 

@@ -24,68 +24,80 @@ void print_statistics(const bempd_model* model, const char* case_name, const cha
   bempd_statistics statistics;
   ensure(NULL, bempd_statistics_init(&statistics, sizeof statistics));
   ensure(model, bempd_get_statistics(model, &statistics));
-  printf("# case %-16s %-9s BE %4" PRId64 "  MP %5" PRId64 "  bonds %6" PRId64 "  seconds %.4f = boundary %.4f + lattice "
+  printf("# case %-16s %-9s BE %4" PRId64 "  MP %5" PRId64 "  bonds %6" PRId64
+         "  seconds %.4f = boundary %.4f + lattice "
          "%.4f + assembly %.4f + factorization %.4f + solve %.4f + rest\n",
          case_name, scheme, statistics.boundary_nodes, statistics.material_points, statistics.bonds, seconds,
          statistics.seconds_boundary, statistics.seconds_lattice, statistics.seconds_assembly,
          statistics.seconds_factorization, statistics.seconds_solve);
 }
 
-static FILE* open_table(const char* kind, const char* example, const char* case_name, const char* scheme,
-                        const char* header) {
-  char path[256];
-  FILE* file;
-  snprintf(path, sizeof path, "out/%s/%s_%s_%s.csv", example, kind, case_name, scheme);
-  file = fopen(path, "w");
-  if (file == NULL) {
-    perror(path);
-    exit(EXIT_FAILURE);
-  }
+static void stop_at(const char* path) {
+  perror(path);
+  exit(EXIT_FAILURE);
+}
+
+static FILE* open_table(const char* path, const char* header) {
+  FILE* file = fopen(path, "w");
+  if (file == NULL) stop_at(path);
   fprintf(file, "%s\n", header);
   return file;
 }
 
-static void close_table(FILE* file) {
-  if (fclose(file) == 0) return;
-  perror("out");
-  exit(EXIT_FAILURE);
+/* Displacements at the places, which the caller frees. */
+static double* evaluate(bempd_model* model, int count, const double* points) {
+  double* displacement = malloc(2 * (size_t)count * sizeof *displacement);
+  if (displacement == NULL) stop_at("displacement");
+  ensure(model, bempd_evaluate(model, count, points, displacement, NULL, NULL));
+  return displacement;
 }
 
-void write_line(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
-                double y) {
+void write_line(bempd_model* model, const char* path, double length, double y) {
   enum { places = 41 };
-  double points[places][2], displacement[places][2];
-  FILE* file = open_table("line", example, case_name, scheme, "x,u1,u2");
+  double points[places][2];
+  double* displacement;
+  FILE* file = open_table(path, "x,u1,u2");
   int k;
   for (k = 0; k < places; ++k) {
     points[k][0] = length * k / (places - 1);
     points[k][1] = y;
   }
-  ensure(model, bempd_evaluate(model, places, points[0], displacement[0], NULL, NULL));
+  displacement = evaluate(model, places, points[0]);
   for (k = 0; k < places; ++k) {
-    fprintf(file, "%.12g,%.12g,%.12g\n", points[k][0], displacement[k][0], displacement[k][1]);
+    fprintf(file, "%.12g,%.12g,%.12g\n", points[k][0], displacement[2 * k], displacement[2 * k + 1]);
   }
-  close_table(file);
+  free(displacement);
+  if (fclose(file) != 0) stop_at(path);
 }
 
-void write_fields(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
-                  double height) {
-  enum { columns = 101, rows = 21 };
-  static double points[columns * rows][2], displacement[columns * rows][2];
-  FILE* file = open_table("grid", example, case_name, scheme, "x,y,u1,u2");
-  char prefix[256];
-  int i, j, k;
-  for (j = 0; j < rows; ++j) {
-    for (i = 0; i < columns; ++i) {
-      points[j * columns + i][0] = length * i / (columns - 1);
-      points[j * columns + i][1] = height * j / (rows - 1);
-    }
+void write_grid(bempd_model* model, const char* path, double length, double height, int columns, int rows) {
+  const int count = columns * rows;
+  double* points = malloc(2 * (size_t)count * sizeof *points);
+  double* displacement;
+  FILE* file = open_table(path, "x,y,u1,u2");
+  int k;
+  if (points == NULL) stop_at(path);
+  for (k = 0; k < count; ++k) {
+    points[2 * k] = length * (k % columns) / (columns - 1);
+    points[2 * k + 1] = height * (k / columns) / (rows - 1);
   }
-  ensure(model, bempd_evaluate(model, columns * rows, points[0], displacement[0], NULL, NULL));
-  for (k = 0; k < columns * rows; ++k) {
-    fprintf(file, "%.12g,%.12g,%.12g,%.12g\n", points[k][0], points[k][1], displacement[k][0], displacement[k][1]);
+  displacement = evaluate(model, count, points);
+  for (k = 0; k < count; ++k) {
+    fprintf(file, "%.12g,%.12g,%.12g,%.12g\n", points[2 * k], points[2 * k + 1], displacement[2 * k],
+            displacement[2 * k + 1]);
   }
-  close_table(file);
-  snprintf(prefix, sizeof prefix, "out/%s/case_%s_%s", example, case_name, scheme);
-  ensure(model, bempd_write_snapshot(model, prefix));
+  free(displacement);
+  free(points);
+  if (fclose(file) != 0) stop_at(path);
+}
+
+void write_strip(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
+                 double height) {
+  char path[256];
+  snprintf(path, sizeof path, "out/%s/line_%s_%s.csv", example, case_name, scheme);
+  write_line(model, path, length, 0.5 * height);
+  snprintf(path, sizeof path, "out/%s/grid_%s_%s.csv", example, case_name, scheme);
+  write_grid(model, path, length, height, 101, 21);
+  snprintf(path, sizeof path, "out/%s/case_%s_%s", example, case_name, scheme);
+  ensure(model, bempd_write_snapshot(model, path));
 }

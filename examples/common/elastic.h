@@ -14,12 +14,14 @@ double displacement_at(bempd_model* model, double x, double y, int component);
 /* One line on a solved model: sizes, and seconds a stage. */
 void print_statistics(const bempd_model* model, const char* case_name, const char* scheme, double seconds);
 
-/* out/EXAMPLE/line_CASE_SCHEME.csv: x, u1, u2 along a horizontal line. */
-void write_line(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
-                double y);
+/* x, u1, u2 along the horizontal line of a body that begins at x = 0; PATH is the table's name. */
+void write_line(bempd_model* model, const char* path, double length, double y);
 
-/* out/EXAMPLE/grid_CASE_SCHEME.csv: x, y, u1, u2 all over a rectangle, and a snapshot beside it. */
-void write_fields(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
-                  double height);
+/* x, y, u1, u2 on a grid all over a rectangle with its lower left corner at the origin. */
+void write_grid(bempd_model* model, const char* path, double length, double height, int columns, int rows);
+
+/* For the case's pictures: out/EXAMPLE/line_CASE_SCHEME.csv and grid_CASE_SCHEME.csv, and a snapshot for ParaView. */
+void write_strip(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
+                 double height);
 
 #endif

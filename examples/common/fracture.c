@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "common/common.h"
+#include "common/elastic.h"
 
 void step_as_the_paper(bempd_model* model) {
   ensure(model, bempd_set_option_text(model, "stepping.mode", "paper"));
@@ -23,35 +24,50 @@ static int64_t count_cut_bonds(const bempd_model* model) {
   return statistics.cut_bonds;
 }
 
-crack_run run_crack(bempd_model* model, const char* example, const char* case_name, double limit, crack_paths* paths) {
+/* out/EXAMPLE/KIND_CASE.csv */
+static const char* table_path(const crack_task* task, const char* kind, char path[256]) {
+  snprintf(path, 256, "out/%s/%s_%s.csv", task->example, kind, task->case_name);
+  return path;
+}
+
+/* Keeps the paths; whether two cracks have met. */
+static int follow_paths(const crack_task* task) {
+  if (task->paths == NULL) return 0;
+  crack_paths_update(task->paths);
+  return task->meeting_distance > 0.0 && crack_paths_gap(task->paths) <= task->meeting_distance;
+}
+
+crack_run run_crack(bempd_model* model, const crack_task* task) {
   const int64_t bonds_between_snapshots = 250;
   int64_t next_snapshot = bonds_between_snapshots;
   crack_run run = {0};
-  char prefix[256], history[256];
+  char prefix[256], path[256];
+  int met;
   const double start = seconds_now();
 
-  snprintf(prefix, sizeof prefix, "out/%s/%s", example, case_name);
-  snprintf(history, sizeof history, "out/%s/history_%s.csv", example, case_name);
+  snprintf(prefix, sizeof prefix, "out/%s/%s", task->example, task->case_name);
   ensure(model, bempd_prepare(model));
   run.seconds = seconds_now() - start;
   run.cut_bonds = count_cut_bonds(model);
 
   ensure(NULL, bempd_step_report_init(&run.last, sizeof run.last));
   do {
-    ensure(model, bempd_step_to_next_event(model, limit, &run.last));
+    ensure(model, bempd_step_to_next_event(model, task->limit, &run.last));
     run.seconds += run.last.seconds_total;
-    if (paths != NULL) crack_paths_update(paths);
+    met = follow_paths(task);
     if (run.first_break == 0.0 && run.last.total_broken_bonds > 0) {
       run.first_break = run.last.load_factor;
       write_stage(model, &run.last, "first", prefix);
+      write_grid(model, table_path(task, "grid", path), task->side, task->side, 61, 61);
     } else if (run.last.total_broken_bonds >= next_snapshot && !run.last.separated) {
       next_snapshot = run.last.total_broken_bonds + bonds_between_snapshots;
       write_stage(model, &run.last, "growing", prefix);
     }
-  } while (run.last.stop_reason == BEMPD_STOP_EVENT && !run.last.separated);
-  run.complete = run.last.separated ? run.last.load_factor : 0.0;
-  write_stage(model, &run.last, run.last.separated ? "complete" : "stopped", prefix);
-  ensure(model, bempd_write_history(model, history));
+  } while (run.last.stop_reason == BEMPD_STOP_EVENT && !run.last.separated && !met);
+  run.complete = run.last.separated || met ? run.last.load_factor : 0.0;
+  write_stage(model, &run.last, run.complete > 0.0 ? "complete" : "stopped", prefix);
+  ensure(model, bempd_write_history(model, table_path(task, "history", path)));
+  if (task->paths != NULL) crack_paths_write(task->paths, table_path(task, "path", path));
   return run;
 }
 
@@ -62,10 +78,18 @@ double first_break(bempd_model* model, double limit) {
   return report.total_broken_bonds > 0 ? report.load_factor : 0.0;
 }
 
-void add_run(summary* table, const char* case_name, const char* scheme, const crack_run* run, paper_run paper) {
+void add_run(summary* table, const char* case_name, const char* scheme, const crack_run* run, known_run known) {
   const summary_row rows[] = {
-      {.quantity = "first break", .unit = "increment", .value = run->first_break, .paper = paper.first_break},
-      {.quantity = "complete", .unit = "increment", .value = run->complete, .paper = paper.complete},
+      {.quantity = "first break",
+       .unit = "increment",
+       .value = run->first_break,
+       .paper = known.paper_first_break,
+       .reference = known.prototype_first_break},
+      {.quantity = "complete",
+       .unit = "increment",
+       .value = run->complete,
+       .paper = known.paper_complete,
+       .reference = known.prototype_complete},
       {.quantity = "bonds cut by the crack", .unit = "-", .value = (double)run->cut_bonds},
       {.quantity = "bonds broken", .unit = "-", .value = (double)run->last.total_broken_bonds},
       {.quantity = "events", .unit = "-", .value = (double)run->last.total_events},
@@ -78,6 +102,7 @@ void add_run(summary* table, const char* case_name, const char* scheme, const cr
     row.case_name = case_name;
     row.scheme = scheme;
     row.seconds = run->seconds;
+    if (row.reference != 0.0) row.source = "independent prototype";
     summary_add(table, &row);
   }
 }

@@ -10,7 +10,7 @@
 
 typedef struct crack_run {
   double first_break; /* load factor of the first broken bond */
-  double complete;    /* load factor at separation; 0 without one */
+  double complete;    /* load factor at separation or meeting; 0 without either */
   double seconds;     /* wall time with the preparation */
   int64_t cut_bonds;  /* bonds cut by the initial cracks */
   bempd_step_report last;
@@ -20,19 +20,30 @@ typedef struct crack_run {
  * paper has it. Without this the model goes from event to event. */
 void step_as_the_paper(bempd_model* model);
 
-/* Goes from event to event until separation or the load factor's limit. A snapshot series out/EXAMPLE/CASE.pvd has the
- * first break, the end and the stages between; out/EXAMPLE/history_CASE.csv the history. paths: may be NULL. */
-crack_run run_crack(bempd_model* model, const char* example, const char* case_name, double limit, crack_paths* paths);
+typedef struct crack_task {
+  const char *example, *case_name;
+  double side;             /* of the square body, for the grid */
+  double limit;            /* largest load factor */
+  crack_paths* paths;      /* to be kept up to date; may be NULL */
+  double meeting_distance; /* stop when paths from two tips come so near; 0 for never */
+} crack_task;
+
+/* Goes from event to event until separation, the meeting of two cracks, or the limit. The series out/EXAMPLE/CASE.pvd
+ * has the first break, the end and the stages between; history_CASE.csv the history, grid_CASE.csv the displacements at
+ * the first break, path_CASE.csv the paths. */
+crack_run run_crack(bempd_model* model, const crack_task* task);
 
 /* Load factor of the first break, without breaking more. */
 double first_break(bempd_model* model, double limit);
 
-/* Numbers that the paper states; 0 for none. */
-typedef struct paper_run {
-  double first_break, complete;
-} paper_run;
+/* Increments known from elsewhere; 0 for none. */
+typedef struct known_run {
+  double paper_first_break, paper_complete;
+  /* By an independent prototype of the same scheme. */
+  double prototype_first_break, prototype_complete;
+} known_run;
 
 /* The rows that every run has. */
-void add_run(summary* table, const char* case_name, const char* scheme, const crack_run* run, paper_run paper);
+void add_run(summary* table, const char* case_name, const char* scheme, const crack_run* run, known_run known);
 
 #endif

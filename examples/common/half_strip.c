@@ -7,13 +7,11 @@
 const double half_strip_length = 1.0, half_strip_height = 0.2, half_strip_young_modulus = 100e9;
 
 const half_strip_case half_strip_cases[half_strip_case_count] = {
-    {"1", 0.05, 0.05, 0.05},  {"2", 0.05, 0.05, 0.01},    {"3", 0.01, 0.05, 0.01},
+    {"1", 0.05, 0.05, 0.05}, {"2", 0.05, 0.05, 0.01},   {"3", 0.01, 0.05, 0.01},
     {"4", 0.01, 0.01, 0.01}, {"5", 0.005, 0.05, 0.005},
 };
 
-static int whole(double ratio) {
-  return (int)lround(ratio);
-}
+static int whole(double ratio) { return (int)lround(ratio); }
 
 int half_strip_boundary_nodes(const half_strip_case* mesh) {
   return 2 * whole(half_strip_height / mesh->vertical_nodes) + 2 * whole(0.5 * half_strip_length / mesh->long_nodes);

@@ -14,9 +14,7 @@ static void stop_at(const char* path) {
   exit(EXIT_FAILURE);
 }
 
-static const char* text_of(const char* text) {
-  return text == NULL ? "" : text;
-}
+static const char* text_of(const char* text) { return text == NULL ? "" : text; }
 
 /* An empty cell where there is no number. */
 static const char* number_of(double number, int digits, char cell[32]) {

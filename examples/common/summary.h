@@ -8,12 +8,12 @@ typedef struct summary summary;
 typedef struct summary_row {
   const char *case_name, *scheme, *quantity, *unit;
   double value;
-  double reference;      /* what the value should be; the error is relative to it */
-  const char* source;    /* where the reference comes from */
-  double paper;          /* the value that the paper states */
-  double paper_error;    /* the relative error that the paper states [%] */
-  double seconds;        /* wall time of the run that gave the value */
-  double paper_seconds;  /* time that the paper states */
+  double reference;     /* what the value should be; the error is relative to it */
+  const char* source;   /* where the reference comes from */
+  double paper;         /* the value that the paper states */
+  double paper_error;   /* the relative error that the paper states [%] */
+  double seconds;       /* wall time of the run that gave the value */
+  double paper_seconds; /* time that the paper states */
 } summary_row;
 
 summary* summary_open(const char* example);

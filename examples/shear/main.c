@@ -1,6 +1,6 @@
 /*
- * The paper's example 2 (table 3): the strip of example 1, loaded downwards at its right end. SI units. Writes its files
- * to out/shear/.
+ * The paper's example 2 (table 3): the strip of example 1, loaded downwards at its right end. SI units. Writes its
+ * files to out/shear/.
  *
  *   example_shear [symmetric] [paper]
  */
@@ -55,7 +55,8 @@ static bempd_model* create_with_end_shear(const char* scheme, const half_strip_c
   return model;
 }
 
-/* Only the centre line is compared: under a point force the corner itself sinks without limit as the mesh is refined. */
+/* Only the centre line is compared: under a point force the corner itself sinks without limit as the mesh is refined.
+ */
 static void run_corner_force(summary* table, const char* scheme, int index) {
   const half_strip_case* mesh = &half_strip_cases[index];
   bempd_model* model = create_with_corner_force(scheme, mesh);
@@ -77,8 +78,7 @@ static void run_corner_force(summary* table, const char* scheme, int index) {
   size_t k;
   for (k = 0; k < sizeof rows / sizeof rows[0]; ++k) summary_add(table, &rows[k]);
   print_statistics(model, mesh->name, scheme, seconds);
-  write_line(model, "shear", mesh->name, scheme, half_strip_length, half_height);
-  write_fields(model, "shear", mesh->name, scheme, half_strip_length, half_strip_height);
+  write_strip(model, "shear", mesh->name, scheme, half_strip_length, half_strip_height);
   bempd_model_free(model);
 }
 

@@ -29,9 +29,7 @@ static const struct {
 enum { case_count = sizeof cases / sizeof cases[0] };
 
 /* Free to contract, the strip is in uniaxial stress, so u1 is linear whatever the modulus. */
-static double linear_field(double x) {
-  return pull * (2.0 * x / length - 1.0);
-}
+static double linear_field(double x) { return pull * (2.0 * x / length - 1.0); }
 
 /* Free edges and far ends are one quadratic element each; the interfaces follow the lattice. */
 static bempd_model* create_stretched_strip(const char* scheme, double spacing) {
@@ -87,8 +85,7 @@ static void run_case(summary* table, const char* scheme, int index) {
   size_t k;
   for (k = 0; k < sizeof rows / sizeof rows[0]; ++k) summary_add(table, &rows[k]);
   print_statistics(model, cases[index].name, scheme, seconds);
-  write_line(model, "stretching", cases[index].name, scheme, length, half_height);
-  write_fields(model, "stretching", cases[index].name, scheme, length, height);
+  write_strip(model, "stretching", cases[index].name, scheme, length, height);
   bempd_model_free(model);
 }
 

@@ -18,13 +18,10 @@ static const double traction = 5.25e6;
 /* What the paper states of each case [%], [s]; 0 for nothing. */
 static const struct {
   double interface_error, result_error, seconds;
-} paper[half_strip_case_count] = {
-    {0, 0, 0}, {0, 0, 0}, {2.90, 0.31, 1.08}, {2.89, 0.12, 9.34}, {2.65, 0.13, 10.02}};
+} paper[half_strip_case_count] = {{0, 0, 0}, {0, 0, 0}, {2.90, 0.31, 1.08}, {2.89, 0.12, 9.34}, {2.65, 0.13, 10.02}};
 
 /* Elongation at x of a bar (Eq. 29). */
-static double bar(double x) {
-  return traction * x / half_strip_young_modulus;
-}
+static double bar(double x) { return traction * x / half_strip_young_modulus; }
 
 /* True u1 at the right end's mid point when the left end is clamped: finite and boundary elements, extrapolated, agree
  * to 2e-6. At mid length the field of the clamped end has died out, so there u1 lies a bar's half elongation below. */
@@ -55,8 +52,7 @@ static void run_clamped(summary* table, const char* scheme, int index) {
   size_t k;
   for (k = 0; k < sizeof rows / sizeof rows[0]; ++k) summary_add(table, &rows[k]);
   print_statistics(model, mesh->name, scheme, seconds);
-  write_line(model, "tension", mesh->name, scheme, half_strip_length, half_height);
-  write_fields(model, "tension", mesh->name, scheme, half_strip_length, half_strip_height);
+  write_strip(model, "tension", mesh->name, scheme, half_strip_length, half_strip_height);
   bempd_model_free(model);
 }
 
