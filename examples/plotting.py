@@ -4,7 +4,7 @@ Expected in one folder:
     NAME.pvd                  series of snapshots; the time of a snapshot is its load factor
     NAME_NNNN_lattice.vtu     quads with point data "displacement" and "damage"
     NAME_NNNN_boundary.vtu    quadratic edges with point data "displacement" and cell data "region"
-    history.csv               columns "load_factor", "total_broken_bonds", "reaction_x_1", "reaction_y_1", ...
+    history_NAME.csv          columns "load_factor", "total_broken_bonds", "reaction_x_1", "reaction_y_1", ...
 Lengths are in metres, forces in newtons. Needs numpy, matplotlib and meshio.
 """
 
@@ -245,40 +245,72 @@ def draw_load_displacement(axes, history, reaction, displacement, displacement_l
     axes.set_axisbelow(True)
 
 
-def fracture_figure(folder, name, *, reaction, displacement, displacement_label, critical_stretch=None,
-                    magnification=None, length_unit=1e-3, length_name="mm"):
-    """Stages of the crack beside the load-displacement curve, written to FOLDER/NAME.png.
+def draw_broken_bonds(axes, history, load, load_label, load_unit):
+    """Broken bonds against the load, with the first break and the end of growth: under dead loads it shows where growth
+    becomes unstable."""
+    acting = load * history["load_factor"]
+    factor, unit = engineering(np.abs(acting).max(), load_unit)
+    broken = history["total_broken_bonds"]
+    axes.plot(np.append(0, acting) * factor, np.append(0, broken), color=CURVE, linewidth=1.3, zorder=2)
+    rows = growth_rows(history)
+    for row, text, marker in zip(rows or (), ("first break", "end of growth"), "os"):
+        axes.plot(acting[row] * factor, broken[row], marker, color=MARK, markersize=5, zorder=3, clip_on=False,
+                  label=f"{text}: {acting[row] * factor:.3g} {unit}")
+    axes.legend(loc="upper left", handletextpad=0.3, borderaxespad=0.3)
+    axes.set_xlabel(f"{load_label} [{unit}]")
+    axes.set_ylabel("broken bonds")
+    axes.set_xlim(left=0)
+    axes.set_ylim(bottom=0, top=broken.max() * 1.25)
+    axes.grid(color="#dddddd", linewidth=0.5)
+    axes.set_axisbelow(True)
 
-    reaction: column of the history; displacement: imposed displacement per unit of load factor [m].
+
+def fracture_figure(folder, name, *, load, load_label, load_unit="m", reaction=None, critical_stretch=None,
+                    magnification=None, end_title=None, length_unit=1e-3, length_name="mm"):
+    """Stages of the crack beside the load curve, written to FOLDER/NAME.png.
+
+    load: imposed displacement [m], or traction [Pa] with load_unit="Pa", per unit of load factor;
+    reaction: column of the history to show over it; None shows the broken bonds.
     """
     folder = pathlib.Path(folder)
-    history = read_history(folder / "history.csv")
-    end_title = "Complete" if is_separated(history, reaction) else "End of growth"
+    history = read_history(folder / f"history_{name}.csv")
+    end_title = end_title or ("Complete" if reaction and is_separated(history, reaction) else "End of growth")
     rows = growth_rows(history)
     first_break = history["load_factor"][rows[0]] if rows else None
     stages = crack_stages(read_series(folder / f"{name}.pvd"), end_title, first_break)
     if not stages:
         raise SystemExit(f"{folder / name}.pvd lists no snapshots")
-    magnification = magnification or round_magnification([stage.snapshot for stage in stages])
+    if magnification is None:
+        magnification = round_magnification([stage.snapshot for stage in stages])
     damage = max(stage.snapshot.damage().max(initial=0) for stage in stages)
     largest_damage = max(0.1, np.ceil(10 * damage - 1e-9) / 10)
-    to_length, unit = engineering(displacement * max(stage.snapshot.load_factor for stage in stages), "m")
+    to_load, unit = engineering(load * max(stage.snapshot.load_factor for stage in stages), load_unit)
     with plt.rc_context(STYLE):
         figure = plt.figure(figsize=(2.35 * len(stages) + 4.6, 3.1), layout="constrained")
         left, right = figure.subfigures(1, 2, width_ratios=[2.35 * len(stages) + 0.8, 3.8])
         panels = left.subplots(1, len(stages), sharex=True, sharey=True, squeeze=False)[0]
         for axes, stage in zip(panels, stages):
             cells = draw_stage(axes, stage.snapshot, magnification, length_unit, critical_stretch, largest_damage)
-            axes.set_title(f"{stage.title}, {displacement * stage.snapshot.load_factor * to_length:.3g} {unit}")
+            axes.set_title(f"{stage.title}, {load * stage.snapshot.load_factor * to_load:.3g} {unit}")
             axes.set_xlabel(f"x [{length_name}]")
         panels[0].set_ylabel(f"y [{length_name}]")
         if cells is not None:
             left.colorbar(cells, ax=panels, shrink=0.72, pad=0.015, label="damage [-]")
-        left.supxlabel(f"displacements magnified {magnification:g} times", fontsize=8, color="#444444")
+        shape = f"displacements magnified {magnification:g} times" if magnification > 0 else "undeformed shape"
+        left.supxlabel(shape, fontsize=8, color="#444444")
         axes = right.subplots()
-        draw_load_displacement(axes, history, reaction, displacement, displacement_label)
-        axes.set_title("Load and displacement")
+        if reaction:
+            draw_load_displacement(axes, history, reaction, load, load_label)
+            axes.set_title("Load and displacement")
+        else:
+            draw_broken_bonds(axes, history, load, load_label, load_unit)
+            axes.set_title("Load and growth")
         target = folder / f"{name}.png"
         figure.savefig(target, dpi=200)
         plt.close(figure)
     return target
+
+
+def written_runs(folder):
+    """Names of the runs whose histories lie in the folder."""
+    return sorted(table.stem.removeprefix("history_") for table in pathlib.Path(folder).glob("history_*.csv"))

@@ -1,6 +1,6 @@
-"""Draws the damage around the growing crack and the load-displacement curve of this example's run.
+"""Draws the damage around the growing cracks, the load curve and the displacements of this example's runs.
 
-usage: /usr/bin/python3 examples/centre_crack/plot.py [FOLDER] [NAME]
+usage: /usr/bin/python3 examples/centre_crack/plot.py [FOLDER] [RUN...]
 """
 
 import argparse
@@ -8,24 +8,26 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import field_plots
 import plotting
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("folder", nargs="?", default="out/centre_crack", help="where the run wrote its files")
-parser.add_argument("name", nargs="?", default="centre_crack", help="name of the snapshots without number and ending")
-parser.add_argument("--reaction", default="reaction_x_2", help="column of history.csv: pull at the right end")
-parser.add_argument("--displacement", type=float, default=2e-8, help="displacement of an end per unit of load [m]")
-parser.add_argument("--critical-stretch", type=float, default=8e-4, help="critical stretch of the bonds [-]")
-parser.add_argument("--magnification", type=float, help="factor on displacements (default: chosen)")
+parser.add_argument("runs", nargs="*", help="names of runs, such as events_symmetric (default: all)")
 options = parser.parse_args()
+runs = options.runs or plotting.written_runs(options.folder)
 
-picture = plotting.fracture_figure(
-    options.folder,
-    options.name,
-    reaction=options.reaction,
-    displacement=options.displacement,
-    displacement_label="displacement of each end",
-    critical_stretch=options.critical_stretch,
-    magnification=options.magnification,
-)
-print(f"wrote {picture}")
+for run in runs:
+    picture = plotting.fracture_figure(
+        options.folder,
+        run,
+        load=2e-8,
+        load_label="displacement of each end",
+        reaction="reaction_x_2",
+        critical_stretch=8e-4,
+    )
+    print(f"wrote {picture}")
+panels = [(f"{run.replace('_', ', ')}, first break", run) for run in runs]
+picture = field_plots.contour_figure(options.folder, "fields", panels, length_unit=1e-3, length_name="mm")
+if picture:
+    print(f"wrote {picture}")

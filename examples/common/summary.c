@@ -52,9 +52,9 @@ void summary_add(summary* table, const summary_row* row) {
   number_of(row->paper_error, 3, paper_error);
   number_of(row->seconds, 3, seconds);
   number_of(row->paper_seconds, 3, paper_seconds);
-  fprintf(table->file, "%s,%s,%s,%s,%s,%.12g,%s,%s,%s,%s,%s,%s,%s\n", table->example, row->case_name, row->scheme,
-          row->quantity, row->unit, row->value, reference, error, text_of(row->source), paper, paper_error, seconds,
-          paper_seconds);
+  fprintf(table->file, "%s,\"%s\",%s,\"%s\",%s,%.12g,%s,%s,\"%s\",%s,%s,%s,%s\n", table->example, row->case_name,
+          row->scheme, row->quantity, row->unit, row->value, reference, error, text_of(row->source), paper, paper_error,
+          seconds, paper_seconds);
   if (paper[0] == '\0' && paper_error[0] != '\0') snprintf(paper, sizeof paper, "%s %%", paper_error);
   printf("%-22s %-9s %-42s %14.7g %-9s %12s %10s %9s %9s\n", row->case_name, row->scheme, row->quantity, row->value,
          row->unit, reference, error, paper, seconds);

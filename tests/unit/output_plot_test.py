@@ -29,7 +29,9 @@ with tempfile.TemporaryDirectory() as name:
     loops = plotting.boundary_loops(stages[-1].snapshot.mesh("boundary"), 1)
     assert [region for region, _ in loops] == [1, 2], loops
 
-    history = plotting.read_history(folder / "history.csv")
+    (folder / "history.csv").rename(folder / "history_crack.csv")
+    assert plotting.written_runs(folder) == ["crack"]
+    history = plotting.read_history(folder / "history_crack.csv")
     assert [history["load_factor"][row] for row in plotting.growth_rows(history)] == [281, 400]
     assert plotting.engineering(8.2e-6, "m")[1] == "\u00b5m" and plotting.engineering(2e4, "N") == (1e-3, "kN")
 
