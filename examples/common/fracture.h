@@ -36,11 +36,10 @@ crack_run run_crack(bempd_model* model, const crack_task* task);
 /* Load factor of the first break, without breaking more. */
 double first_break(bempd_model* model, double limit);
 
-/* Increments known from elsewhere; 0 for none. */
+/* Increments known from elsewhere; NULL or 0 for none. */
 typedef struct known_run {
-  double paper_first_break, paper_complete;
-  /* By an independent prototype of the same scheme. */
-  double prototype_first_break, prototype_complete;
+  const char *paper_first_break, *paper_complete;
+  double prototype_first_break, prototype_complete; /* an independent prototype of the same scheme */
 } known_run;
 
 /* The rows that every run has. */

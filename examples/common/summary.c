@@ -34,30 +34,38 @@ summary* summary_open(const char* example) {
   fprintf(table->file,
           "example,case,scheme,quantity,unit,value,reference,error_percent,source,paper,paper_error_percent,seconds,"
           "paper_seconds\n");
-  printf("%-22s %-9s %-42s %14s %-9s %12s %10s %9s %9s\n", "case", "scheme", "quantity", "value", "unit", "reference",
+  printf("%-22s %-9s %-48s %14s %-9s %12s %10s %9s %9s\n", "case", "scheme", "quantity", "value", "unit", "reference",
          "error [%]", "paper", "seconds");
   return table;
 }
 
-void summary_add(summary* table, const summary_row* row) {
-  char reference[32], error[32], paper[32], paper_error[32], seconds[32], paper_seconds[32];
-  const double relative = row->reference == 0.0 ? 0.0 : 100.0 * (row->value / row->reference - 1.0);
-  number_of(row->reference, 7, reference);
-  if (row->reference == 0.0) {
-    error[0] = '\0';
+/* Relative to the reference, in percent. */
+static const char* error_of(const summary_row* row, char cell[32]) {
+  cell[0] = '\0';
+  if (row->reference != 0.0) snprintf(cell, 32, "%.3g", 100.0 * (row->value / row->reference - 1.0));
+  return cell;
+}
+
+static void print_row(const summary_row* row, const char* reference, const char* error, const char* seconds) {
+  char paper[32];
+  if (row->paper == NULL && row->paper_error != NULL) {
+    snprintf(paper, sizeof paper, "%s %%", row->paper_error);
   } else {
-    snprintf(error, sizeof error, "%.3g", relative);
+    snprintf(paper, sizeof paper, "%s", text_of(row->paper));
   }
-  number_of(row->paper, 7, paper);
-  number_of(row->paper_error, 3, paper_error);
-  number_of(row->seconds, 3, seconds);
-  number_of(row->paper_seconds, 3, paper_seconds);
-  fprintf(table->file, "%s,\"%s\",%s,\"%s\",%s,%.12g,%s,%s,\"%s\",%s,%s,%s,%s\n", table->example, row->case_name,
-          row->scheme, row->quantity, row->unit, row->value, reference, error, text_of(row->source), paper, paper_error,
-          seconds, paper_seconds);
-  if (paper[0] == '\0' && paper_error[0] != '\0') snprintf(paper, sizeof paper, "%s %%", paper_error);
-  printf("%-22s %-9s %-42s %14.7g %-9s %12s %10s %9s %9s\n", row->case_name, row->scheme, row->quantity, row->value,
+  printf("%-22s %-9s %-48s %14.7g %-9s %12s %10s %9s %9s\n", row->case_name, row->scheme, row->quantity, row->value,
          row->unit, reference, error, paper, seconds);
+}
+
+void summary_add(summary* table, const summary_row* row) {
+  char reference[32], error[32], seconds[32];
+  number_of(row->reference, 7, reference);
+  error_of(row, error);
+  number_of(row->seconds, 3, seconds);
+  fprintf(table->file, "%s,\"%s\",%s,\"%s\",%s,%.12g,%s,%s,\"%s\",%s,%s,%s,%s\n", table->example, row->case_name,
+          row->scheme, row->quantity, row->unit, row->value, reference, error, text_of(row->source),
+          text_of(row->paper), text_of(row->paper_error), seconds, text_of(row->paper_seconds));
+  print_row(row, reference, error, seconds);
 }
 
 void summary_close(summary* table) {

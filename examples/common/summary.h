@@ -4,16 +4,16 @@
 
 typedef struct summary summary;
 
-/* One number. Zero in a number that is not `value`, or NULL in a text, means that there is none. */
+/* One number. Zero, or NULL, means that there is none. */
 typedef struct summary_row {
   const char *case_name, *scheme, *quantity, *unit;
   double value;
-  double reference;     /* what the value should be; the error is relative to it */
-  const char* source;   /* where the reference comes from */
-  double paper;         /* the value that the paper states */
-  double paper_error;   /* the relative error that the paper states [%] */
-  double seconds;       /* wall time of the run that gave the value */
-  double paper_seconds; /* time that the paper states */
+  double reference;          /* what the value should be; the error is relative to it */
+  const char* source;        /* where the reference comes from */
+  const char* paper;         /* the value as the paper prints it */
+  const char* paper_error;   /* the relative error as the paper prints it [%] */
+  double seconds;            /* wall time of the run that gave the value */
+  const char* paper_seconds; /* time as the paper prints it */
 } summary_row;
 
 summary* summary_open(const char* example);
