@@ -18,7 +18,11 @@ static const double traction = 5.25e6;
 /* What the paper states of each case [%], [s]; it has no errors of cases 1 and 2. */
 static const struct {
   const char *interface_error, *result_error, *seconds;
-} paper[half_strip_case_count] = {{0, 0, 0}, {0, 0, 0}, {2.90, 0.31, 1.08}, {2.89, 0.12, 9.34}, {2.65, 0.13, 10.02}};
+} paper[half_strip_case_count] = {{NULL, NULL, NULL},
+                                  {NULL, NULL, NULL},
+                                  {"2.90", "0.31", "1.08"},
+                                  {"2.89", "0.12", "9.34"},
+                                  {"2.65", "0.13", "10.02"}};
 
 /* Elongation at x of a bar (Eq. 29). */
 static double bar(double x) { return traction * x / half_strip_young_modulus; }
