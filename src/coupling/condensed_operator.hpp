@@ -9,7 +9,7 @@
 
 namespace bempd::coupling {
 
-enum class DofKind : char { prescribed, private_free, shared_free };
+enum class DofKind : char { prescribed, private_free, shared_free, tied };
 
 // A dense operator whose private unknowns (free, and touched by no other operator) are eliminated once, so that only
 // the unknowns it shares with others enter the sparse system.

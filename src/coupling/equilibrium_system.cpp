@@ -26,32 +26,41 @@ constexpr double suspicious_response = 1e8;
 }  // namespace
 
 EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
-                                     std::vector<char> prescribed_dofs)
+                                     std::vector<char> prescribed_dofs, NodeTies ties)
     : node_count_(node_count),
-      in_operator_(node_count, 0),
+      in_body_(node_count, 0),
       bonds_(std::move(bonds)),
+      ties_(std::move(ties)),
       active_stiffness_(bonds_.stiffness),
       intact_(bonds_.size(), 1),
       force_(Affine::Zero(2 * node_count, 2)),
       prescribed_(Affine::Zero(2 * node_count, 2)) {
   classify(operators, prescribed_dofs);
+  collect_bodies(operators);
   pending_ = std::move(operators);
 }
 
 void EquilibriumSystem::classify(const std::vector<DenseOperator>& operators, const std::vector<char>& prescribed) {
+  std::vector<int> operators_at(node_count_, 0);
   std::vector<char> has_bond(node_count_, 0);
   for (std::size_t b = 0; b < bonds_.size(); ++b) has_bond[bonds_.first[b]] = has_bond[bonds_.second[b]] = 1;
   for (const DenseOperator& op : operators) {
-    bodies_.push_back(op.nodes);
-    for (int node : op.nodes)
-      in_operator_[node] = static_cast<char>(in_operator_[node] < 2 ? in_operator_[node] + 1 : 2);
+    for (int node : op.nodes) ++operators_at[node];
+  }
+  // The bonds of a tied node are its masters' too.
+  for (std::size_t t = 0; t < ties_.nodes().size(); ++t) {
+    for (const NodeTies::Master& m : ties_.masters(t)) has_bond[m.node] = 1;
   }
   kind_.resize(2 * node_count_);
   unknown_of_.assign(2 * node_count_, -1);
   for (int node = 0; node < node_count_; ++node) {
-    const bool shared = has_bond[node] || in_operator_[node] != 1;
+    const bool shared = has_bond[node] || operators_at[node] != 1;
+    const bool tied = ties_.tie_of(node) >= 0;
     for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
-      kind_[dof] = prescribed[dof] ? DofKind::prescribed : shared ? DofKind::shared_free : DofKind::private_free;
+      kind_[dof] = tied              ? DofKind::tied
+                   : prescribed[dof] ? DofKind::prescribed
+                   : shared          ? DofKind::shared_free
+                                     : DofKind::private_free;
       if (kind_[dof] != DofKind::shared_free) continue;
       unknown_of_[dof] = static_cast<int>(dof_of_.size());
       dof_of_.push_back(dof);
@@ -60,12 +69,27 @@ void EquilibriumSystem::classify(const std::vector<DenseOperator>& operators, co
   counters_.sparse_unknowns = static_cast<std::int64_t>(dof_of_.size());
 }
 
+void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operators) {
+  std::vector<int> body_of(node_count_, -1);
+  for (const DenseOperator& op : operators) {
+    for (int node : op.nodes) body_of[node] = static_cast<int>(bodies_.size());
+    bodies_.push_back(op.nodes);
+  }
+  for (std::size_t t = 0; t < ties_.nodes().size(); ++t) {
+    bodies_[body_of[ties_.masters(t).front().node]].push_back(ties_.nodes()[t]);
+  }
+  for (const std::vector<int>& body : bodies_) {
+    for (int node : body) in_body_[node] = 1;
+  }
+}
+
 void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   force_ = std::move(force);
   prescribed_ = std::move(prescribed);
   for (int dof = 0; dof < 2 * node_count_; ++dof) {
     if (kind_[dof] != DofKind::prescribed) prescribed_.row(dof).setZero();
   }
+  ties_.collect(force_);
   load_condensed_ = false;
 }
 
@@ -98,9 +122,22 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
   };
   // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, node_count_);  // xx, xy, yy
+  std::vector<Eigen::Triplet<double>> pull;
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const int first = 2 * bonds_.first[b], second = 2 * bonds_.second[b];
     const double c = bonds_.cosine[b], s = bonds_.sine[b];
+    if (ties_.tie_of(bonds_.first[b]) >= 0 || ties_.tie_of(bonds_.second[b]) >= 0) {
+      pull.clear();
+      add_pull(bonds_.first[b], c, s, -1, 0, pull);
+      add_pull(bonds_.second[b], c, s, 1, 0, pull);
+      for (const auto& row : pull) {
+        for (const auto& column : pull) {
+          if (row.row() < column.row()) continue;
+          entries.emplace_back(row.row(), column.row(), active_stiffness_[b] * row.value() * column.value());
+        }
+      }
+      continue;
+    }
     const Eigen::Vector3d block = active_stiffness_[b] * Eigen::Vector3d(c * c, c * s, s * s);
     diagonal.col(bonds_.first[b]) += block;
     diagonal.col(bonds_.second[b]) += block;
@@ -173,18 +210,26 @@ void EquilibriumSystem::mark_broken(std::span<const int> bonds) {
   for (int b : bonds) intact_[b] = 0;
 }
 
+void EquilibriumSystem::add_pull(int node, double cosine, double sine, double size, int column,
+                                 std::vector<Eigen::Triplet<double>>& entries) const {
+  const auto add = [&](int at, double weight) {
+    if (const int x = unknown_of_[2 * at]; x >= 0 && cosine != 0) entries.emplace_back(x, column, weight * cosine);
+    if (const int y = unknown_of_[2 * at + 1]; y >= 0 && sine != 0) entries.emplace_back(y, column, weight * sine);
+  };
+  const int tie = ties_.tie_of(node);
+  if (tie < 0) {
+    add(node, size);
+    return;
+  }
+  for (const NodeTies::Master& m : ties_.masters(tie)) add(m.node, size * m.weight);
+}
+
 void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const HoldingSpring> springs) {
   std::vector<Eigen::Triplet<double>> entries;
   int column = 0;
-  const auto add = [&](int node, double c, double s) {
-    if (const int x = unknown_of_[2 * node]; x >= 0 && c != 0) entries.emplace_back(x, column, c);
-    if (const int y = unknown_of_[2 * node + 1]; y >= 0 && s != 0) entries.emplace_back(y, column, s);
-  };
   for (const HoldingSpring& spring : springs) {
     springs_.push_back(spring);
-    const double root = std::sqrt(spring.stiffness);
-    add(spring.node, root * spring.cosine, root * spring.sine);
-    ++column;
+    add_pull(spring.node, spring.cosine, spring.sine, std::sqrt(spring.stiffness), column++, entries);
   }
   change_factor(entries, column, linalg::Change::add);
 
@@ -192,10 +237,9 @@ void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const
   column = 0;
   for (int b : bonds) {
     const double root = std::sqrt(active_stiffness_[b]);
-    add(bonds_.first[b], -root * bonds_.cosine[b], -root * bonds_.sine[b]);
-    add(bonds_.second[b], root * bonds_.cosine[b], root * bonds_.sine[b]);
+    add_pull(bonds_.first[b], bonds_.cosine[b], bonds_.sine[b], -root, column, entries);
+    add_pull(bonds_.second[b], bonds_.cosine[b], bonds_.sine[b], root, column++, entries);
     active_stiffness_[b] = 0;
-    ++column;
   }
   change_factor(entries, column, linalg::Change::remove);
 }
@@ -215,9 +259,10 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
     pull.segment<2>(first) -= along;
     pull.segment<2>(second) += along;
   }
-  Eigen::VectorXd response = Eigen::VectorXd::Zero(2 * node_count_);
+  ties_.collect(pull);
+  Eigen::VectorXd response;
   try {
-    response(dof_of_) = solve_column(pull(dof_of_));
+    response = displacement_of(solve_column(pull(dof_of_)));
   } catch (const Error&) {
     return false;
   }
@@ -245,9 +290,7 @@ SoftMotion EquilibriumSystem::softest_motion() {
     vector /= vector.cwiseAbs().maxCoeff();
   }
   const Eigen::VectorXd force = matrix.selfadjointView<Eigen::Lower>() * vector;
-  SoftMotion soft{Eigen::VectorXd::Zero(2 * node_count_), vector.dot(force) / (largest * vector.squaredNorm())};
-  soft.motion(dof_of_) = vector;
-  return soft;
+  return {displacement_of(vector), vector.dot(force) / (largest * vector.squaredNorm())};
 }
 
 void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
@@ -277,14 +320,22 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
   Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
   add_bond_forces(displacement, force);
   for (const CondensedOperator& op : operators_) op.add_internal_force(displacement, force);
+  ties_.collect(force);
   return force;
 }
 
-Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
+Eigen::VectorXd EquilibriumSystem::displacement_of(const Eigen::VectorXd& unknowns) const {
   Eigen::VectorXd displacement = Eigen::VectorXd::Zero(2 * node_count_);
   displacement(dof_of_) = unknowns;
+  ties_.expand(displacement);
+  return displacement;
+}
+
+Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
+  const Eigen::VectorXd displacement = displacement_of(unknowns);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);
   add_bond_forces(displacement, force);
+  ties_.collect(force);
   for (const CondensedOperator& op : operators_) {
     const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
     force(op.shared_dofs()) += local;
@@ -300,7 +351,8 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
 Affine EquilibriumSystem::right_hand_side() const {
   Affine load = condensed_load_;
   // Bonds and holding springs that end on prescribed displacements pull with them.
-  const Affine& support = prescribed_;
+  Affine support = prescribed_;
+  ties_.expand(support);
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const int i = 2 * bonds_.first[b], j = 2 * bonds_.second[b];
     const bool touches =
@@ -322,6 +374,7 @@ Affine EquilibriumSystem::right_hand_side() const {
     load.row(x) += s.cosine * pull;
     load.row(x + 1) += s.sine * pull;
   }
+  ties_.collect(load);
   return load(dof_of_, Eigen::all);
 }
 
@@ -362,6 +415,7 @@ Affine EquilibriumSystem::solve() {
     counters_.solves += force_.col(column).isZero(0) && prescribed_.col(column).isZero(0) ? 0 : 1;
   }
   for (const CondensedOperator& op : operators_) op.recover(displacement);
+  ties_.expand(displacement);
   return displacement;
 }
 

@@ -69,8 +69,9 @@ void Model::prepare() {
   Discretization& d = p->discretization;
   p->conditions = apply_conditions(scene_, d);
   p->cut_bonds = bonds_cut_by_cracks(scene_, d);
-  p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
-                                                            std::move(d.bonds), p->conditions.prescribed);
+  p->system =
+      std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
+                                                    std::move(d.bonds), p->conditions.prescribed, d.ties);
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
