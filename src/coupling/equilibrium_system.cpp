@@ -5,6 +5,9 @@
 
 #include "error.hpp"
 #include "linalg/conjugate_gradient.hpp"
+#include "linalg/gmres.hpp"
+#include "linalg/sparse_cholesky.hpp"
+#include "linalg/sparse_lu.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::coupling {
@@ -37,6 +40,7 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       prescribed_(Affine::Zero(2 * node_count, 2)) {
   classify(operators, prescribed_dofs);
   collect_bodies(operators);
+  for (const DenseOperator& op : operators) symmetric_ = symmetric_ && op.symmetric;
   pending_ = std::move(operators);
 }
 
@@ -113,12 +117,12 @@ void EquilibriumSystem::condense_load() {
   load_condensed_ = true;
 }
 
-Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
+Eigen::SparseMatrix<double> EquilibriumSystem::assemble() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * bonds_.size() + 3 * static_cast<std::size_t>(node_count_));
   const auto add = [&](int row_dof, int column_dof, double value) {
     const int row = unknown_of_[row_dof], column = unknown_of_[column_dof];
-    if (row >= 0 && column >= 0 && row >= column) entries.emplace_back(row, column, value);
+    if (row >= 0 && column >= 0 && (!symmetric_ || row >= column)) entries.emplace_back(row, column, value);
   };
   // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, node_count_);  // xx, xy, yy
@@ -132,7 +136,7 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
       add_pull(bonds_.second[b], c, s, 1, 0, pull);
       for (const auto& row : pull) {
         for (const auto& column : pull) {
-          if (row.row() < column.row()) continue;
+          if (symmetric_ && row.row() < column.row()) continue;
           entries.emplace_back(row.row(), column.row(), active_stiffness_[b] * row.value() * column.value());
         }
       }
@@ -152,6 +156,7 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
   for (int node = 0; node < node_count_; ++node) {
     add(2 * node, 2 * node, diagonal(0, node));
     add(2 * node + 1, 2 * node, diagonal(1, node));
+    add(2 * node, 2 * node + 1, diagonal(1, node));
     add(2 * node + 1, 2 * node + 1, diagonal(2, node));
   }
   for (const CondensedOperator& op : operators_) {
@@ -175,20 +180,24 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
   return matrix;
 }
 
+std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorization() const {
+  if (symmetric_) return linalg::make_sparse_cholesky();
+  return linalg::make_sparse_lu();
+}
+
 void EquilibriumSystem::factorize() {
   if (has_factor_) return;
   Eigen::SparseMatrix<double> matrix;
   {
     const Stopwatch watch(counters_.seconds_assembly);
-    matrix = assemble_lower();
+    matrix = assemble();
   }
   const Stopwatch watch(counters_.seconds_factorization);
-  if (!factor_) factor_ = linalg::make_sparse_cholesky();
+  if (!factor_) factor_ = make_factorization();
   if (!factor_->factorize(matrix)) {
-    fail(
-        Failure::unsolvable,
-        "the stiffness matrix is not positive definite: a part of the body can move freely; check supports, and cracks "
-        "that leave a part hanging on a single point");
+    fail(Failure::unsolvable,
+         "the stiffness matrix is singular: a part of the body can move freely; check supports, and cracks "
+         "that leave a part hanging on a single point");
   }
   has_factor_ = factor_is_current_ = true;
   ++counters_.sparse_factorizations;
@@ -277,11 +286,11 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
 SoftMotion EquilibriumSystem::softest_motion() {
   condense();
   // Inverse iteration with a shift that makes a singular matrix factorizable without hiding its null space.
-  const Eigen::SparseMatrix<double> matrix = assemble_lower();
+  const Eigen::SparseMatrix<double> matrix = assemble();
   const double largest = matrix.diagonal().maxCoeff();
   Eigen::SparseMatrix<double> shifted = matrix;
   for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * largest;
-  const auto factor = linalg::make_sparse_cholesky();
+  const auto factor = make_factorization();
   if (!factor->factorize(shifted)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
   Eigen::VectorXd vector =
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
@@ -289,8 +298,9 @@ SoftMotion EquilibriumSystem::softest_motion() {
     factor->solve_in_place(vector);
     vector /= vector.cwiseAbs().maxCoeff();
   }
-  const Eigen::VectorXd force = matrix.selfadjointView<Eigen::Lower>() * vector;
-  return {displacement_of(vector), vector.dot(force) / (largest * vector.squaredNorm())};
+  const Eigen::VectorXd force =
+      symmetric_ ? Eigen::VectorXd(matrix.selfadjointView<Eigen::Lower>() * vector) : Eigen::VectorXd(matrix * vector);
+  return {displacement_of(vector), std::abs(vector.dot(force)) / (largest * vector.squaredNorm())};
 }
 
 void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
@@ -381,14 +391,17 @@ Affine EquilibriumSystem::right_hand_side() const {
 Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
   const auto multiply = [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); };
   const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
-  const linalg::ConjugateGradientOptions options{solution_tolerance, most_iterations};
   for (bool fresh : {false, true}) {
     if (fresh) {
       forget_factor();
       factorize();
     }
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(rhs.size());
-    const auto result = linalg::conjugate_gradient(multiply, precondition, rhs, solution, options);
+    const linalg::KrylovResult result =
+        symmetric_
+            ? linalg::conjugate_gradient(multiply, precondition, rhs, solution, {solution_tolerance, most_iterations})
+            : linalg::gmres(multiply, precondition, rhs, solution,
+                            {solution_tolerance, most_iterations, most_iterations});
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
   }

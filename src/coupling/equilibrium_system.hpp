@@ -10,7 +10,7 @@
 #include "coupling/condensed_operator.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
-#include "linalg/sparse_cholesky.hpp"
+#include "linalg/sparse_factorization.hpp"
 
 namespace bempd::coupling {
 
@@ -35,7 +35,8 @@ struct SoftMotion {
 };
 
 // Equilibrium of all nodes: dense operators condensed onto the unknowns they share, bonds, and holding springs, in one
-// sparse symmetric positive definite system. Nothing is condensed or factorized before the first solve().
+// sparse system: symmetric positive definite (Cholesky factor, conjugate gradients) unless an operator is unsymmetric
+// (LU factor, GMRES). Nothing is condensed or factorized before the first solve().
 class EquilibriumSystem {
  public:
   // Masters of tied nodes belong to dense operators; tied nodes carry bonds only and cannot be prescribed.
@@ -80,8 +81,9 @@ class EquilibriumSystem {
   // at their masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement) const;
 
-  // Lower triangle of the sparse matrix, for factorization and tests.
-  Eigen::SparseMatrix<double> assemble_lower() const;
+  bool is_symmetric() const { return symmetric_; }
+  // The sparse matrix, of which a symmetric system gives the lower triangle; for factorization and tests.
+  Eigen::SparseMatrix<double> assemble() const;
 
   const SolverCounters& counters() const { return counters_; }
 
@@ -102,7 +104,10 @@ class EquilibriumSystem {
   // All nodes' displacements from the unknowns, prescribed ones at 0.
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
+  std::unique_ptr<linalg::SparseFactorization> make_factorization() const;
+
   int node_count_;
+  bool symmetric_ = true;
   std::vector<DenseOperator> pending_;  // until condensed
   std::vector<CondensedOperator> operators_;
   std::vector<std::vector<int>> bodies_;
@@ -118,7 +123,7 @@ class EquilibriumSystem {
   Affine force_, prescribed_, condensed_load_;
   bool load_condensed_ = false;
   bool condensed_ = false;
-  std::unique_ptr<linalg::SparseCholesky> factor_;
+  std::unique_ptr<linalg::SparseFactorization> factor_;
   bool has_factor_ = false;
   bool factor_is_current_ = false;  // false: changed matrix, stale factor
   SolverCounters counters_;
