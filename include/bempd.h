@@ -180,8 +180,8 @@ BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_materi
 /** @brief Add a region treated by boundary elements: a polygon with straight edges.
  *
  *  Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions
- * become interfaces and are bonded; there the elements follow the peridynamic lattice, or the finer of two boundary
- * meshes.
+ * become interfaces and are bonded; there the elements follow the peridynamic lattice unless bempd_set_edge_mesh() is
+ * called for the edge, or the finer of two boundary meshes.
  *  @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
  *  @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  *  @param[in] element_length longest element on any edge [m], > 0
@@ -210,6 +210,9 @@ BEMPD_API bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_
                                       int32_t* first_edge);
 
 /** @brief Choose the elements of one edge of a BEM region.
+ *
+ *  On an interface with a peridynamic region they need not match the lattice then: the material points there follow the
+ *  displacement of the elements, and forces return to them so that constant stress passes exactly.
  *  @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
  *  @param[in] element_length target length [m], > 0: ceil(length / element_length) elements
  *  @param[in] grading ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4

@@ -2,17 +2,12 @@
 
 #include <Eigen/Cholesky>
 #include <cstdint>
-#include <vector>
 
+#include "bem/boundary_operator.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
 
 namespace bempd::bem {
-
-struct AssemblyOptions {
-  double quadrature_tolerance = 1e-14;  // of every pair of elements; the stiffness is some ten times as far off
-  int threads = 0;                      // 0: OpenMP's default
-};
 
 // Symmetric Galerkin boundary element operator of one elastic body: displacements of the boundary nodes to nodal
 // forces,
@@ -20,18 +15,15 @@ struct AssemblyOptions {
 // with the single layer V, the Galerkin rows B of the boundary integral equation and the hypersingular operator D, in
 // lengths over the body's diagonal and stresses over the shear modulus (Sirtori 1979; Bonnet, Maier and Polizzotto,
 // Appl. Mech. Rev. 51, 1998). D is integrated by parts twice, so that only ln r is left of it.
-class GalerkinOperator {
+class GalerkinOperator final : public BoundaryOperator {
  public:
   GalerkinOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const AssemblyOptions& options = {});
 
-  // [N/m], thickness included; degree of freedom 2 * node + component. Symmetric positive semidefinite; the only
-  // motions without force are the rigid ones.
-  const Eigen::MatrixXd& stiffness() const { return stiffness_; }
-
-  // Boundary tractions [Pa], row 2 * traction_node + component, one column per column of displacements [m].
-  Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const;
-
-  std::int64_t kernel_evaluations() const { return kernel_evaluations_; }
+  // Symmetric positive semidefinite; the only motions without force are the rigid ones.
+  const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
+  Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
+  bool symmetric() const override { return true; }
+  std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
  private:
   Eigen::MatrixXd stiffness_;

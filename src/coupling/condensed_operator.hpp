@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include "coupling/affine.hpp"
@@ -9,7 +10,7 @@
 
 namespace bempd::coupling {
 
-enum class DofKind : char { prescribed, private_free, shared_free };
+enum class DofKind : char { prescribed, private_free, shared_free, tied };
 
 // A dense operator whose private unknowns (free, and touched by no other operator) are eliminated once, so that only
 // the unknowns it shares with others enter the sparse system.
@@ -34,10 +35,16 @@ class CondensedOperator {
   void add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const;
 
  private:
+  void eliminate_symmetric();
+  void eliminate_unsymmetric();
+
   std::vector<int> all_, private_, shared_;  // global degrees of freedom
   Eigen::MatrixXd stiffness_;                // on all_
-  Eigen::LLT<Eigen::MatrixXd> factor_;       // of the private block
-  Eigen::MatrixXd transfer_;                 // private displacements per shared displacement, sign reversed
+  bool symmetric_;
+  // Of the private block: one of the two.
+  Eigen::LLT<Eigen::MatrixXd> cholesky_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::MatrixXd transfer_;  // private displacements per shared displacement, sign reversed
   Eigen::MatrixXd schur_;
   std::vector<int> private_local_, shared_local_;
   Affine private_load_;  // private displacements with the shared unknowns held at 0

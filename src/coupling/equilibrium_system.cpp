@@ -5,6 +5,9 @@
 
 #include "error.hpp"
 #include "linalg/conjugate_gradient.hpp"
+#include "linalg/gmres.hpp"
+#include "linalg/sparse_cholesky.hpp"
+#include "linalg/sparse_lu.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::coupling {
@@ -26,32 +29,42 @@ constexpr double suspicious_response = 1e8;
 }  // namespace
 
 EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
-                                     std::vector<char> prescribed_dofs)
+                                     std::vector<char> prescribed_dofs, NodeTies ties)
     : node_count_(node_count),
-      in_operator_(node_count, 0),
+      in_body_(node_count, 0),
       bonds_(std::move(bonds)),
+      ties_(std::move(ties)),
       active_stiffness_(bonds_.stiffness),
       intact_(bonds_.size(), 1),
       force_(Affine::Zero(2 * node_count, 2)),
       prescribed_(Affine::Zero(2 * node_count, 2)) {
   classify(operators, prescribed_dofs);
+  collect_bodies(operators);
+  for (const DenseOperator& op : operators) symmetric_ = symmetric_ && op.symmetric;
   pending_ = std::move(operators);
 }
 
 void EquilibriumSystem::classify(const std::vector<DenseOperator>& operators, const std::vector<char>& prescribed) {
+  std::vector<int> operators_at(node_count_, 0);
   std::vector<char> has_bond(node_count_, 0);
   for (std::size_t b = 0; b < bonds_.size(); ++b) has_bond[bonds_.first[b]] = has_bond[bonds_.second[b]] = 1;
   for (const DenseOperator& op : operators) {
-    bodies_.push_back(op.nodes);
-    for (int node : op.nodes)
-      in_operator_[node] = static_cast<char>(in_operator_[node] < 2 ? in_operator_[node] + 1 : 2);
+    for (int node : op.nodes) ++operators_at[node];
+  }
+  // The bonds of a tied node are its masters' too.
+  for (std::size_t t = 0; t < ties_.nodes().size(); ++t) {
+    for (const NodeTies::Master& m : ties_.masters(t)) has_bond[m.node] = 1;
   }
   kind_.resize(2 * node_count_);
   unknown_of_.assign(2 * node_count_, -1);
   for (int node = 0; node < node_count_; ++node) {
-    const bool shared = has_bond[node] || in_operator_[node] != 1;
+    const bool shared = has_bond[node] || operators_at[node] != 1;
+    const bool tied = ties_.tie_of(node) >= 0;
     for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
-      kind_[dof] = prescribed[dof] ? DofKind::prescribed : shared ? DofKind::shared_free : DofKind::private_free;
+      kind_[dof] = tied              ? DofKind::tied
+                   : prescribed[dof] ? DofKind::prescribed
+                   : shared          ? DofKind::shared_free
+                                     : DofKind::private_free;
       if (kind_[dof] != DofKind::shared_free) continue;
       unknown_of_[dof] = static_cast<int>(dof_of_.size());
       dof_of_.push_back(dof);
@@ -60,12 +73,27 @@ void EquilibriumSystem::classify(const std::vector<DenseOperator>& operators, co
   counters_.sparse_unknowns = static_cast<std::int64_t>(dof_of_.size());
 }
 
+void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operators) {
+  std::vector<int> body_of(node_count_, -1);
+  for (const DenseOperator& op : operators) {
+    for (int node : op.nodes) body_of[node] = static_cast<int>(bodies_.size());
+    bodies_.push_back(op.nodes);
+  }
+  for (std::size_t t = 0; t < ties_.nodes().size(); ++t) {
+    bodies_[body_of[ties_.masters(t).front().node]].push_back(ties_.nodes()[t]);
+  }
+  for (const std::vector<int>& body : bodies_) {
+    for (int node : body) in_body_[node] = 1;
+  }
+}
+
 void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   force_ = std::move(force);
   prescribed_ = std::move(prescribed);
   for (int dof = 0; dof < 2 * node_count_; ++dof) {
     if (kind_[dof] != DofKind::prescribed) prescribed_.row(dof).setZero();
   }
+  ties_.collect(force_);
   load_condensed_ = false;
 }
 
@@ -89,18 +117,31 @@ void EquilibriumSystem::condense_load() {
   load_condensed_ = true;
 }
 
-Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
+Eigen::SparseMatrix<double> EquilibriumSystem::assemble() const {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * bonds_.size() + 3 * static_cast<std::size_t>(node_count_));
   const auto add = [&](int row_dof, int column_dof, double value) {
     const int row = unknown_of_[row_dof], column = unknown_of_[column_dof];
-    if (row >= 0 && column >= 0 && row >= column) entries.emplace_back(row, column, value);
+    if (row >= 0 && column >= 0 && (!symmetric_ || row >= column)) entries.emplace_back(row, column, value);
   };
   // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, node_count_);  // xx, xy, yy
+  std::vector<Eigen::Triplet<double>> pull;
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const int first = 2 * bonds_.first[b], second = 2 * bonds_.second[b];
     const double c = bonds_.cosine[b], s = bonds_.sine[b];
+    if (ties_.tie_of(bonds_.first[b]) >= 0 || ties_.tie_of(bonds_.second[b]) >= 0) {
+      pull.clear();
+      add_pull(bonds_.first[b], c, s, -1, 0, pull);
+      add_pull(bonds_.second[b], c, s, 1, 0, pull);
+      for (const auto& row : pull) {
+        for (const auto& column : pull) {
+          if (symmetric_ && row.row() < column.row()) continue;
+          entries.emplace_back(row.row(), column.row(), active_stiffness_[b] * row.value() * column.value());
+        }
+      }
+      continue;
+    }
     const Eigen::Vector3d block = active_stiffness_[b] * Eigen::Vector3d(c * c, c * s, s * s);
     diagonal.col(bonds_.first[b]) += block;
     diagonal.col(bonds_.second[b]) += block;
@@ -115,6 +156,7 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
   for (int node = 0; node < node_count_; ++node) {
     add(2 * node, 2 * node, diagonal(0, node));
     add(2 * node + 1, 2 * node, diagonal(1, node));
+    add(2 * node, 2 * node + 1, diagonal(1, node));
     add(2 * node + 1, 2 * node + 1, diagonal(2, node));
   }
   for (const CondensedOperator& op : operators_) {
@@ -138,20 +180,24 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble_lower() const {
   return matrix;
 }
 
+std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorization() const {
+  if (symmetric_) return linalg::make_sparse_cholesky();
+  return linalg::make_sparse_lu();
+}
+
 void EquilibriumSystem::factorize() {
   if (has_factor_) return;
   Eigen::SparseMatrix<double> matrix;
   {
     const Stopwatch watch(counters_.seconds_assembly);
-    matrix = assemble_lower();
+    matrix = assemble();
   }
   const Stopwatch watch(counters_.seconds_factorization);
-  if (!factor_) factor_ = linalg::make_sparse_cholesky();
+  if (!factor_) factor_ = make_factorization();
   if (!factor_->factorize(matrix)) {
-    fail(
-        Failure::unsolvable,
-        "the stiffness matrix is not positive definite: a part of the body can move freely; check supports, and cracks "
-        "that leave a part hanging on a single point");
+    fail(Failure::unsolvable,
+         "the stiffness matrix is singular: a part of the body can move freely; check supports, and cracks "
+         "that leave a part hanging on a single point");
   }
   has_factor_ = factor_is_current_ = true;
   ++counters_.sparse_factorizations;
@@ -173,18 +219,26 @@ void EquilibriumSystem::mark_broken(std::span<const int> bonds) {
   for (int b : bonds) intact_[b] = 0;
 }
 
+void EquilibriumSystem::add_pull(int node, double cosine, double sine, double size, int column,
+                                 std::vector<Eigen::Triplet<double>>& entries) const {
+  const auto add = [&](int at, double weight) {
+    if (const int x = unknown_of_[2 * at]; x >= 0 && cosine != 0) entries.emplace_back(x, column, weight * cosine);
+    if (const int y = unknown_of_[2 * at + 1]; y >= 0 && sine != 0) entries.emplace_back(y, column, weight * sine);
+  };
+  const int tie = ties_.tie_of(node);
+  if (tie < 0) {
+    add(node, size);
+    return;
+  }
+  for (const NodeTies::Master& m : ties_.masters(tie)) add(m.node, size * m.weight);
+}
+
 void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const HoldingSpring> springs) {
   std::vector<Eigen::Triplet<double>> entries;
   int column = 0;
-  const auto add = [&](int node, double c, double s) {
-    if (const int x = unknown_of_[2 * node]; x >= 0 && c != 0) entries.emplace_back(x, column, c);
-    if (const int y = unknown_of_[2 * node + 1]; y >= 0 && s != 0) entries.emplace_back(y, column, s);
-  };
   for (const HoldingSpring& spring : springs) {
     springs_.push_back(spring);
-    const double root = std::sqrt(spring.stiffness);
-    add(spring.node, root * spring.cosine, root * spring.sine);
-    ++column;
+    add_pull(spring.node, spring.cosine, spring.sine, std::sqrt(spring.stiffness), column++, entries);
   }
   change_factor(entries, column, linalg::Change::add);
 
@@ -192,10 +246,9 @@ void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const
   column = 0;
   for (int b : bonds) {
     const double root = std::sqrt(active_stiffness_[b]);
-    add(bonds_.first[b], -root * bonds_.cosine[b], -root * bonds_.sine[b]);
-    add(bonds_.second[b], root * bonds_.cosine[b], root * bonds_.sine[b]);
+    add_pull(bonds_.first[b], bonds_.cosine[b], bonds_.sine[b], -root, column, entries);
+    add_pull(bonds_.second[b], bonds_.cosine[b], bonds_.sine[b], root, column++, entries);
     active_stiffness_[b] = 0;
-    ++column;
   }
   change_factor(entries, column, linalg::Change::remove);
 }
@@ -215,9 +268,10 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
     pull.segment<2>(first) -= along;
     pull.segment<2>(second) += along;
   }
-  Eigen::VectorXd response = Eigen::VectorXd::Zero(2 * node_count_);
+  ties_.collect(pull);
+  Eigen::VectorXd response;
   try {
-    response(dof_of_) = solve_column(pull(dof_of_));
+    response = displacement_of(solve_column(pull(dof_of_)));
   } catch (const Error&) {
     return false;
   }
@@ -232,11 +286,11 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
 SoftMotion EquilibriumSystem::softest_motion() {
   condense();
   // Inverse iteration with a shift that makes a singular matrix factorizable without hiding its null space.
-  const Eigen::SparseMatrix<double> matrix = assemble_lower();
+  const Eigen::SparseMatrix<double> matrix = assemble();
   const double largest = matrix.diagonal().maxCoeff();
   Eigen::SparseMatrix<double> shifted = matrix;
   for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * largest;
-  const auto factor = linalg::make_sparse_cholesky();
+  const auto factor = make_factorization();
   if (!factor->factorize(shifted)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
   Eigen::VectorXd vector =
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
@@ -244,10 +298,9 @@ SoftMotion EquilibriumSystem::softest_motion() {
     factor->solve_in_place(vector);
     vector /= vector.cwiseAbs().maxCoeff();
   }
-  const Eigen::VectorXd force = matrix.selfadjointView<Eigen::Lower>() * vector;
-  SoftMotion soft{Eigen::VectorXd::Zero(2 * node_count_), vector.dot(force) / (largest * vector.squaredNorm())};
-  soft.motion(dof_of_) = vector;
-  return soft;
+  const Eigen::VectorXd force =
+      symmetric_ ? Eigen::VectorXd(matrix.selfadjointView<Eigen::Lower>() * vector) : Eigen::VectorXd(matrix * vector);
+  return {displacement_of(vector), std::abs(vector.dot(force)) / (largest * vector.squaredNorm())};
 }
 
 void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpring> springs) {
@@ -277,14 +330,22 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
   Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
   add_bond_forces(displacement, force);
   for (const CondensedOperator& op : operators_) op.add_internal_force(displacement, force);
+  ties_.collect(force);
   return force;
 }
 
-Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
+Eigen::VectorXd EquilibriumSystem::displacement_of(const Eigen::VectorXd& unknowns) const {
   Eigen::VectorXd displacement = Eigen::VectorXd::Zero(2 * node_count_);
   displacement(dof_of_) = unknowns;
+  ties_.expand(displacement);
+  return displacement;
+}
+
+Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
+  const Eigen::VectorXd displacement = displacement_of(unknowns);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);
   add_bond_forces(displacement, force);
+  ties_.collect(force);
   for (const CondensedOperator& op : operators_) {
     const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
     force(op.shared_dofs()) += local;
@@ -300,7 +361,8 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
 Affine EquilibriumSystem::right_hand_side() const {
   Affine load = condensed_load_;
   // Bonds and holding springs that end on prescribed displacements pull with them.
-  const Affine& support = prescribed_;
+  Affine support = prescribed_;
+  ties_.expand(support);
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const int i = 2 * bonds_.first[b], j = 2 * bonds_.second[b];
     const bool touches =
@@ -322,20 +384,24 @@ Affine EquilibriumSystem::right_hand_side() const {
     load.row(x) += s.cosine * pull;
     load.row(x + 1) += s.sine * pull;
   }
+  ties_.collect(load);
   return load(dof_of_, Eigen::all);
 }
 
 Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
   const auto multiply = [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); };
   const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
-  const linalg::ConjugateGradientOptions options{solution_tolerance, most_iterations};
   for (bool fresh : {false, true}) {
     if (fresh) {
       forget_factor();
       factorize();
     }
     Eigen::VectorXd solution = Eigen::VectorXd::Zero(rhs.size());
-    const auto result = linalg::conjugate_gradient(multiply, precondition, rhs, solution, options);
+    const linalg::KrylovResult result =
+        symmetric_
+            ? linalg::conjugate_gradient(multiply, precondition, rhs, solution, {solution_tolerance, most_iterations})
+            : linalg::gmres(multiply, precondition, rhs, solution,
+                            {solution_tolerance, most_iterations, most_iterations});
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
   }
@@ -362,6 +428,7 @@ Affine EquilibriumSystem::solve() {
     counters_.solves += force_.col(column).isZero(0) && prescribed_.col(column).isZero(0) ? 0 : 1;
   }
   for (const CondensedOperator& op : operators_) op.recover(displacement);
+  ties_.expand(displacement);
   return displacement;
 }
 

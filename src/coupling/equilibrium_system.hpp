@@ -8,8 +8,9 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/condensed_operator.hpp"
+#include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
-#include "linalg/sparse_cholesky.hpp"
+#include "linalg/sparse_factorization.hpp"
 
 namespace bempd::coupling {
 
@@ -34,18 +35,20 @@ struct SoftMotion {
 };
 
 // Equilibrium of all nodes: dense operators condensed onto the unknowns they share, bonds, and holding springs, in one
-// sparse symmetric positive definite system. Nothing is condensed or factorized before the first solve().
+// sparse system: symmetric positive definite (Cholesky factor, conjugate gradients) unless an operator is unsymmetric
+// (LU factor, GMRES). Nothing is condensed or factorized before the first solve().
 class EquilibriumSystem {
  public:
+  // Masters of tied nodes belong to dense operators; tied nodes carry bonds only and cannot be prescribed.
   EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
-                    std::vector<char> prescribed_dofs);
+                    std::vector<char> prescribed_dofs, NodeTies ties = {});
 
   int node_count() const { return node_count_; }
   const BondSet& bonds() const { return bonds_; }
   bool is_prescribed(int dof) const { return kind_[dof] == DofKind::prescribed; }
   bool is_unknown(int dof) const { return unknown_of_[dof] >= 0; }
-  bool in_dense_operator(int node) const { return in_operator_[node] != 0; }
-  // Nodes of each dense operator: a body that cannot break.
+  bool in_dense_body(int node) const { return in_body_[node] != 0; }
+  // Nodes of each dense operator and those tied to them: a body that cannot break.
   const std::vector<std::vector<int>>& dense_bodies() const { return bodies_; }
 
   const std::vector<char>& intact() const { return intact_; }
@@ -74,16 +77,19 @@ class EquilibriumSystem {
   // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
   SoftMotion softest_motion();
 
-  // Nodal forces of operators and bonds (not of holding springs) under a displacement.
+  // Nodal forces of operators and bonds (not of holding springs) under a displacement. Those on tied nodes are counted
+  // at their masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement) const;
 
-  // Lower triangle of the sparse matrix, for factorization and tests.
-  Eigen::SparseMatrix<double> assemble_lower() const;
+  bool is_symmetric() const { return symmetric_; }
+  // The sparse matrix, of which a symmetric system gives the lower triangle; for factorization and tests.
+  Eigen::SparseMatrix<double> assemble() const;
 
   const SolverCounters& counters() const { return counters_; }
 
  private:
   void classify(const std::vector<DenseOperator>& operators, const std::vector<char>& prescribed_dofs);
+  void collect_bodies(const std::vector<DenseOperator>& operators);
   void condense();
   void condense_load();
   void factorize();
@@ -92,13 +98,22 @@ class EquilibriumSystem {
   Eigen::VectorXd solve_column(const Eigen::VectorXd& rhs);
   void add_bond_forces(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const;
   void change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns, linalg::Change change);
+  // A pull of this size along a direction at a node as entries of a column of unknowns.
+  void add_pull(int node, double cosine, double sine, double size, int column,
+                std::vector<Eigen::Triplet<double>>& entries) const;
+  // All nodes' displacements from the unknowns, prescribed ones at 0.
+  Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
+
+  std::unique_ptr<linalg::SparseFactorization> make_factorization() const;
 
   int node_count_;
+  bool symmetric_ = true;
   std::vector<DenseOperator> pending_;  // until condensed
   std::vector<CondensedOperator> operators_;
   std::vector<std::vector<int>> bodies_;
-  std::vector<char> in_operator_;  // per node
+  std::vector<char> in_body_;  // per node
   BondSet bonds_;
+  NodeTies ties_;
   std::vector<double> active_stiffness_;  // 0 for a bond that is not intact
   std::vector<char> intact_;
   std::vector<HoldingSpring> springs_;
@@ -108,7 +123,7 @@ class EquilibriumSystem {
   Affine force_, prescribed_, condensed_load_;
   bool load_condensed_ = false;
   bool condensed_ = false;
-  std::unique_ptr<linalg::SparseCholesky> factor_;
+  std::unique_ptr<linalg::SparseFactorization> factor_;
   bool has_factor_ = false;
   bool factor_is_current_ = false;  // false: changed matrix, stale factor
   SolverCounters counters_;

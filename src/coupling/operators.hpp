@@ -8,10 +8,12 @@ namespace bempd::coupling {
 
 // What a region contributes to the equilibrium of shared nodes. Degrees of freedom are 2 * node + component.
 
-// Symmetric positive semidefinite stiffness [N/m] on the nodes listed, as a boundary element region has it.
+// Stiffness [N/m] on the nodes listed, as a boundary element region has it; positive semidefinite where it is
+// symmetric.
 struct DenseOperator {
   std::vector<int> nodes;
   Eigen::MatrixXd stiffness;
+  bool symmetric = true;
 };
 
 // Pairwise bonds, as a lattice has them; structure of arrays because stepping sweeps over all of them at every event.

@@ -24,6 +24,9 @@ constexpr int most_holds_per_event = 16;
 // Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
+// An increment that has begun by less than this share of its size has not begun.
+constexpr double increment_rounding = 1e-9;
+
 // Nodes that a free motion moves by less than this share of its largest displacement stay where they are.
 constexpr double moved_share = 1e-6;
 
@@ -210,7 +213,10 @@ void CrackEvolution::perform_event(double load_factor, const SteppingOptions& op
   double ratio = 0;
   {
     const Stopwatch watch(seconds_search_);
-    chosen = ratios_.most_stretched(system_.intact(), load_factor, options.tie_band, options.max_breaks_per_solve);
+    chosen =
+        options.mode == SteppingMode::increments
+            ? ratios_.overstretched(system_.intact(), load_factor)
+            : ratios_.most_stretched(system_.intact(), load_factor, options.tie_band, options.max_breaks_per_solve);
     for (int b : chosen) {
       ratio = std::max(ratio, ratios_.at(b, load_factor));
       elongation.push_back(bonds.elongation(b, before.data()));
@@ -262,6 +268,33 @@ EvolutionState CrackEvolution::without_history() {
   return copy;
 }
 
+std::optional<double> CrackEvolution::next_event(double target, const SteppingOptions& options) {
+  const Stopwatch watch(seconds_search_);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::optional<double> next =
+      ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
+  if (!next || options.mode == SteppingMode::events) return next;
+  const std::optional<double> increment = next_increment(target, options.increment);
+  // Without a break up to the target there is one beyond it.
+  return increment ? increment : target >= state_.load_factor ? infinity : -infinity;
+}
+
+std::optional<double> CrackEvolution::next_increment(double target, double increment) const {
+  // Increments end at multiples of their size and at the target.
+  const double direction = target >= state_.load_factor ? 1 : -1;
+  const auto number = [&](double load_factor) { return load_factor * direction / increment; };
+  const double first = std::floor(number(state_.load_factor) + increment_rounding) + 1;
+  double from = state_.load_factor;
+  for (;;) {
+    const std::optional<double> next = ratios_.next_break(system_.intact(), from, target);
+    if (!next || (target - from) * direction <= 0) return std::nullopt;
+    const double end = std::max(first, std::ceil(number(*next) - increment_rounding)) * increment;
+    const double load_factor = direction * std::min(end, target * direction);
+    if (!ratios_.overstretched(system_.intact(), load_factor).empty()) return load_factor;
+    from = load_factor;  // what exceeded its critical stretch here has been relieved by then
+  }
+}
+
 StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
                                    const std::function<void(const EvolutionState&)>& on_event) {
   std::optional<EvolutionState> start;
@@ -274,14 +307,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
     }
     for (;;) {
       if (goal == Goal::separation && state_.separated) return StopReason::separated;
-      const double horizon = goal == Goal::load_factor      ? target
-                             : target >= state_.load_factor ? std::numeric_limits<double>::infinity()
-                                                            : -std::numeric_limits<double>::infinity();
-      std::optional<double> next;
-      {
-        const Stopwatch watch(seconds_search_);
-        next = ratios_.next_break(system_.intact(), state_.load_factor, horizon);
-      }
+      const std::optional<double> next = next_event(target, options);
       const bool beyond = next && (target >= state_.load_factor ? *next > target : *next < target);
       if (!next && goal != Goal::load_factor) {
         record(0, 0);

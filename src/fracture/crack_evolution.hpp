@@ -12,7 +12,19 @@
 
 namespace bempd::fracture {
 
+// How bonds break on the way of the load factor.
+enum class SteppingMode {
+  // The most stretched bonds first, at the load factor at which they reach their critical stretch, until none exceeds
+  // it.
+  events,
+  // Fixed increments with one solution each: every bond that exceeds its critical stretch at the end of an increment
+  // breaks, and what that overloads has to wait for the next one (Yang and Liu 2021, fig. 6).
+  increments
+};
+
 struct SteppingOptions {
+  SteppingMode mode = SteppingMode::events;
+  double increment = 1;  // of the load factor
   double tie_band = 1e-3;
   int max_breaks_per_solve = 0;  // 0: no limit
   std::int64_t max_events = 10'000'000;
@@ -53,6 +65,11 @@ class CrackEvolution {
   void hold_free_parts();  // those that initial cracks cut off, and those that new loads push
   EvolutionState without_history();
   void move_to(double load_factor);
+  // Load factor of the next event on the way to the target, empty if none is left in that direction. It may lie beyond
+  // the target.
+  std::optional<double> next_event(double target, const SteppingOptions& options);
+  // End of the first increment, not beyond the target, at which a bond exceeds its critical stretch.
+  std::optional<double> next_increment(double target, double increment) const;
   void perform_event(double load_factor, const SteppingOptions& options);
   // Loads on the nodes that a free motion moves: nothing balances them any more, the part counts as a fragment.
   bool drop_loads_that_push(const Eigen::VectorXd& motion);

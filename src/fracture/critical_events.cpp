@@ -7,7 +7,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// A ratio above 1 by less than this is a bond that is just reaching its critical stretch.
+// A ratio that differs from 1 by less than this belongs to a bond that is just reaching its critical stretch.
 constexpr double excess_tolerance = 1e-12;
 
 // Widens the tie band so that mirrored bonds, equal up to rounding, fall on the same side of its limit.
@@ -50,6 +50,14 @@ std::optional<double> StretchRatios::next_break(const std::vector<char>& intact,
   }
   if (next && (to - *next) * direction < 0) next.reset();
   return next;
+}
+
+std::vector<int> StretchRatios::overstretched(const std::vector<char>& intact, double load_factor) const {
+  std::vector<int> chosen;
+  for (std::size_t b = 0; b < intact.size(); ++b) {
+    if (intact[b] && at(b, load_factor) > 1 - excess_tolerance) chosen.push_back(static_cast<int>(b));
+  }
+  return chosen;
 }
 
 std::vector<int> StretchRatios::most_stretched(const std::vector<char>& intact, double load_factor, double band,

@@ -24,6 +24,9 @@ class StretchRatios {
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
   std::optional<double> next_break(const std::vector<char>& intact, double from, double to) const;
 
+  // Intact bonds at or beyond their critical stretch at this load factor, in bond order.
+  std::vector<int> overstretched(const std::vector<char>& intact, double load_factor) const;
+
   // Intact bonds within the relative band of the largest ratio at this load factor, in bond order; at most
   // `limit` of them (0: all), the most stretched ones.
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit) const;

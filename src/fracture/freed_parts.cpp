@@ -57,7 +57,7 @@ FreedParts FreedPartFinder::after_break(const std::vector<int>& removed_bonds,
 }
 
 void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {
-  if (system_.in_dense_operator(node)) return;
+  if (system_.in_dense_body(node)) return;
   Eigen::Matrix2d resistance = Eigen::Matrix2d::Zero();
   const auto add = [&](double c, double s, double k) {
     const Eigen::Vector2d direction(c, s);

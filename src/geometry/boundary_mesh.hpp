@@ -10,7 +10,7 @@ namespace bempd {
 // Quadratic element: nodes are (start, mid, end) in the direction that has the body on its left.
 struct BoundaryElement {
   std::array<int, 3> nodes;           // displacement nodes
-  std::array<int, 3> traction_nodes;  // traction nodes; neighbours share one only inside a panel
+  std::array<int, 3> traction_nodes;  // traction nodes; neighbours share one inside a panel
   int panel = 0;                      // index of the panel it came from
 };
 
@@ -21,9 +21,12 @@ struct Panel {
   std::vector<double> stations;
 };
 
+// Tractions at a node between two panels: one of each panel, so that they may jump there, or one in common.
+enum class CornerTractions { one, two };
+
 // Closed boundary of one body: the outer loop counter-clockwise, holes clockwise, every panel continuing the last one.
-// Displacement nodes are shared along each loop; the traction space is continuous inside a panel and double at its
-// ends.
+// Displacement nodes are shared along each loop; the traction space is continuous inside a panel and, with two corner
+// tractions, double at its ends. With one corner traction the traction nodes are the displacement nodes.
 struct BoundaryMesh {
   std::vector<Point> nodes;
   std::vector<BoundaryElement> elements;
@@ -31,7 +34,8 @@ struct BoundaryMesh {
 };
 
 // `loops[l]` lists the panels of loop l in order; panels are numbered through all loops.
-BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops);
+BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops,
+                           CornerTractions corner_tractions = CornerTractions::two);
 
 // Element ends for a straight piece of the given length: `count = ceil(length / target)` equal elements when
 // `grading` is 1; otherwise neighbours' lengths differ by the factor `grading` >= 1, growing from both ends.

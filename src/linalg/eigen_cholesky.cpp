@@ -1,11 +1,9 @@
 #include <Eigen/SparseCholesky>
-#include <algorithm>
 #include <cassert>
 #include <limits>
-#include <stdexcept>
-#include <vector>
 
 #include "linalg/sparse_cholesky.hpp"
+#include "linalg/sparsity_pattern.hpp"
 
 namespace bempd::linalg {
 
@@ -60,19 +58,15 @@ class EigenCholesky final : public SparseCholesky {
 
  private:
   void analyse(const SparseMatrix& lower) {
-    if (pattern_start_.size() == static_cast<std::size_t>(lower.cols() + 1) &&
-        std::equal(pattern_start_.begin(), pattern_start_.end(), lower.outerIndexPtr()) &&
-        std::equal(pattern_rows_.begin(), pattern_rows_.end(), lower.innerIndexPtr()))
-      return;
-    pattern_start_.clear();  // an exception on the way must not leave a pattern without its analysis
+    if (pattern_.matches(lower)) return;
+    pattern_.clear();  // an exception on the way must not leave a pattern without its analysis
     factor_.analyzePattern(lower);
-    pattern_rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
-    pattern_start_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
+    pattern_.assign(lower);
   }
 
   Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
-  Eigen::VectorXd diagonal_;                       // of the matrix last factorized
-  std::vector<int> pattern_start_, pattern_rows_;  // what was analysed
+  Eigen::VectorXd diagonal_;      // of the matrix last factorized
+  SparsityPattern<int> pattern_;  // what was analysed
   bool has_factor_ = false;
 };
 

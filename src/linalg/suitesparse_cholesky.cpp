@@ -9,6 +9,7 @@
 
 #include "linalg/cholmod_handles.hpp"
 #include "linalg/sparse_cholesky.hpp"
+#include "linalg/sparsity_pattern.hpp"
 
 namespace bempd::linalg {
 
@@ -169,14 +170,10 @@ class SuiteSparseCholesky final : public SparseCholesky {
  private:
   // Leaves a supernodal factor in `factor_`, analysed for this pattern.
   void prepare_factor(const SparseMatrix& lower, cholmod_sparse& matrix) {
-    const bool same_pattern = analysis_ && pattern_start_.size() == static_cast<std::size_t>(lower.cols() + 1) &&
-                              std::equal(pattern_start_.begin(), pattern_start_.end(), lower.outerIndexPtr()) &&
-                              std::equal(pattern_rows_.begin(), pattern_rows_.end(), lower.innerIndexPtr());
-    if (!same_pattern) {
+    if (!analysis_ || !pattern_.matches(lower)) {
       factor_.reset();
       analysis_.reset();
-      pattern_start_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
-      pattern_rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+      pattern_.assign(lower);
       position_.resize(static_cast<std::size_t>(lower.cols()));
       analysis_.reset(cholmod_analyze(&matrix, common_.get()));
       common_.check();
@@ -204,9 +201,9 @@ class SuiteSparseCholesky final : public SparseCholesky {
   mutable CholmodCommon common_;
   CholmodFactor analysis_{common_}, factor_{common_};
   mutable CholmodDense solution_{common_}, work_y_{common_}, work_e_{common_};
-  Eigen::VectorXd diagonal_;                       // of the matrix last factorized
-  std::vector<int> pattern_start_, pattern_rows_;  // what `analysis_` was made for
-  std::vector<int> position_;                      // of a row in the elimination order
+  Eigen::VectorXd diagonal_;      // of the matrix last factorized
+  SparsityPattern<int> pattern_;  // what `analysis_` was made for
+  std::vector<int> position_;     // of a row in the elimination order
   bool has_factor_ = false;
 };
 

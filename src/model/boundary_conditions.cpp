@@ -37,11 +37,9 @@ std::vector<PartNode> nodes_on(const Scene& scene, const Discretization& d, cons
       if (panel.edge != part.edge) continue;
       for (int node : element.nodes) wanted[node] = 1;
     }
-    for (std::size_t i = 0; i < boundary->nodes.size(); ++i) {
-      // Column i of the trace has its 1 in the row of its mesh node; that is its first entry's node.
-      for (Eigen::SparseMatrix<double>::InnerIterator it(boundary->trace, 2 * static_cast<Eigen::Index>(i)); it; ++it) {
-        if (it.value() == 1.0 && wanted[it.row() / 2]) add(boundary->nodes[i], boundary->mesh.nodes[it.row() / 2]);
-      }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i] && boundary->node_of_mesh_node[i] >= 0)
+        add(boundary->node_of_mesh_node[i], boundary->mesh.nodes[i]);
     }
   } else {
     const LatticePart& lattice = *d.lattice_of(part.region);
@@ -83,6 +81,9 @@ class SupportTable {
     const Eigen::RowVector2d wanted(value.constant[component], value.proportional[component]);
     require(wanted.allFinite(), "support ", support + 1, " prescribes a displacement that is not a finite number at (",
             d_.positions[node].x(), ", ", d_.positions[node].y(), ")");
+    require(d_.ties.tie_of(node) < 0, "support ", support + 1, " holds the material point at (", d_.positions[node].x(),
+            ", ", d_.positions[node].y(),
+            "), which follows the boundary elements of its interface; hold the boundary element region's edge instead");
     if (owner_[dof] < 0) {
       owner_[dof] = support;
       c_.prescribed[dof] = 1;

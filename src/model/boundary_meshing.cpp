@@ -87,8 +87,8 @@ EdgeMesh mesh_of(const Region& region, int edge) {
   return found != region.edge_mesh.end() ? found->second : EdgeMesh{region.element_length, 1.0};
 }
 
-std::vector<double> lattice_stations(const Scene& scene, int region, const Contact& contact, const Segment& piece,
-                                     double tolerance) {
+void require_lattice_ends(const Scene& scene, int region, const Contact& contact, const Segment& piece,
+                          double tolerance) {
   const Region& lattice = scene.region(contact.other_region + 1);
   const double spacing = lattice.lattice.spacing;
   for (const Point& end : {piece.start, piece.end}) {
@@ -100,6 +100,10 @@ std::vector<double> lattice_stations(const Scene& scene, int region, const Conta
             " from the peridynamic region's corner, such as (", lattice.lattice.origin.x() + spacing * nearest.x(),
             ", ", lattice.lattice.origin.y() + spacing * nearest.y(), ")");
   }
+}
+
+std::vector<double> lattice_stations(const Scene& scene, const Contact& contact, const Segment& piece) {
+  const double spacing = scene.region(contact.other_region + 1).lattice.spacing;
   const int count = static_cast<int>(std::lround(piece.length() / spacing));
   std::vector<double> stations(count + 1);
   for (int i = 0; i <= count; ++i) stations[i] = static_cast<double>(i) / count;
@@ -135,12 +139,15 @@ BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, do
         const Contact* contact = contact_at(arrangement, region_id, edge, 0.5 * (breaks[b] + breaks[b + 1]));
         const Border border = border_of(scene, contact);
         const EdgeMesh mesh = mesh_of(region, edge);
+        const bool tied = border == Border::peridynamics && region.has_own_mesh(edge);
+        if (border == Border::peridynamics) require_lattice_ends(scene, region_id, *contact, piece, tolerance);
         std::vector<double> stations =
-            border == Border::peridynamics        ? lattice_stations(scene, region_id, *contact, piece, tolerance)
-            : border == Border::boundary_elements ? shared_stations(scene, region_id, edge, *contact, piece.length())
+            border == Border::peridynamics && !tied ? lattice_stations(scene, *contact, piece)
+            : border == Border::boundary_elements   ? shared_stations(scene, region_id, edge, *contact, piece.length())
                                                   : element_stations(piece.length(), mesh.element_length, mesh.grading);
         result.loops.back().push_back({piece.start, piece.end, std::move(stations)});
-        result.sources.push_back({edge, breaks[b], breaks[b + 1], border});
+        result.sources.push_back(
+            {edge, breaks[b], breaks[b + 1], border, contact ? contact->other_region + 1 : 0, tied});
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "coupling/interface_trace.hpp"
 #include "error.hpp"
 #include "model/node_registry.hpp"
 #include "stopwatch.hpp"
@@ -35,27 +36,25 @@ void require_compatible(const Scene& scene, const Arrangement& arrangement) {
   }
 }
 
-// Material points of a lattice on its interfaces.
-std::vector<char> interface_points(const Scene& scene, const Arrangement& arrangement, const LatticePart& part) {
-  std::vector<char> on_interface(part.lattice->point_count(), 0);
+// Material points of a lattice that are nodes of other regions too: all on interfaces that match, the ends of others.
+std::vector<char> shared_points(const Scene& scene, const Arrangement& arrangement, const LatticePart& part) {
+  std::vector<char> shared(part.lattice->point_count(), 0);
   for (const Contact& contact : arrangement.contacts) {
     if (contact.region != part.region - 1) continue;
     const Segment edge = scene.region(part.region).edge(contact.edge + 1);
-    const Point start = part.to_lattice(edge.at(contact.from)), end = part.to_lattice(edge.at(contact.to));
-    const int count = static_cast<int>(std::lround((end - start).norm()));
-    for (int i = 0; i <= count; ++i) {
-      const Point p = start + (end - start) * (count > 0 ? static_cast<double>(i) / count : 0.0);
-      const int point =
-          part.lattice->find_point({static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))});
-      if (point >= 0) on_interface[point] = 1;
+    const std::vector<int> points = part.points_along(edge.at(contact.from), edge.at(contact.to));
+    if (scene.region(contact.other_region + 1).has_own_mesh(contact.other_edge + 1)) {
+      shared[points.front()] = shared[points.back()] = 1;
+    } else {
+      for (int point : points) shared[point] = 1;
     }
   }
-  return on_interface;
+  return shared;
 }
 
 void number_lattice_nodes(const Scene& scene, const Arrangement& arrangement, LatticePart& part,
                           NodeRegistry& registry) {
-  const std::vector<char> shared = interface_points(scene, arrangement, part);
+  const std::vector<char> shared = shared_points(scene, arrangement, part);
   part.nodes.resize(part.lattice->point_count());
   for (int i = 0; i < part.lattice->point_count(); ++i) {
     part.nodes[i] = shared[i] ? registry.add_shared(part.position(i), part.region) : registry.add(part.position(i));
@@ -66,21 +65,31 @@ void number_boundary_nodes(BoundaryPart& part, NodeRegistry& registry) {
   const auto count = part.mesh.nodes.size();
   std::vector<char> shared(count, 0), slaved(count, 0);
   std::vector<std::array<int, 2>> masters(count);
-  for (const BoundaryElement& element : part.mesh.elements) {
-    const Border border = part.panels[element.panel].border;
-    if (border == Border::free) continue;
+  for (std::size_t e = 0; e < part.mesh.elements.size(); ++e) {
+    const BoundaryElement& element = part.mesh.elements[e];
+    const PanelSource& panel = part.panels[element.panel];
+    if (panel.border == Border::free) continue;
+    if (panel.tied) {
+      if (e == 0 || part.mesh.elements[e - 1].panel != element.panel) shared[element.nodes[0]] = 1;
+      if (e + 1 == part.mesh.elements.size() || part.mesh.elements[e + 1].panel != element.panel) {
+        shared[element.nodes[2]] = 1;
+      }
+      continue;
+    }
     for (int node : element.nodes) shared[node] = 1;
-    if (border == Border::peridynamics) {
+    if (panel.border == Border::peridynamics) {
       slaved[element.nodes[1]] = 1;
       masters[element.nodes[1]] = {element.nodes[0], element.nodes[2]};
     }
   }
+  part.node_of_mesh_node.assign(count, -1);
   std::vector<int> column(count, -1);
   for (std::size_t i = 0; i < count; ++i) {
     if (slaved[i]) continue;
     column[i] = static_cast<int>(part.nodes.size());
     part.nodes.push_back(shared[i] ? registry.add_shared(part.mesh.nodes[i], part.region)
                                    : registry.add(part.mesh.nodes[i]));
+    part.node_of_mesh_node[i] = part.nodes.back();
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,6 +104,36 @@ void number_boundary_nodes(BoundaryPart& part, NodeRegistry& registry) {
   }
   part.trace.resize(2 * static_cast<Eigen::Index>(count), 2 * static_cast<Eigen::Index>(part.nodes.size()));
   part.trace.setFromTriplets(entries.begin(), entries.end());
+}
+
+// Ties the lattice points of a panel's interface to the boundary nodes there.
+void tie_lattice_points(const BoundaryPart& part, int panel, const LatticePart& lattice, coupling::NodeTies& ties) {
+  std::vector<int> mesh_nodes;
+  for (const BoundaryElement& element : part.mesh.elements) {
+    if (element.panel != panel) continue;
+    if (mesh_nodes.empty()) mesh_nodes.push_back(element.nodes[0]);
+    mesh_nodes.insert(mesh_nodes.end(), {element.nodes[1], element.nodes[2]});
+  }
+  const Point start = part.mesh.nodes[mesh_nodes.front()], end = part.mesh.nodes[mesh_nodes.back()];
+  const std::vector<int> points = lattice.points_along(start, end);
+  std::vector<double> stations;
+  for (std::size_t a = 0; a < mesh_nodes.size(); a += 2) {
+    stations.push_back((part.mesh.nodes[mesh_nodes[a]] - start).norm() / lattice.outline.spacing);
+  }
+  stations.back() = static_cast<double>(points.size() - 1);
+  const auto trace = coupling::interface_trace(stations);
+  require(trace.has_value(), "edge ", part.panels[panel].edge, " of region ", part.region,
+          " has elements of its own on the interface with region ", lattice.region, ", from (", start.x(), ", ",
+          start.y(), ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
+          " lattice points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow the lattice");
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    std::vector<coupling::NodeTies::Master> masters;
+    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+    for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it) {
+      masters.push_back({part.node_of_mesh_node[mesh_nodes[it.col()]], it.value()});
+    }
+    ties.add(lattice.nodes[points[i]], std::move(masters));
+  }
 }
 
 void add_bonds(const Scene& scene, LatticePart& part, Discretization& result) {
@@ -123,6 +162,15 @@ void add_bonds(const Scene& scene, LatticePart& part, Discretization& result) {
 }
 
 }  // namespace
+
+std::vector<int> LatticePart::points_along(const Point& start, const Point& end) const {
+  const LatticePoint from = to_lattice(start).array().round().cast<int>().matrix();
+  const LatticePoint span = LatticePoint(to_lattice(end).array().round().cast<int>().matrix()) - from;
+  const int count = span.cwiseAbs().maxCoeff();
+  std::vector<int> points{lattice->find_point(from)};
+  for (int i = 1; i <= count; ++i) points.push_back(lattice->find_point(from + span / count * i));
+  return points;
+}
 
 Point LatticePart::position(int point) const { return from_lattice(lattice->point(point).cast<double>()); }
 
@@ -178,12 +226,18 @@ Discretization discretize(const Scene& scene, const Options& options) {
       result.lattices.push_back(std::move(part));
     } else {
       BoundaryPanels panels = mesh_edges(scene, result.arrangement, result.tolerance, id);
-      BoundaryPart part{id, std::move(panels.sources), mesh_boundary(panels.loops), {}, {}, nullptr};
+      BoundaryPart part{id, std::move(panels.sources), mesh_boundary(panels.loops), {}, {}, {}, nullptr};
       number_boundary_nodes(part, registry);
       const bem::AssemblyOptions assembly{options.number("bem.quadrature_tolerance"), options.whole_number("threads")};
       part.galerkin =
           std::make_unique<bem::GalerkinOperator>(part.mesh, scene.material(region.material).elasticity, assembly);
       result.boundaries.push_back(std::move(part));
+    }
+  }
+  for (const BoundaryPart& part : result.boundaries) {
+    for (std::size_t p = 0; p < part.panels.size(); ++p) {
+      if (!part.panels[p].tied) continue;
+      tie_lattice_points(part, static_cast<int>(p), *result.lattice_of(part.panels[p].other_region), result.ties);
     }
   }
   result.positions = registry.positions();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bem/galerkin_operator.hpp"
+#include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "geometry/arrangement.hpp"
 #include "geometry/boundary_mesh.hpp"
@@ -23,17 +24,20 @@ struct PanelSource {
   int edge;         // number in its region
   double from, to;  // fractions of the edge
   Border border;
+  int other_region;  // id of the region it borders on, 0 for none
+  bool tied;         // an interface at which the elements do not follow the lattice: lattice points are tied to them
 };
 
-// A boundary element region on its nodes. Mid nodes of elements on a lattice interface are not nodes of the scene:
+// A boundary element region on its nodes. Mid nodes of elements that follow a lattice are not nodes of the scene:
 // there the displacement is linear between lattice points, so that a constant traction gives the lattice its exact
 // forces.
 struct BoundaryPart {
   int region;
   std::vector<PanelSource> panels;
   BoundaryMesh mesh;
-  std::vector<int> nodes;             // of the scene
-  Eigen::SparseMatrix<double> trace;  // mesh displacements from those of `nodes`
+  std::vector<int> nodes;              // of the scene
+  std::vector<int> node_of_mesh_node;  // of the scene, or -1
+  Eigen::SparseMatrix<double> trace;   // mesh displacements from those of `nodes`
   std::unique_ptr<bem::GalerkinOperator> galerkin;
 
   Eigen::VectorXd mesh_displacement(const Eigen::VectorXd& scene_displacement) const;
@@ -51,6 +55,8 @@ struct LatticePart {
   const std::vector<pd::Bond>& bonds() const { return network.bonds; }
 
   Point position(int point) const;
+  // Material points on an edge or a part of it between lattice points, ends included.
+  std::vector<int> points_along(const Point& start, const Point& end) const;
   Point to_lattice(const Point& p) const { return (p - outline.origin) / outline.spacing; }
   Point from_lattice(const Point& p) const { return outline.origin + outline.spacing * p; }
 };
@@ -62,6 +68,7 @@ struct Discretization {
   std::vector<BoundaryPart> boundaries;
   std::vector<LatticePart> lattices;
   coupling::BondSet bonds;
+  coupling::NodeTies ties;               // of lattice points on interfaces that do not match
   std::vector<double> critical_stretch;  // per bond
   std::vector<std::string> warnings;
   double seconds_boundary = 0, seconds_lattice = 0;

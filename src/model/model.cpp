@@ -70,7 +70,7 @@ void Model::prepare() {
   p->conditions = apply_conditions(scene_, d);
   p->cut_bonds = bonds_cut_by_cracks(scene_, d);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
-                                                            std::move(d.bonds), p->conditions.prescribed);
+                                                            std::move(d.bonds), p->conditions.prescribed, d.ties);
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
@@ -128,7 +128,10 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   cancel_requested_ = false;
   prepare();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
-  const fracture::SteppingOptions stepping{options_.number("stepping.tie_band"),
+  const fracture::SteppingOptions stepping{options_.text_value("stepping.mode") == "paper"
+                                               ? fracture::SteppingMode::increments
+                                               : fracture::SteppingMode::events,
+                                           options_.number("stepping.increment"), options_.number("stepping.tie_band"),
                                            options_.whole_number("stepping.max_breaks_per_solve"),
                                            static_cast<std::int64_t>(options_.number("stepping.max_events"))};
   const auto& counters = prepared_->system->counters();

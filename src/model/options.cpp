@@ -15,6 +15,10 @@ OptionDescription number_option(const char* name, const char* summary, double va
   return {name, summary, "-", false, whole, value, minimum, maximum, "", ""};
 }
 
+OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text) {
+  return {name, summary, "-", true, false, 0, 0, 0, choices, default_text};
+}
+
 // Number of single-letter edits between two names.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -58,14 +62,24 @@ const OptionDescription& describe(std::string_view name) {
 
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> all = {
-      {"scheme", "Discretization: symmetric Galerkin boundary elements with exactly consistent bond weights.", "-",
-       true, false, 0, 0, 0, "symmetric", "symmetric"},
+      text_option("scheme",
+                  "Discretization: symmetric Galerkin boundary elements with exactly consistent bond weights.",
+                  "symmetric", "symmetric"),
       number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true),
       number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4, 2, 8,
                     true),
       number_option("bem.quadrature_tolerance",
                     "Relative error of the boundary integrals of a pair of elements; a looser one is faster.", 1e-14,
                     1e-15, 1e-3, false),
+      text_option(
+          "stepping.mode",
+          "How bonds break: event, the most stretched first at the load factor they reach, until none is "
+          "overstretched; paper, fixed increments with one solution each in which every overstretched bond breaks.",
+          "event | paper", "event"),
+      number_option(
+          "stepping.increment",
+          "Increment of the load factor in the stepping mode paper; its multiples and the ends of steps count.", 1,
+          1e-300, 1e300, false),
       number_option("stepping.tie_band",
                     "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3,
                     0, 0.5, false),

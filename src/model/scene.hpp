@@ -45,6 +45,8 @@ struct Region {
 
   int edge_count() const;
   Segment edge(int number) const;
+  // The host has chosen this edge's elements; on a lattice interface they need not match the lattice then.
+  bool has_own_mesh(int edge) const { return edge_mesh.count(edge) > 0; }
 };
 
 struct Crack {

@@ -61,6 +61,7 @@ struct Case {
   std::size_t arrangement;
   int32_t plane;
   int horizon_ratio;
+  double own_length;  // of the boundary elements on interfaces too; 0 where they follow the lattice
 };
 
 struct LinearField {
@@ -100,6 +101,11 @@ class Patch : public testing::TestWithParam<Case> {
   void build(Support support) {
     const bempd_material m = material(young, bond_poisson(GetParam().plane), GetParam().plane, thickness);
     regions = add_pieces(model, arrangement.pieces, model.add(m), spacing, GetParam().horizon_ratio, element_length);
+    for (std::size_t i = 0; i < regions.size() && GetParam().own_length > 0; ++i) {
+      if (arrangement.pieces[i].method != B) continue;
+      for (const EdgePart& edge : edges_of(arrangement.pieces[i], i))
+        model.mesh(regions[i], edge.edge, GetParam().own_length, 1);
+    }
     const std::vector<EdgePart> parts = free_parts(arrangement.pieces);
     const auto leftmost = std::min_element(parts.begin(), parts.end(), [](const EdgePart& a, const EdgePart& b) {
       return a.start[0] + a.end[0] < b.start[0] + b.end[0];
@@ -207,19 +213,39 @@ TEST_P(Patch, constant_strain_is_exact_held_by_three_components) {
   verify();
 }
 
+std::string name_of(const Case& c) {
+  std::string name = std::string(arrangements()[c.arrangement].name) +
+                     (c.plane == BEMPD_PLANE_STRESS ? "_plane_stress" : "_plane_strain") + "_m" +
+                     std::to_string(c.horizon_ratio);
+  if (c.own_length > 0) name += "_elements_of_" + std::to_string(std::lround(1000 * c.own_length));
+  return name;
+}
+
+bool has(const char* method, std::size_t arrangement) {
+  return std::string(arrangements()[arrangement].name).find(method) != std::string::npos;
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (std::size_t a = 0; a < arrangements().size(); ++a)
     for (int32_t plane : {BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN})
       for (int m : {3, 4, 5})
-        if (std::string(arrangements()[a].name).find("pd") != std::string::npos || m == 4) all.push_back({a, plane, m});
+        if (has("pd", a) || m == 4) all.push_back({a, plane, m, 0});
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Arrangements, Patch, testing::ValuesIn(cases()), [](const auto& test) {
-  return std::string(arrangements()[test.param.arrangement].name) +
-         (test.param.plane == BEMPD_PLANE_STRESS ? "_plane_stress" : "_plane_strain") + "_m" +
-         std::to_string(test.param.horizon_ratio);
-});
+// Interfaces whose boundary elements do not follow the lattice of 0.05: finer, nearly matching, coarser, a single one.
+std::vector<Case> cases_that_do_not_match() {
+  std::vector<Case> all;
+  for (std::size_t a = 0; a < arrangements().size(); ++a)
+    for (double length : {0.02, 0.05, 0.07, 0.1, 0.13, 0.24, 0.5})
+      if (has("pd", a) && has("bem", a)) all.push_back({a, BEMPD_PLANE_STRESS, 4, length});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Arrangements, Patch, testing::ValuesIn(cases()),
+                         [](const auto& test) { return name_of(test.param); });
+INSTANTIATE_TEST_SUITE_P(InterfacesThatDoNotMatch, Patch, testing::ValuesIn(cases_that_do_not_match()),
+                         [](const auto& test) { return name_of(test.param); });
 
 }  // namespace

@@ -66,6 +66,44 @@ Affine expected_solution(const Chain& chain, const std::vector<char>& intact, co
   return u;
 }
 
+// Node 3 follows nodes 1 and 2 of the operator: the reduced matrix is T^T K T.
+TEST(EquilibriumSystem, tied_nodes_follow_their_masters_also_after_breaks) {
+  const Chain chain;
+  NodeTies ties;
+  ties.add(3, {{1, 0.3}, {2, 0.7}});
+  EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed, ties);
+  EXPECT_TRUE(system.in_dense_body(3));
+  Affine force = Affine::Zero(10, 2), given = Affine::Zero(10, 2);
+  for (int dof = 0; dof < 10; ++dof) force.row(dof) << std::cos(dof), std::sin(2 * dof);
+  given.row(0) << 0.1, 0.2;
+  given.row(9) << -0.3, 0.05;
+  system.set_load(force, given);
+  Eigen::MatrixXd expand = Eigen::MatrixXd::Identity(10, 10);
+  expand.middleRows<2>(6).setZero();
+  for (int c = 0; c < 2; ++c) expand(6 + c, 2 + c) = 0.3, expand(6 + c, 4 + c) = 0.7;
+  const std::vector<int> free{1, 2, 3, 4, 5, 8};
+  const auto expected = [&] {
+    const Eigen::MatrixXd k = expand.transpose() * chain.full(system.intact()) * expand;
+    Affine u = given;
+    const Affine rhs = expand.transpose() * force - k * given;
+    const Affine solved = k(free, free).ldlt().solve(rhs(free, Eigen::all));
+    for (std::size_t i = 0; i < free.size(); ++i) u.row(free[i]) = solved.row(static_cast<Eigen::Index>(i));
+    return Affine(expand * u);
+  };
+  EXPECT_LE((system.solve() - expected()).cwiseAbs().maxCoeff(), 1e-10);
+
+  const int broken[] = {0, 3};
+  system.mark_broken(broken);
+  system.commit_break(broken, {});
+  const Affine solution = system.solve();
+  EXPECT_LE((solution - expected()).cwiseAbs().maxCoeff(), 1e-10);
+
+  // Nothing is left on the tied node, and the free unknowns balance.
+  Eigen::VectorXd unbalanced = system.internal_force(solution.col(0)) - system.force().col(0);
+  EXPECT_EQ(unbalanced.segment<2>(6).norm(), 0);
+  for (int dof : free) EXPECT_LE(std::abs(unbalanced[dof]), 1e-10) << dof;
+}
+
 TEST(EquilibriumSystem, condensed_solution_equals_the_full_one_also_after_breaks) {
   const Chain chain;
   EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);

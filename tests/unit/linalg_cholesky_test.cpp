@@ -12,15 +12,6 @@ namespace {
 using namespace bempd::linalg;
 using namespace bempd::test;
 
-double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
-}
-
-Eigen::VectorXd solve(const SparseCholesky& factor, Eigen::VectorXd rhs) {
-  factor.solve_in_place(rhs);
-  return rhs;
-}
-
 SparseMatrix random_positive_definite(int n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1);

@@ -14,8 +14,8 @@ using namespace bempd::test;
 // Counts what a solve costs.
 struct Problem {
   explicit Problem(const SparseMatrix& a) : matrix(a) {}
-  ConjugateGradientResult solve(const SparseCholesky& factor, const Eigen::VectorXd& b, Eigen::VectorXd& x,
-                                const ConjugateGradientOptions& options = {}) {
+  KrylovResult solve(const SparseCholesky& factor, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                     const ConjugateGradientOptions& options = {}) {
     return conjugate_gradient(
         [&](const Eigen::VectorXd& in, Eigen::VectorXd& out) {
           ++products;
@@ -40,7 +40,7 @@ TEST(ConjugateGradient, an_exact_factor_needs_one_solve_and_at_most_one_refineme
   const Eigen::VectorXd b = waves(lattice.dof_count());
   Eigen::VectorXd x = zeros(b.size());
   const auto loose = problem.solve(*factor, b, x, {.tolerance = 1e-12});
-  EXPECT_EQ(loose.end, ConjugateGradientEnd::converged);
+  EXPECT_EQ(loose.end, KrylovEnd::converged);
   EXPECT_EQ(loose.iterations, 1);
   EXPECT_EQ(problem.products, 1);
   x.setZero();
@@ -62,7 +62,7 @@ TEST(ConjugateGradient, a_factor_stale_by_a_thousand_broken_bonds_still_solves_t
   Eigen::VectorXd x = zeros(b.size());
   const auto result = problem.solve(*factor, b, x, {.tolerance = 1e-12});
   std::cout << "iterations " << result.iterations << ", residual " << result.relative_residual << '\n';
-  EXPECT_EQ(result.end, ConjugateGradientEnd::converged);
+  EXPECT_EQ(result.end, KrylovEnd::converged);
   EXPECT_LE(problem.residual(b, x), 1e-12);
   EXPECT_LE(result.iterations, 100);
 }
@@ -83,7 +83,7 @@ TEST(ConjugateGradient, after_a_thousand_single_removals_the_factor_is_exact_or_
   Eigen::VectorXd x = zeros(b.size());
   const auto result = problem.solve(*factor, b, x, {.tolerance = 1e-12});
   std::cout << "iterations " << result.iterations << ", residual " << result.relative_residual << '\n';
-  EXPECT_EQ(result.end, ConjugateGradientEnd::converged);
+  EXPECT_EQ(result.end, KrylovEnd::converged);
   EXPECT_LE(problem.residual(b, x), 1e-12);
   if (current) {
     EXPECT_LE(result.iterations, 2);
@@ -109,7 +109,7 @@ TEST(ConjugateGradient, a_zero_right_hand_side_gives_zero_without_work) {
   const auto factor = make_sparse_cholesky();
   ASSERT_TRUE(factor->factorize(lower_triangle(problem.matrix)));
   Eigen::VectorXd x = waves(lattice.dof_count());
-  EXPECT_EQ(problem.solve(*factor, zeros(x.size()), x).end, ConjugateGradientEnd::converged);
+  EXPECT_EQ(problem.solve(*factor, zeros(x.size()), x).end, KrylovEnd::converged);
   EXPECT_EQ(x, zeros(x.size()));
   EXPECT_EQ(problem.products, 0);
   Eigen::VectorXd nothing;
@@ -124,7 +124,7 @@ TEST(ConjugateGradient, an_unreachable_tolerance_ends_in_stagnation_at_rounding_
   const Eigen::VectorXd b = waves(lattice.dof_count());
   Eigen::VectorXd x = zeros(b.size());
   const auto result = problem.solve(*factor, b, x, {.tolerance = 1e-30});
-  EXPECT_EQ(result.end, ConjugateGradientEnd::stagnated);
+  EXPECT_EQ(result.end, KrylovEnd::stagnated);
   EXPECT_LE(result.iterations, 20);
   EXPECT_EQ(result.relative_residual, problem.residual(b, x));
   // Rounding of the product A x alone.
@@ -142,12 +142,12 @@ TEST(ConjugateGradient, the_iteration_limit_and_an_indefinite_matrix_end_cleanly
   const Eigen::VectorXd b = waves(lattice.dof_count());
   Eigen::VectorXd x = zeros(b.size());
   const auto limited = problem.solve(*factor, b, x, {.tolerance = 1e-12, .max_iterations = 5});
-  EXPECT_EQ(limited.end, ConjugateGradientEnd::iteration_limit);
+  EXPECT_EQ(limited.end, KrylovEnd::iteration_limit);
   EXPECT_EQ(limited.iterations, 5);
   EXPECT_EQ(limited.relative_residual, x.isZero(0) ? 1.0 : problem.residual(b, x));
   Problem indefinite(-problem.matrix);
   x.setZero();
-  EXPECT_EQ(indefinite.solve(*factor, b, x).end, ConjugateGradientEnd::breakdown);
+  EXPECT_EQ(indefinite.solve(*factor, b, x).end, KrylovEnd::breakdown);
   EXPECT_EQ(x, zeros(b.size()));
 }
 

@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "linalg/sparse_factorization.hpp"
+
 namespace bempd::test {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
@@ -90,6 +92,33 @@ inline std::vector<int> shuffled(int count, unsigned seed) {
 
 inline Eigen::VectorXd waves(int count) {
   return Eigen::VectorXd::NullaryExpr(count, [](Eigen::Index i) { return std::sin(1.0 + 0.7 * double(i)); });
+}
+
+inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+inline Eigen::VectorXd solve(const linalg::SparseFactorization& factor, Eigen::VectorXd rhs) {
+  factor.solve_in_place(rhs);
+  return rhs;
+}
+
+// Spring lattice whose last `block` unknowns also meet in a dense unsymmetric block, and whose rows have been
+// multiplied by wildly different units: what boundary elements in terms of tractions and bonds give together.
+inline SparseMatrix unsymmetric_lattice(const SpringLattice& lattice, const std::vector<char>& broken, int block) {
+  const int n = lattice.dof_count();
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = n - block; i < n; ++i)
+    for (int j = n - block; j < n; ++j) entries.emplace_back(i, j, (i == j ? 2.0 : 0.0) + value(random) / block);
+  SparseMatrix dense(n, n);
+  dense.setFromTriplets(entries.begin(), entries.end());
+  SparseMatrix sum = lattice.stiffness(broken) + dense;
+  const auto unit = [n, block](int row) { return row < n - block ? 1.0 : 1e-9; };
+  for (int j = 0; j < n; ++j)
+    for (SparseMatrix::InnerIterator it(sum, j); it; ++it) it.valueRef() *= unit(static_cast<int>(it.row()));
+  return sum;
 }
 
 }  // namespace bempd::test

@@ -1,0 +1,101 @@
+#include "coupling/interface_trace.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "pd/least_change.hpp"
+
+namespace bempd::coupling {
+
+namespace {
+
+// Of the equations for N, whose entries are of order one.
+constexpr double largest_residual = 1e-11;
+
+struct Elements {
+  const std::vector<double>& stations;
+
+  int count() const { return static_cast<int>(stations.size()) - 1; }
+  int node_count() const { return 2 * count() + 1; }
+  double node(int a) const { return a % 2 == 0 ? stations[a / 2] : 0.5 * (stations[a / 2] + stations[a / 2 + 1]); }
+  double length(int element) const { return stations[element + 1] - stations[element]; }
+  // The element that holds a place, the left one of two.
+  int at(double s) const {
+    const auto after = std::lower_bound(stations.begin() + 1, stations.end() - 1, s);
+    return static_cast<int>(after - stations.begin()) - 1;
+  }
+  double interpolation(int a, double s) const {
+    const int e = at(s);
+    if (a < 2 * e || a > 2 * e + 2) return 0;
+    const double xi = 2 * (s - stations[e]) / length(e) - 1;
+    if (a == 2 * e) return 0.5 * xi * (xi - 1);
+    return a == 2 * e + 1 ? 1 - xi * xi : 0.5 * xi * (xi + 1);
+  }
+  // Integral of the shape function.
+  double share(int a) const {
+    if (a % 2 == 1) return length(a / 2) * 2 / 3;
+    return ((a > 0 ? length(a / 2 - 1) : 0) + (a < node_count() - 1 ? length(a / 2) : 0)) / 6;
+  }
+};
+
+struct Entry {
+  int row, column;
+};
+
+// Entries that may differ from zero: nodes of the elements within a spacing of the lattice point.
+std::vector<Entry> pattern(const Elements& elements, int length) {
+  std::vector<Entry> entries{{0, 0}};
+  for (int i = 1; i < length; ++i) {
+    const double reach = 1 - 1e-9;
+    const int first = elements.at(std::max(0.0, i - reach)), last = elements.at(i + reach);
+    for (int a = 2 * first; a <= 2 * last + 2; ++a) entries.push_back({i, a});
+  }
+  entries.push_back({length, elements.node_count() - 1});
+  return entries;
+}
+
+}  // namespace
+
+std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(const std::vector<double>& stations) {
+  const Elements elements{stations};
+  const int length = static_cast<int>(std::lround(stations.back()));
+  assert(length >= 1 && std::abs(stations.back() - length) < 1e-6);
+  const std::vector<Entry> entries = pattern(elements, length);
+  const auto count = static_cast<Eigen::Index>(entries.size());
+
+  // Equations: per point sum N = 1 and sum N x_a = x_i (relative to the point), per node the forces.
+  pd::LeastChange problem;
+  problem.lower = -std::numeric_limits<double>::infinity();
+  problem.start.resize(count);
+  problem.scale.setOnes(count);
+  problem.target.setZero(2 * (length + 1) + elements.node_count());
+  std::vector<Eigen::Triplet<double>> equations;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto [i, a] = entries[k];
+    const bool is_end = i == 0 || i == length;
+    problem.start[k] = elements.interpolation(a, i);
+    if (is_end) problem.scale[k] = 0;
+    equations.emplace_back(2 * i, k, 1.0);
+    equations.emplace_back(2 * i + 1, k, elements.node(a) - i);
+    equations.emplace_back(2 * (length + 1) + a, k, is_end ? 0.5 : 1.0);
+  }
+  for (int i = 0; i <= length; ++i) problem.target[2 * i] = 1;
+  for (int a = 0; a < elements.node_count(); ++a) problem.target[2 * (length + 1) + a] = elements.share(a);
+  problem.constraints.resize(problem.target.size(), count);
+  problem.constraints.setFromTriplets(equations.begin(), equations.end());
+  const pd::LeastChangeResult result = pd::solve_least_change(problem);
+  if (!(result.residual <= largest_residual)) return std::nullopt;
+  const Eigen::VectorXd& weights = result.stiffness;
+
+  std::vector<Eigen::Triplet<double>> values;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    if (weights[k] != 0) values.emplace_back(entries[k].row, entries[k].column, weights[k]);
+  }
+  Eigen::SparseMatrix<double, Eigen::RowMajor> trace(length + 1, elements.node_count());
+  trace.setFromTriplets(values.begin(), values.end());
+  return trace;
+}
+
+}  // namespace bempd::coupling

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace bempd::coupling {
+
+// Nodes whose displacements are weighted sums of those of other nodes, their masters: the lattice points of an
+// interface that follow the boundary elements there. What pulls at a tied node pulls at its masters with the same
+// weights, so that no work is lost. Masters are not tied themselves.
+class NodeTies {
+ public:
+  struct Master {
+    int node;
+    double weight;
+  };
+
+  void add(int node, std::vector<Master> masters);
+
+  bool empty() const { return nodes_.empty(); }
+  const std::vector<int>& nodes() const { return nodes_; }
+  const std::vector<Master>& masters(std::size_t tie) const { return masters_[tie]; }
+
+  // Index of the tie of a node, or -1.
+  int tie_of(int node) const {
+    return node < static_cast<int>(tie_of_.size()) ? tie_of_[static_cast<std::size_t>(node)] : -1;
+  }
+
+  // Sets the displacements of tied nodes from those of their masters.
+  void expand(Eigen::Ref<Eigen::MatrixXd> displacement) const;
+
+  // Moves forces on tied nodes to their masters.
+  void collect(Eigen::Ref<Eigen::MatrixXd> force) const;
+
+ private:
+  std::vector<int> nodes_;
+  std::vector<std::vector<Master>> masters_;  // per tie
+  std::vector<int> tie_of_;                   // per node
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace bempd::linalg {
+
+enum class KrylovEnd {
+  converged,
+  stagnated,  // a start gained less than a factor of two: rounding allows no smaller residual, or too short a memory
+  iteration_limit,
+  breakdown  // matrix or preconditioner is not what the method needs, or a number is not finite
+};
+
+struct KrylovResult {
+  KrylovEnd end = KrylovEnd::converged;
+  int iterations = 0;            // = applications of the preconditioner
+  double relative_residual = 0;  // |b - A x|_inf / |b|_inf of the returned x, computed from x itself
+};
+
+namespace detail {
+
+enum class SweepEnd { finished, iteration_limit, breakdown };
+
+struct Sweep {
+  SweepEnd end;
+  bool residual_is_true = false;  // the residual it updated is as good as b - A x
+};
+
+// Solves A x = b by sweeps of an iteration. `sweep(target, max_iterations, x, r, iterations)` iterates from (x, r = b -
+// A x) until it believes the residual to be at most the given inf-norm, or until it has to start anew.
+//
+// Residuals updated along the way drift from the true one, so convergence is only believed of b - A x. If that is still
+// too large, the iteration starts anew from it, which refines the solution, until a start gains less than a factor of
+// two.
+template <class Apply, class SweepFunction>
+KrylovResult iterate_with_refinement(const Apply& apply, const SweepFunction& sweep, const Eigen::VectorXd& b,
+                                     Eigen::VectorXd& x, double tolerance, int max_iterations) {
+  const auto norm = [](const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.template lpNorm<Eigen::Infinity>(); };
+  const double scale = norm(b);
+  if (scale == 0) {
+    x.setZero(b.size());
+    return {};
+  }
+  Eigen::VectorXd work(b.size()), r = b;
+  if (!x.isZero(0)) {
+    apply(x, work);
+    r -= work;
+  }
+  KrylovResult result;
+  result.relative_residual = norm(r) / scale;
+  Eigen::VectorXd trial = x;
+  while (!(result.relative_residual <= tolerance)) {
+    const Sweep done = sweep(tolerance * scale, max_iterations - result.iterations, trial, r, result.iterations);
+    if (!done.residual_is_true) {
+      apply(trial, work);
+      r = b - work;
+    }
+    const double residual = norm(r) / scale;
+    const bool gained = residual < 0.5 * result.relative_residual;
+    if (residual < result.relative_residual) {
+      result.relative_residual = residual;
+      x = trial;
+    }
+    if (result.relative_residual <= tolerance) break;
+    if (done.end == SweepEnd::breakdown) result.end = KrylovEnd::breakdown;
+    if (done.end == SweepEnd::iteration_limit) result.end = KrylovEnd::iteration_limit;
+    if (done.end == SweepEnd::finished && !gained) result.end = KrylovEnd::stagnated;
+    if (result.end != KrylovEnd::converged) break;
+  }
+  return result;
+}
+
+}  // namespace detail
+
+}  // namespace bempd::linalg

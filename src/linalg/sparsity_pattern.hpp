@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+namespace bempd::linalg {
+
+// Remembers where a compressed matrix has entries, to tell whether an analysis still fits.
+template <class Index>
+class SparsityPattern {
+ public:
+  void assign(const Eigen::SparseMatrix<double>& matrix) {
+    assert(matrix.isCompressed());
+    rows_.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+    start_.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.cols() + 1);
+  }
+  void clear() { start_.clear(); }
+
+  // Never true after clear().
+  bool matches(const Eigen::SparseMatrix<double>& matrix) const {
+    assert(matrix.isCompressed());
+    return start_.size() == static_cast<std::size_t>(matrix.cols() + 1) &&
+           std::equal(start_.begin(), start_.end(), matrix.outerIndexPtr()) &&
+           std::equal(rows_.begin(), rows_.end(), matrix.innerIndexPtr());
+  }
+
+  // Compressed columns: entries of column j are `rows` from column_start[j] to column_start[j + 1].
+  const std::vector<Index>& column_start() const { return start_; }
+  const std::vector<Index>& rows() const { return rows_; }
+
+ private:
+  std::vector<Index> start_, rows_;
+};
+
+}  // namespace bempd::linalg
