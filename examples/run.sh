@@ -2,6 +2,7 @@
 # Builds the library and runs examples; results go to out/<name>/. Installs missing Debian packages first.
 #   examples/run.sh            runs centre_crack
 #   examples/run.sh NAME...    runs the examples named
+#   examples/run.sh paper-tables  runs the paper's six examples and prints one table of all cases
 #   examples/run.sh --list     lists them
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -18,10 +19,15 @@ list_examples() {
 
 case "${1:-}" in
   --list) list_examples; exit 0 ;;
-  -h | --help) sed -n '2,5s/^# *//p' "examples/run.sh"; exit 0 ;;
+  -h | --help) sed -n '2,6s/^# *//p' "examples/run.sh"; exit 0 ;;
 esac
 
 [ $# -gt 0 ] || set -- centre_crack
+tables=no
+if [ "$1" = paper-tables ]; then
+  tables=yes
+  set -- tension shear stretching centre_crack mixed_mode_crack two_edge_cracks
+fi
 targets=()
 for name in "$@"; do
   if [[ ! $name =~ ^[a-z0-9_]+$ || ! -f examples/$name/main.c ]]; then
@@ -47,3 +53,7 @@ for name in "$@"; do
     MPLBACKEND=Agg /usr/bin/python3 "examples/$name/plot.py"
   fi
 done
+if [ $tables = yes ]; then
+  echo
+  /usr/bin/python3 examples/paper_tables.py
+fi

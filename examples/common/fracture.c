@@ -11,9 +11,9 @@ void step_as_the_paper(bempd_model* model) {
   ensure(model, bempd_set_option(model, "stepping.increment", 1.0));
 }
 
-static void write_stage(bempd_model* model, const bempd_step_report* report, const char* stage, const char* prefix) {
-  printf("# %-9s load factor %8.3f  bonds broken %5" PRId64 "  events %5" PRId64 "\n", stage, report->load_factor,
-         report->total_broken_bonds, report->total_events);
+static void write_stage(bempd_model* model, const crack_run* run, const char* stage, const char* prefix) {
+  printf("# %-9s load factor %8.3f  bonds broken %5" PRId64 "  events %5" PRId64 "\n", stage, run->complete,
+         run->last.total_broken_bonds, run->last.total_events);
   ensure(model, bempd_write_snapshot(model, prefix));
 }
 
@@ -37,12 +37,27 @@ static int follow_paths(const crack_task* task) {
   return task->meeting_distance > 0.0 && crack_paths_gap(task->paths) <= task->meeting_distance;
 }
 
+/* The next event. 0 when there is none: the load or its limit is used up, the body is in two, or its remains have
+ * become a mechanism, which the library refuses to solve and leaves as it was. */
+static int take_event(bempd_model* model, double limit, crack_run* run) {
+  const int64_t broken_before = run->last.total_broken_bonds;
+  const bempd_status status = bempd_step_to_next_event(model, limit, &run->last);
+  if (status == BEMPD_ERROR_UNSOLVABLE && broken_before > 0) return 0;
+  ensure(model, status);
+  run->seconds += run->last.seconds_total;
+  if (run->last.total_broken_bonds > broken_before) {
+    if (broken_before == 0) run->first_break = run->last.load_factor;
+    run->complete = run->last.load_factor;
+  }
+  return run->last.stop_reason == BEMPD_STOP_EVENT && !run->last.separated;
+}
+
 crack_run run_crack(bempd_model* model, const crack_task* task) {
   const int64_t bonds_between_snapshots = 250;
-  int64_t next_snapshot = bonds_between_snapshots;
+  int64_t next_snapshot = 1;
   crack_run run = {0};
   char prefix[256], path[256];
-  int met;
+  int going_on;
   const double start = seconds_now();
 
   snprintf(prefix, sizeof prefix, "out/%s/%s", task->example, task->case_name);
@@ -52,20 +67,16 @@ crack_run run_crack(bempd_model* model, const crack_task* task) {
 
   ensure(NULL, bempd_step_report_init(&run.last, sizeof run.last));
   do {
-    ensure(model, bempd_step_to_next_event(model, task->limit, &run.last));
-    run.seconds += run.last.seconds_total;
-    met = follow_paths(task);
-    if (run.first_break == 0.0 && run.last.total_broken_bonds > 0) {
-      run.first_break = run.last.load_factor;
-      write_stage(model, &run.last, "first", prefix);
-      write_grid(model, table_path(task, "grid", path), task->side, task->side, 61, 61);
-    } else if (run.last.total_broken_bonds >= next_snapshot && !run.last.separated) {
+    const int unbroken = run.last.total_broken_bonds == 0;
+    going_on = take_event(model, task->limit, &run);
+    if (follow_paths(task)) going_on = 0;
+    if (going_on && run.last.total_broken_bonds >= next_snapshot) {
       next_snapshot = run.last.total_broken_bonds + bonds_between_snapshots;
-      write_stage(model, &run.last, "growing", prefix);
+      write_stage(model, &run, unbroken ? "first" : "growing", prefix);
+      if (unbroken) write_grid(model, table_path(task, "grid", path), task->side, task->side, 61, 61);
     }
-  } while (run.last.stop_reason == BEMPD_STOP_EVENT && !run.last.separated && !met);
-  run.complete = run.last.separated || met ? run.last.load_factor : 0.0;
-  write_stage(model, &run.last, run.complete > 0.0 ? "complete" : "stopped", prefix);
+  } while (going_on);
+  write_stage(model, &run, "complete", prefix);
   ensure(model, bempd_write_history(model, table_path(task, "history", path)));
   if (task->paths != NULL) crack_paths_write(task->paths, table_path(task, "path", path));
   return run;

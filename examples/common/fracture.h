@@ -10,7 +10,7 @@
 
 typedef struct crack_run {
   double first_break; /* load factor of the first broken bond */
-  double complete;    /* load factor at separation or meeting; 0 without either */
+  double complete;    /* load factor of the last one, when the body is in two or the cracks have met */
   double seconds;     /* wall time with the preparation */
   int64_t cut_bonds;  /* bonds cut by the initial cracks */
   bempd_step_report last;
