@@ -58,7 +58,11 @@ std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d
     for (const LatticePart& part : d.lattices) {
       std::vector<Point> polyline;
       for (const Point& p : points) polyline.push_back(part.to_lattice(p));
-      const std::vector<int> touched = pd::points_on(*part.lattice, polyline);
+      std::vector<Point> material_points;
+      for (int i = 0; i < part.lattice->point_count(); ++i) {
+        material_points.push_back(part.lattice->point(i).cast<double>());
+      }
+      const std::vector<int> touched = pd::points_on(material_points, polyline);
       if (!touched.empty()) {
         const Point where = part.position(touched.front());
         require(false, "crack ", id, " passes through ", touched.size(), " material points of region ", part.region,
@@ -66,7 +70,7 @@ std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d
                 "); a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
                 0.5 * part.outline.spacing, ")");
       }
-      for (int bond : pd::bonds_cut_by(*part.lattice, part.bonds(), polyline)) {
+      for (int bond : pd::bonds_cut_by(material_points, part.bonds(), polyline)) {
         cut.push_back(static_cast<int>(part.first_bond) + bond);
       }
     }

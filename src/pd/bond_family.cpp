@@ -1,10 +1,10 @@
 #include "pd/bond_family.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "pd/micromodulus.hpp"
 
 namespace bempd::pd {
 
@@ -19,7 +19,7 @@ std::vector<BondOffset> half_family(int m) {
       BondOffset offset;
       offset.step = {a, b};
       offset.length = std::sqrt(static_cast<double>(square));
-      offset.direction = offset.step.cast<double>() / offset.length;
+      offset.direction = offset.step / offset.length;
       offset.moment = Eigen::Vector4d(a * a * a, a * a * b, a * b * b, b * b * b) / square;
       family.push_back(offset);
     }
@@ -27,11 +27,8 @@ std::vector<BondOffset> half_family(int m) {
   return family;
 }
 
-// Micromodulus times volume for C1111 = 1, with the usual linear reduction of the volumes that the horizon cuts.
-double kernel_weight(double r, double m) {
-  const double s = r / m;
-  const double inside = std::min(1.0, m + 0.5 - r);
-  return 35 / std::numbers::pi / (m * m * m) * (1 - s * s) * (1 - s * s) * inside;
+double kernel_weight(double length, double horizon) {
+  return micromodulus(length, horizon) * volume_factor(length, horizon);
 }
 
 // Contribution of a unit weight to C1111, C2222 and C1122.

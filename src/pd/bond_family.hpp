@@ -5,9 +5,9 @@
 
 namespace bempd::pd {
 
-// One bond vector of the lattice, in units of the spacing, and what a loop over bonds needs to know about it.
+// One bond vector, in units of the spacing, and what a loop over bonds needs to know about it.
 struct BondOffset {
-  Eigen::Vector2i step;
+  Eigen::Vector2d step = {0, 0};  // whole numbers between points of a lattice
   double length = 0;
   Eigen::Vector2d direction = {0, 0};
   double bulk_stiffness = 0;              // far from all faces, for C1111 = 1 and thickness 1

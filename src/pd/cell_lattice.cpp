@@ -5,6 +5,20 @@
 
 namespace bempd::pd {
 
+template <class Has>
+void CellLattice::number_points(const Has& has) {
+  const Eigen::Vector2i size = upper_ - lower_;
+  point_at_.assign(static_cast<std::size_t>(size.x() + 1) * (size.y() + 1), -1);
+  for (int y = 0; y <= size.y(); ++y) {
+    for (int x = 0; x <= size.x(); ++x) {
+      const Eigen::Vector2i at = lower_ + Eigen::Vector2i(x, y);
+      if (!has(at)) continue;
+      point_at_[static_cast<std::size_t>(y) * (size.x() + 1) + x] = point_count();
+      points_.push_back(at);
+    }
+  }
+}
+
 CellLattice::CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops) {
   assert(!loops.empty() && loops.front().size() >= 4);
   lower_ = upper_ = loops.front().front();
@@ -13,7 +27,29 @@ CellLattice::CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops)
     upper_ = upper_.cwiseMax(corner);
   }
   mark_cells(loops);
-  number_points();
+  number_points([this](const Eigen::Vector2i& at) {
+    return has_cell(at) || has_cell(at - Eigen::Vector2i(1, 0)) || has_cell(at - Eigen::Vector2i(0, 1)) ||
+           has_cell(at - Eigen::Vector2i(1, 1));
+  });
+}
+
+CellLattice CellLattice::centres_of(const CellLattice& cells) {
+  CellLattice out;
+  out.lower_ = cells.lower();
+  out.upper_ = cells.upper() - Eigen::Vector2i(1, 1);
+  out.number_points([&](const Eigen::Vector2i& at) { return cells.has_cell(at); });
+  const Eigen::Vector2i size = out.upper_ - out.lower_;
+  out.cells_.assign(static_cast<std::size_t>(size.x()) * size.y(), 0);
+  for (int y = 0; y < size.y(); ++y) {
+    for (int x = 0; x < size.x(); ++x) {
+      const Eigen::Vector2i at = out.lower_ + Eigen::Vector2i(x, y);
+      const bool whole = cells.has_cell(at) && cells.has_cell(at + Eigen::Vector2i(1, 0)) &&
+                         cells.has_cell(at + Eigen::Vector2i(0, 1)) && cells.has_cell(at + Eigen::Vector2i(1, 1));
+      out.cells_[static_cast<std::size_t>(y) * size.x() + x] = whole;
+      out.cell_count_ += whole;
+    }
+  }
+  return out;
 }
 
 // Scan line through the middle of every row of cells: cells lie between an odd and the next even crossing.
@@ -35,21 +71,6 @@ void CellLattice::mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& lo
         cells_[static_cast<std::size_t>(y) * size.x() + x] = 1;
         ++cell_count_;
       }
-    }
-  }
-}
-
-void CellLattice::number_points() {
-  const Eigen::Vector2i size = upper_ - lower_;
-  point_at_.assign(static_cast<std::size_t>(size.x() + 1) * (size.y() + 1), -1);
-  for (int y = 0; y <= size.y(); ++y) {
-    for (int x = 0; x <= size.x(); ++x) {
-      const Eigen::Vector2i at = lower_ + Eigen::Vector2i(x, y);
-      const bool touched = has_cell(at) || has_cell(at - Eigen::Vector2i(1, 0)) ||
-                           has_cell(at - Eigen::Vector2i(0, 1)) || has_cell(at - Eigen::Vector2i(1, 1));
-      if (!touched) continue;
-      point_at_[static_cast<std::size_t>(y) * (size.x() + 1) + x] = point_count();
-      points_.push_back(at);
     }
   }
 }

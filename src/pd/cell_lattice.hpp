@@ -14,6 +14,11 @@ class CellLattice {
  public:
   explicit CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops);
 
+  // The lattice whose material points are the centres of the cells of another: its point (i, j) is the centre of that
+  // cell (i, j), so that its coordinates are those of the other less (1/2, 1/2). Its cells are the blocks of four
+  // neighbouring cells; where the other is one cell wide there are points without cells.
+  static CellLattice centres_of(const CellLattice& cells);
+
   int point_count() const { return static_cast<int>(points_.size()); }
   const Eigen::Vector2i& point(int i) const { return points_[i]; }
   // Index of the material point at a place, -1 where there is none.
@@ -32,8 +37,11 @@ class CellLattice {
   int cells_around(int point) const;
 
  private:
+  CellLattice() = default;
   void mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& loops);
-  void number_points();
+  // Numbers the places of the box that has(place) holds for.
+  template <class Has>
+  void number_points(const Has& has);
 
   Eigen::Vector2i lower_, upper_;
   int cell_count_ = 0;

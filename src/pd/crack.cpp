@@ -41,25 +41,43 @@ bool any_segment(const std::vector<Point>& polyline, const Meets& meets) {
   return false;
 }
 
+bool lies_on(const Point& p, const std::vector<Point>& polyline) {
+  return any_segment(polyline, [&](const Point& c, const Point& d) { return distance(p, c, d) <= tolerance; });
+}
+
+// Whether the segment from c to d meets the bond from a to b in a place between its ends and not along it.
+bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (!segments_meet(a, b, c, d)) return false;
+  const double slope = cross(b - a, d - c), length = (b - a).norm();
+  if (std::abs(slope) <= tolerance * length * (d - c).norm()) return false;
+  const double place = cross(c - a, d - c) / slope * length;
+  return place > tolerance && place < length - tolerance;
+}
+
 }  // namespace
 
-std::vector<int> bonds_cut_by(const CellLattice& lattice, const std::vector<Bond>& bonds,
-                              const std::vector<Point>& polyline) {
+std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vector<Bond>& bonds,
+                              const std::vector<Point>& polyline, Touching touching) {
+  std::vector<char> bridges(points.size(), 0);
+  if (touching == Touching::of_ends_keeps) {
+    for (const int i : points_on(points, polyline)) bridges[i] = 1;
+  }
   std::vector<int> cut;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const Point from = lattice.point(bonds[b].first).cast<double>(), to = lattice.point(bonds[b].second).cast<double>();
-    const auto meets = [&](const Point& c, const Point& d) { return segments_meet(from, to, c, d); };
+    const Point &from = points[bonds[b].first], &to = points[bonds[b].second];
+    const bool end_on_crack = bridges[bonds[b].first] || bridges[bonds[b].second];
+    const auto meets = [&](const Point& c, const Point& d) {
+      return end_on_crack ? meets_between_ends(from, to, c, d) : segments_meet(from, to, c, d);
+    };
     if (any_segment(polyline, meets)) cut.push_back(static_cast<int>(b));
   }
   return cut;
 }
 
-std::vector<int> points_on(const CellLattice& lattice, const std::vector<Point>& polyline) {
+std::vector<int> points_on(const std::vector<Point>& points, const std::vector<Point>& polyline) {
   std::vector<int> found;
-  for (int i = 0; i < lattice.point_count(); ++i) {
-    const Point p = lattice.point(i).cast<double>();
-    const auto meets = [&](const Point& c, const Point& d) { return distance(p, c, d) <= tolerance; };
-    if (any_segment(polyline, meets)) found.push_back(i);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (lies_on(points[i], polyline)) found.push_back(static_cast<int>(i));
   }
   return found;
 }

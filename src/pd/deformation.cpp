@@ -15,7 +15,8 @@ using Eigen::Vector2d;
 Matrix2d fitted_gradient(const Matrix2d& shape, const Matrix2d& mixed) {
   const double trace = shape.trace();
   if (!(trace > 0)) return Matrix2d::Zero();
-  // Bonds span the plane unless they are parallel; integer steps are either exactly parallel or clearly not.
+  // Bonds span the plane unless they are parallel; steps between lattice places are either exactly parallel or clearly
+  // not.
   if (shape.determinant() > 1e-10 * trace * trace) return mixed * shape.inverse();
   const Vector2d along = Eigen::SelfAdjointEigenSolver<Matrix2d>(shape).eigenvectors().col(1);
   const Vector2d across(-along.y(), along.x()), moved = mixed * along / trace;
@@ -37,7 +38,7 @@ std::vector<Matrix2d> displacement_gradients(int point_count, const Network& net
     const BondOffset& offset = network.offsets[network.offset_of[b]];
     // Relative to the bulk, so that the units of stiffness do not matter.
     const double weight = offset.bulk_stiffness;
-    const Vector2d step = offset.step.cast<double>();
+    const Vector2d& step = offset.step;
     const Vector2d difference = displacements.segment<2>(2 * bond.second) - displacements.segment<2>(2 * bond.first);
     const Matrix2d s = weight * step * step.transpose(), d = weight * difference * step.transpose();
     shape[bond.first] += s, shape[bond.second] += s;

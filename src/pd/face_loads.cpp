@@ -12,11 +12,11 @@ namespace {
 constexpr double abscissa[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
 constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
 
-}  // namespace
-
-void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
-                     const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces) {
-  assert(forces.size() == 2 * lattice.point_count());
+// Calls deposit(lower end of the cell edge, axis along it, fraction along it, force) for the Gauss points of all (parts
+// of) cell edges between a and b.
+template <class Deposit>
+void integrate_over_edges(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
+                          const Deposit& deposit) {
   const int along = std::abs(b.x() - a.x()) >= std::abs(b.y() - a.y()) ? 0 : 1, across = 1 - along;
   const int line = static_cast<int>(std::lround(a[across]));
   assert(std::abs(a[across] - line) < 1e-9 && std::abs(b[across] - line) < 1e-9);
@@ -24,22 +24,40 @@ void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
   const auto snapped = [](double s) { return std::abs(s - std::round(s)) < 1e-9 ? std::round(s) : s; };
   const double from = snapped(std::min(a[along], b[along])), to = snapped(std::max(a[along], b[along]));
   for (int edge = static_cast<int>(std::floor(from)); edge < to; ++edge) {
-    Eigen::Vector2i first, second;
-    first[along] = edge, second[along] = edge + 1;
-    first[across] = second[across] = line;
-    const int i = lattice.find_point(first), j = lattice.find_point(second);
-    assert(i >= 0 && j >= 0);
+    Eigen::Vector2i lower_end;
+    lower_end[along] = edge;
+    lower_end[across] = line;
     const double start = std::max(from, static_cast<double>(edge)), half = 0.5 * (std::min(to, edge + 1.0) - start);
     for (int g = 0; g < 4; ++g) {
       Point at;
       at[along] = start + half * (1 + abscissa[g]);
       at[across] = line;
-      const Point force = weight[g] * half * traction(at);
-      const double s = at[along] - edge;
-      forces.segment<2>(2 * i) += (1 - s) * force;
-      forces.segment<2>(2 * j) += s * force;
+      deposit(lower_end, along, at[along] - edge, weight[g] * half * traction(at));
     }
   }
+}
+
+}  // namespace
+
+void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
+                     const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces) {
+  assert(forces.size() == 2 * lattice.point_count());
+  integrate_over_edges(a, b, traction, [&](const Eigen::Vector2i& end, int along, double s, const Point& force) {
+    const int i = lattice.find_point(end), j = lattice.find_point(end + Eigen::Vector2i::Unit(along));
+    assert(i >= 0 && j >= 0);
+    forces.segment<2>(2 * i) += (1 - s) * force;
+    forces.segment<2>(2 * j) += s * force;
+  });
+}
+
+void add_layer_forces(const CellLattice& centres, const Point& a, const Point& b,
+                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces) {
+  assert(forces.size() == 2 * centres.point_count());
+  integrate_over_edges(a, b, traction, [&](const Eigen::Vector2i& end, int along, double, const Point& force) {
+    const int ahead = centres.find_point(end), behind = centres.find_point(end - Eigen::Vector2i::Unit(1 - along));
+    assert((ahead >= 0) != (behind >= 0));
+    forces.segment<2>(2 * std::max(ahead, behind)) += force;
+  });
 }
 
 }  // namespace bempd::pd

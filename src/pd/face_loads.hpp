@@ -15,4 +15,10 @@ namespace bempd::pd {
 void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces);
 
+// The same for material points at the centres of cells (`centres` from CellLattice::centres_of): the force on every
+// (part of a) cell edge goes whole to the point of the cell behind it, as a body force on the outermost layer (Yang and
+// Liu 2021, Eq. 30). a and b are in the coordinates of the cells, not of their centres.
+void add_layer_forces(const CellLattice& centres, const Point& a, const Point& b,
+                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces);
+
 }  // namespace bempd::pd

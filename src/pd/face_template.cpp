@@ -70,8 +70,9 @@ struct Kind {
 std::vector<Kind> kinds_of(const std::vector<BondOffset>& family) {
   std::vector<Kind> kinds;
   for (const BondOffset& o : family) {
-    if (o.step.x() < 0) continue;
-    kinds.push_back({o.step.x(), o.step.y(), o.bulk_stiffness, o.step.x() > 0 && o.step.y() > 0 ? 2.0 : 1.0});
+    const Eigen::Vector2i step = o.step.cast<int>();
+    if (step.x() < 0) continue;
+    kinds.push_back({step.x(), step.y(), o.bulk_stiffness, step.x() > 0 && step.y() > 0 ? 2.0 : 1.0});
   }
   return kinds;
 }

@@ -84,13 +84,13 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
     const bool clear = bulk || cells.filled(p - near, p + near);
     for (std::size_t o = 0; o < templates.family.size(); ++o) {
       const BondOffset& offset = templates.family[o];
-      const Vector2i q = p + offset.step;
+      const Vector2i step = offset.step.cast<int>(), q = p + step;
       const int j = lattice.find_point(q);
       if (j < 0) continue;
-      if (clear || cells.in_sight(p, offset.step)) {
-        const double ratio = bulk ? 1 : template_ratio(templates, cells, p, offset.step);
+      if (clear || cells.in_sight(p, step)) {
+        const double ratio = bulk ? 1 : template_ratio(templates, cells, p, step);
         append(bonds, i, j, o, offset.bulk_stiffness * ratio, true);
-      } else if (cell_network_stiffness(p, offset.step, thin) > 0) {
+      } else if (cell_network_stiffness(p, step, thin) > 0) {
         append(bonds, i, j, o, 0, false);
       }
     }
@@ -103,7 +103,8 @@ void add_thin_cells(const CellLattice& lattice, const CellGrid& thick, const std
                     DraftBonds& bonds) {
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !thick.has(c); };
   for (std::size_t b = 0; b < bonds.first.size(); ++b) {
-    bonds.stiffness[b] += cell_network_stiffness(lattice.point(bonds.first[b]), family[bonds.offset[b]].step, thin);
+    const Vector2i step = family[bonds.offset[b]].step.cast<int>();
+    bonds.stiffness[b] += cell_network_stiffness(lattice.point(bonds.first[b]), step, thin);
   }
 }
 
@@ -112,8 +113,9 @@ DraftBonds nearest_neighbours(const CellLattice& lattice, const std::vector<Bond
   DraftBonds bonds;
   for (int i = 0; i < lattice.point_count(); ++i) {
     for (std::size_t o = 0; o < family.size(); ++o) {
-      const double stiffness = cell_network_stiffness(lattice.point(i), family[o].step, in);
-      if (stiffness > 0) append(bonds, i, lattice.find_point(lattice.point(i) + family[o].step), o, stiffness, false);
+      const Vector2i step = family[o].step.cast<int>();
+      const double stiffness = cell_network_stiffness(lattice.point(i), step, in);
+      if (stiffness > 0) append(bonds, i, lattice.find_point(lattice.point(i) + step), o, stiffness, false);
     }
   }
   return bonds;
@@ -123,7 +125,7 @@ Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family
                const PlaneElasticity& elasticity) {
   Network network;
   network.offsets = family;
-  network.offset_of = draft.offset;
+  network.offset_of.assign(draft.offset.begin(), draft.offset.end());
   network.bonds.reserve(draft.first.size());
   network.min_weight_ratio = draft.first.empty() ? 1 : HUGE_VAL;
   const double unit = elasticity.thickness * elasticity.c11();

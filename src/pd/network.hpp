@@ -15,12 +15,13 @@ struct Bond {
   double stiffness;  // [N/m], thickness included
 };
 
-// Bonds that reproduce every linear displacement field exactly: under constant strain their forces equal the resultants
-// of the tractions on the faces around each material point, everywhere in the body.
+// The bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under constant
+// strain their forces equal the resultants of the tractions on the faces around each material point, everywhere in the
+// body.
 struct Network {
   std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
   std::vector<Bond> bonds;               // sorted by (first, second)
-  std::vector<std::uint16_t> offset_of;  // one a bond: index into `offsets`
+  std::vector<std::uint32_t> offset_of;  // one a bond: index into `offsets`
   double max_residual = 0;               // largest error of a point's third moments, for C1111 = thickness = 1
   double min_weight_ratio = 1;           // smallest and largest stiffness over that of the same bond in the bulk
   double max_weight_ratio = 1;

@@ -57,6 +57,12 @@ inline std::vector<Body> bodies() {
           {"plate with a tail", {{{0, 0}, {14, 0}, {14, 14}, {8, 14}, {8, 24}, {7, 24}, {7, 14}, {0, 14}}}}};
 }
 
+inline std::vector<Point> points_of(const CellLattice& lattice, const Point& shift = {0, 0}) {
+  std::vector<Point> points;
+  for (int i = 0; i < lattice.point_count(); ++i) points.push_back(lattice.point(i).cast<double>() + shift);
+  return points;
+}
+
 inline PlaneElasticity bond_based(double young_modulus, PlaneState state, double thickness) {
   return {young_modulus, bond_based_poisson_ratio(state), state, thickness};
 }

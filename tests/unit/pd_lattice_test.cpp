@@ -53,6 +53,39 @@ TEST(Lattice, cells_match_the_area_of_every_body) {
   }
 }
 
+TEST(Lattice, centres_of_cells_make_a_lattice_of_their_own) {
+  const CellLattice cells({rectangle(-2, 3, 9, 9), hole(1, 6, 3, 3)});
+  const CellLattice centres = CellLattice::centres_of(cells);
+  EXPECT_EQ(centres.point_count(), 72);
+  EXPECT_EQ(centres.lower(), Vector2i(-2, 3));
+  EXPECT_EQ(centres.upper(), Vector2i(6, 11));
+  EXPECT_EQ(centres.find_point({2, 7}), -1);
+  EXPECT_EQ(centres.find_point({7, 5}), -1);
+  for (int i = 0; i < centres.point_count(); ++i) {
+    EXPECT_TRUE(cells.has_cell(centres.point(i)));
+    EXPECT_EQ(centres.find_point(centres.point(i)), i);
+    if (i == 0) continue;
+    const Vector2i p = centres.point(i - 1), q = centres.point(i);
+    EXPECT_TRUE(p.y() < q.y() || (p.y() == q.y() && p.x() < q.x()));
+  }
+  // 8 x 8 blocks of four, less the 4 x 4 that reach into the hole.
+  EXPECT_EQ(centres.cell_count(), 64 - 16);
+  EXPECT_TRUE(centres.has_cell({-1, 4}));
+  EXPECT_FALSE(centres.has_cell({0, 5}));
+  EXPECT_FALSE(centres.has_cell({6, 4}));
+  EXPECT_EQ(centres.cells_around(centres.find_point({0, 5})), 3);
+  EXPECT_EQ(centres.cells_around(centres.find_point({-2, 3})), 1);
+}
+
+TEST(Lattice, centres_of_a_body_one_cell_wide_have_no_cells) {
+  const CellLattice centres = CellLattice::centres_of(CellLattice({rectangle(4, 5, 1, 6)}));
+  EXPECT_EQ(centres.point_count(), 6);
+  EXPECT_EQ(centres.cell_count(), 0);
+  EXPECT_EQ(centres.point(5), Vector2i(4, 10));
+  EXPECT_EQ(centres.cells_around(2), 0);
+  EXPECT_FALSE(centres.has_cell({4, 6}));
+}
+
 // Independent test of visibility: many places along the bond, each in a closed cell.
 TEST(Lattice, line_of_sight_agrees_with_sampling) {
   int checked = 0;
@@ -66,7 +99,7 @@ TEST(Lattice, line_of_sight_agrees_with_sampling) {
         for (int k = 0; k < 360 && inside; ++k) {
           // 360 * 5! divisions never hit a lattice line by accident; lines are met at k = 0 only.
           const double t = (k + 0.5) / 360;
-          const Eigen::Vector2d x = lattice.point(i).cast<double>() + t * offset.step.cast<double>();
+          const Eigen::Vector2d x = lattice.point(i).cast<double>() + t * offset.step;
           bool covered = false;
           for (int sx = -1; sx <= 1; sx += 2) {
             for (int sy = -1; sy <= 1; sy += 2) {
@@ -76,7 +109,7 @@ TEST(Lattice, line_of_sight_agrees_with_sampling) {
           }
           inside = covered;
         }
-        EXPECT_EQ(cells.in_sight(lattice.point(i), offset.step), inside)
+        EXPECT_EQ(cells.in_sight(lattice.point(i), offset.step.cast<int>()), inside)
             << body.name << " from " << lattice.point(i).transpose() << " step " << offset.step.transpose();
         ++checked;
       }
@@ -94,7 +127,7 @@ TEST(BondFamily, is_half_of_the_integer_disc_and_sorted) {
     const auto family = bond_family(m);
     EXPECT_EQ(2 * static_cast<int>(family.size()), expected);
     for (std::size_t k = 1; k < family.size(); ++k) {
-      const Vector2i p = family[k - 1].step, q = family[k].step;
+      const Vector2i p = family[k - 1].step.cast<int>(), q = family[k].step.cast<int>();
       EXPECT_TRUE(p.y() < q.y() || (p.y() == q.y() && p.x() < q.x()));
     }
   }
@@ -124,7 +157,7 @@ TEST(BondFamily, agrees_with_an_independent_calculation) {
   for (const auto& e : expected) {
     int found = 0;
     for (const BondOffset& o : bond_family(static_cast<int>(e[0]))) {
-      const int a = std::abs(o.step.x()), b = o.step.y();
+      const double a = std::abs(o.step.x()), b = o.step.y();
       if (std::max(a, b) != e[1] || std::min(a, b) != e[2]) continue;
       EXPECT_NEAR(o.bulk_stiffness * 9 / 8, e[3], 6e-7);
       ++found;
@@ -143,7 +176,7 @@ TEST(FaceTemplate, agrees_with_an_independent_calculation) {
   for (int row = 0; row < 3; ++row) {
     for (int k = 0; k < 8; ++k) {
       for (const BondOffset& o : templates.family) {
-        if (o.step != Vector2i(steps[k][0], steps[k][1])) continue;
+        if (o.step != Vector2i(steps[k][0], steps[k][1]).cast<double>()) continue;
         EXPECT_NEAR(templates.face.ratio(row, steps[k][0], steps[k][1]) * o.bulk_stiffness * 9 / 8, expected[row][k],
                     1.2e-6);
       }
@@ -160,7 +193,8 @@ TEST(FaceTemplate, ratios_have_the_known_range) {
     double low = 1, high = 1;
     for (const BondOffset& o : templates.family) {
       for (int row = 0; row < m; ++row) {
-        const double ratio = templates.face.ratio(row, std::abs(o.step.x()), o.step.y());
+        const Vector2i step = o.step.cast<int>();
+        const double ratio = templates.face.ratio(row, std::abs(step.x()), step.y());
         low = std::min(low, ratio), high = std::max(high, ratio);
       }
     }
