@@ -127,9 +127,9 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       for (const auto& part : p->discretization.boundaries) {
         s.boundary_nodes += static_cast<int64_t>(part.mesh.nodes.size());
         s.boundary_elements += static_cast<int64_t>(part.mesh.elements.size());
-        s.kernel_evaluations += part.galerkin->kernel_evaluations();
+        s.kernel_evaluations += part.boundary_operator->kernel_evaluations();
       }
-      for (const auto& part : p->discretization.lattices) s.material_points += part.lattice->point_count();
+      for (const auto& part : p->discretization.lattices) s.material_points += part.point_count();
       s.bonds = static_cast<int64_t>(p->system->bonds().size());
       s.cut_bonds = static_cast<int64_t>(p->cut_bonds.size());
       s.broken_bonds = p->evolution->state().broken_bonds;

@@ -43,12 +43,10 @@ std::vector<PartNode> nodes_on(const Scene& scene, const Discretization& d, cons
     }
   } else {
     const LatticePart& lattice = *d.lattice_of(part.region);
-    const auto& ends = lattice.outline.edges[part.edge - 1];
-    const LatticePoint span = ends[1] - ends[0];
-    const int count = span.cwiseAbs().maxCoeff();
-    for (int i = 0; i <= count; ++i) {
-      const int point = lattice.lattice->find_point(ends[0] + span / count * i);
-      add(lattice.nodes[point], lattice.position(point));
+    for (const LatticePart::EdgePoint& p : lattice.edge_points(part.edge)) {
+      if (p.fraction < part.from - slack || p.fraction > part.to + slack) continue;
+      const double along = (p.fraction - part.from) / (part.to - part.from);
+      found.push_back({lattice.nodes[p.point], std::clamp(along, 0.0, 1.0)});
     }
   }
   return found;
@@ -167,11 +165,12 @@ void apply_traction(const Scene& scene, const Discretization& d, int load, const
       const LatticePart& lattice = *d.lattice_of(part.region);
       const auto& ends = lattice.outline.edges[part.edge - 1];
       const Segment piece{ends[0].cast<double>(), ends[1].cast<double>()};
-      Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * lattice.lattice->point_count());
-      pd::add_face_forces(
-          *lattice.lattice, piece.at(part.from), piece.at(part.to),
-          [&](const Point& p) { return traction(lattice.from_lattice(p)); }, nodal);
-      nodal *= thickness * lattice.outline.spacing;
+      Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * lattice.point_count());
+      const auto add_forces = lattice.cell_centred ? &pd::add_layer_forces : &pd::add_face_forces;
+      const auto in_cells = [&](const Point& p) { return traction(lattice.outline.origin + lattice.spacing() * p); };
+      add_forces(*lattice.lattice, piece.at(part.from), piece.at(part.to), in_cells,
+                 nodal.head(2 * lattice.lattice->point_count()));
+      nodal *= thickness * lattice.spacing();
       for (std::size_t i = 0; i < lattice.nodes.size(); ++i) {
         force.col(column).segment<2>(2 * lattice.nodes[i]) += nodal.segment<2>(2 * static_cast<Eigen::Index>(i));
       }

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "model/discretization.hpp"
+#include "model/boundary_part.hpp"
 
 namespace bempd::model {
 
@@ -102,11 +102,14 @@ void require_lattice_ends(const Scene& scene, int region, const Contact& contact
   }
 }
 
-std::vector<double> lattice_stations(const Scene& scene, const Contact& contact, const Segment& piece) {
+// Element ends on lattice points; in scheme `paper` every node is one, but for the last of an odd number of spacings.
+std::vector<double> lattice_stations(const Scene& scene, const Contact& contact, const Segment& piece,
+                                     const Formulation& formulation) {
   const double spacing = scene.region(contact.other_region + 1).lattice.spacing;
-  const int count = static_cast<int>(std::lround(piece.length() / spacing));
-  std::vector<double> stations(count + 1);
-  for (int i = 0; i <= count; ++i) stations[i] = static_cast<double>(i) / count;
+  const int count = static_cast<int>(std::lround(piece.length() / spacing)), step = formulation.paper ? 2 : 1;
+  std::vector<double> stations;
+  for (int i = 0; i < count; i += step) stations.push_back(static_cast<double>(i) / count);
+  stations.push_back(1);
   return stations;
 }
 
@@ -124,7 +127,8 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
 
 }  // namespace
 
-BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, double tolerance, int region_id) {
+BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, const Formulation& formulation,
+                          double tolerance, int region_id) {
   const Region& region = scene.region(region_id);
   BoundaryPanels result;
   int edge = 0;
@@ -139,12 +143,13 @@ BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, do
         const Contact* contact = contact_at(arrangement, region_id, edge, 0.5 * (breaks[b] + breaks[b + 1]));
         const Border border = border_of(scene, contact);
         const EdgeMesh mesh = mesh_of(region, edge);
-        const bool tied = border == Border::peridynamics && region.has_own_mesh(edge);
+        const bool follows = border == Border::peridynamics && !region.has_own_mesh(edge);
+        const bool tied = border == Border::peridynamics && !follows && !formulation.paper;
         if (border == Border::peridynamics) require_lattice_ends(scene, region_id, *contact, piece, tolerance);
-        std::vector<double> stations =
-            border == Border::peridynamics && !tied ? lattice_stations(scene, *contact, piece)
-            : border == Border::boundary_elements   ? shared_stations(scene, region_id, edge, *contact, piece.length())
-                                                  : element_stations(piece.length(), mesh.element_length, mesh.grading);
+        std::vector<double> stations = follows ? lattice_stations(scene, *contact, piece, formulation)
+                                       : border == Border::boundary_elements
+                                           ? shared_stations(scene, region_id, edge, *contact, piece.length())
+                                           : element_stations(piece.length(), mesh.element_length, mesh.grading);
         result.loops.back().push_back({piece.start, piece.end, std::move(stations)});
         result.sources.push_back(
             {edge, breaks[b], breaks[b + 1], border, contact ? contact->other_region + 1 : 0, tied});

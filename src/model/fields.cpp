@@ -3,6 +3,7 @@
 #include "bem/interior.hpp"
 #include "error.hpp"
 #include "model/model.hpp"
+#include "pd/damage.hpp"
 #include "pd/deformation.hpp"
 
 namespace bempd::model {
@@ -22,15 +23,25 @@ Eigen::VectorXd point_displacements(const LatticePart& part, const Eigen::Vector
 
 FieldValues lattice_positions(const LatticePart& part) {
   FieldValues field{{}, 2};
-  for (int i = 0; i < part.lattice->point_count(); ++i) {
+  for (int i = 0; i < part.point_count(); ++i) {
     const Point p = part.position(i);
     field.values.insert(field.values.end(), {p.x(), p.y()});
   }
   return field;
 }
 
-// 1 - intact bonds / bonds before any crack.
-FieldValues damage(const LatticePart& part, const std::vector<char>& intact) {
+// One entry a bond, nonzero where it is broken or cut.
+std::vector<std::uint8_t> broken_bonds(const LatticePart& part, const std::vector<char>& intact) {
+  std::vector<std::uint8_t> broken(part.bonds().size());
+  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[part.first_bond + b] ? 0 : 1;
+  return broken;
+}
+
+// 1 - intact bonds / bonds before any crack; by volumes where points stand for volumes.
+FieldValues damage(const LatticePart& part, int horizon_ratio, const std::vector<char>& intact) {
+  if (!part.volumes.empty()) {
+    return {pd::volume_damage(part.network, part.volumes, horizon_ratio, broken_bonds(part, intact)), 1};
+  }
   std::vector<int> all(part.nodes.size(), 0), left(part.nodes.size(), 0);
   for (std::size_t b = 0; b < part.bonds().size(); ++b) {
     for (int point : {part.bonds()[b].first, part.bonds()[b].second}) {
@@ -48,12 +59,10 @@ FieldValues damage(const LatticePart& part, const std::vector<char>& intact) {
 // Stress of the undamaged material under the gradients that the intact bonds show.
 FieldValues lattice_stress(const LatticePart& part, const PlaneElasticity& elasticity, const std::vector<char>& intact,
                            const Eigen::VectorXd& scene_displacement) {
-  std::vector<std::uint8_t> broken(part.bonds().size());
-  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[part.first_bond + b] ? 0 : 1;
-  const Eigen::VectorXd displacement = point_displacements(part, scene_displacement) / part.outline.spacing;
+  const Eigen::VectorXd displacement = point_displacements(part, scene_displacement) / part.spacing();
   FieldValues field{{}, 3};
   for (const Eigen::Matrix2d& gradient :
-       pd::displacement_gradients(part.lattice->point_count(), part.network, broken, displacement)) {
+       pd::displacement_gradients(part.point_count(), part.network, broken_bonds(part, intact), displacement)) {
     const Eigen::Vector3d stress = pd::stress_of(gradient, elasticity);
     field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
   }
@@ -89,7 +98,7 @@ FieldValues boundary_stress(const BoundaryPart& part, const bem::InteriorEvaluat
 }  // namespace
 
 Eigen::VectorXd Model::boundary_tractions(const BoundaryPart& part) const {
-  return part.galerkin->tractions(part.mesh_displacement(prepared_->evolution->state().total_displacement));
+  return part.boundary_operator->tractions(part.mesh_displacement(prepared_->evolution->state().total_displacement));
 }
 
 const FieldValues& Model::field(int region, Field which) {
@@ -116,7 +125,7 @@ FieldValues Model::compute_field(int region, Field which) {
       case Field::displacement:
         return pairs_of(point_displacements(*part, state.total_displacement));
       case Field::damage:
-        return damage(*part, state.intact);
+        return damage(*part, scene_.region(region).horizon_ratio, state.intact);
       case Field::stress:
         return lattice_stress(*part, elasticity, state.intact, state.total_displacement);
       case Field::bond_stretch: {
@@ -174,8 +183,7 @@ FieldSize Model::field_size(int region, Field which) {
   std::int64_t count = 0;
   if (const LatticePart* part = prepared_->discretization.lattice_of(region)) {
     require(which != Field::traction, "region ", region, " is peridynamic and has no tractions; ask a BEM region");
-    count =
-        which == Field::bond_stretch ? static_cast<std::int64_t>(part->bonds().size()) : part->lattice->point_count();
+    count = which == Field::bond_stretch ? static_cast<std::int64_t>(part->bonds().size()) : part->point_count();
   } else {
     require(which != Field::damage && which != Field::bond_stretch, "region ", region,
             " is a BEM region and has no bonds; ask a peridynamic region");

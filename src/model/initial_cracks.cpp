@@ -47,7 +47,7 @@ void require_in_lattices(const Scene& scene, int crack, const Segment& segment, 
 
 }  // namespace
 
-std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d) {
+std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d, std::vector<std::string>& warnings) {
   std::vector<int> cut;
   for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
     const std::vector<Point>& points = scene.cracks()[c].points;
@@ -57,20 +57,20 @@ std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d
     }
     for (const LatticePart& part : d.lattices) {
       std::vector<Point> polyline;
-      for (const Point& p : points) polyline.push_back(part.to_lattice(p));
-      std::vector<Point> material_points;
-      for (int i = 0; i < part.lattice->point_count(); ++i) {
-        material_points.push_back(part.lattice->point(i).cast<double>());
-      }
-      const std::vector<int> touched = pd::points_on(material_points, polyline);
+      for (const Point& p : points) polyline.push_back(part.to_grid(p));
+      const std::vector<int> touched = pd::points_on(part.points, polyline);
       if (!touched.empty()) {
         const Point where = part.position(touched.front());
-        require(false, "crack ", id, " passes through ", touched.size(), " material points of region ", part.region,
-                ", the first at (", where.x(), ", ", where.y(),
-                "); a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
-                0.5 * part.outline.spacing, ")");
+        const std::string finding =
+            text("crack ", id, " passes through ", touched.size(), " material points of region ", part.region,
+                 ", the first at (", where.x(), ", ", where.y(), ")");
+        require(part.cell_centred, finding,
+                "; a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
+                0.5 * part.spacing(), ")");
+        warnings.push_back(finding + "; they stay bonded to both of its faces and bridge it");
       }
-      for (int bond : pd::bonds_cut_by(material_points, part.bonds(), polyline)) {
+      const pd::Touching touching = part.cell_centred ? pd::Touching::of_ends_keeps : pd::Touching::cuts;
+      for (int bond : pd::bonds_cut_by(part.points, part.bonds(), polyline, touching)) {
         cut.push_back(static_cast<int>(part.first_bond) + bond);
       }
     }

@@ -68,7 +68,7 @@ void Model::prepare() {
   p->discretization = discretize(scene_, options_);
   Discretization& d = p->discretization;
   p->conditions = apply_conditions(scene_, d);
-  p->cut_bonds = bonds_cut_by_cracks(scene_, d);
+  p->cut_bonds = bonds_cut_by_cracks(scene_, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   check_mechanism(*p);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "error.hpp"
+#include "model/formulation.hpp"
 
 namespace bempd::model {
 
@@ -62,9 +63,25 @@ const OptionDescription& describe(std::string_view name) {
 
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> all = {
-      text_option("scheme",
-                  "Discretization: symmetric Galerkin boundary elements with exactly consistent bond weights.",
-                  "symmetric", "symmetric"),
+      text_option(
+          "scheme",
+          "Discretization: symmetric Galerkin boundary elements with exactly consistent bonds, or collocation with "
+          "uncorrected bonds as Yang and Liu 2021 have it.",
+          "symmetric | paper", "symmetric"),
+      text_option("critical_stretch",
+                  "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "
+                  "2021, Eq. 15 (plane stress only).",
+                  "exact | printed", "exact"),
+      text_option("paper.lattice",
+                  "Material points of scheme paper: cell_centred with points of their own on interfaces, or nodal.",
+                  "cell_centred | nodal", "cell_centred"),
+      text_option(
+          "paper.interface",
+          "What scheme paper balances at interfaces: nodal_force, tractions times the lengths of nodes against bond "
+          "forces, or traction, t = -b dx at every node (Eq. 27).",
+          "nodal_force | traction", "nodal_force"),
+      text_option("paper.corner_tractions", "Tractions at a corner of a boundary element region in scheme paper.",
+                  "two | one", "two"),
       number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true),
       number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4, 2, 8,
                     true),
@@ -130,6 +147,17 @@ const std::string& Options::text_value(std::string_view name) const {
   const OptionDescription& option = describe(name);
   require(option.is_text, "option ", name, " takes a number; ask for its value");
   return texts_.find(name)->second;
+}
+
+Formulation Formulation::from(const Options& options) {
+  Formulation f;
+  f.printed_critical_stretch = options.text_value("critical_stretch") == "printed";
+  f.paper = options.text_value("scheme") == "paper";
+  if (!f.paper) return f;
+  f.cell_centred = options.text_value("paper.lattice") == "cell_centred";
+  f.pointwise_traction = options.text_value("paper.interface") == "traction";
+  if (options.text_value("paper.corner_tractions") == "one") f.corner_tractions = CornerTractions::one;
+  return f;
 }
 
 }  // namespace bempd::model

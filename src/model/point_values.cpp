@@ -9,33 +9,35 @@ namespace bempd::model {
 
 namespace {
 
-// The peridynamic region comes first on an interface: its values are at hand.
-int region_at(const Scene& scene, const Point& place, double tolerance) {
+// On an interface the region comes first whose values are at hand: the peridynamic one if its points lie there.
+int region_at(const Scene& scene, const Discretization& d, const Point& place) {
+  const RegionKind preferred = d.formulation.cell_centred ? RegionKind::boundary_elements : RegionKind::peridynamics;
   int found = 0;
   for (int id = 1; id <= static_cast<int>(scene.regions().size()); ++id) {
     const Region& region = scene.region(id);
-    if (locate(region.outline, place, tolerance) == Location::outside) continue;
-    if (region.kind == RegionKind::peridynamics) return id;
+    if (locate(region.outline, place, d.tolerance) == Location::outside) continue;
+    if (region.kind == preferred) return id;
     if (found == 0) found = id;
   }
   return found;
 }
 
-// Bilinear interpolation in a lattice cell.
+// Bilinear interpolation in a cell of the grid; half a spacing beyond it where the points are the centres of the cells.
 struct CellWeights {
   std::array<int, 4> points;
   std::array<double, 4> weights;
 };
 
 CellWeights cell_weights(const LatticePart& part, const Point& place) {
-  const Point p = part.to_lattice(place);
+  const Point p = part.to_grid(place);
+  const double reach = (part.cell_centred ? 0.5 : 0.0) + 1e-6;
   const Eigen::Vector2i base(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
   // On a boundary the cell may lie on the other side of a lattice line.
   for (const Eigen::Vector2i& shift :
        {Eigen::Vector2i(0, 0), {-1, 0}, {0, -1}, {-1, -1}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, -1}}) {
     const Eigen::Vector2i cell = base + shift;
     const Point local = p - cell.cast<double>();
-    if (!part.lattice->has_cell(cell) || (local.array() < -1e-6).any() || (local.array() > 1 + 1e-6).any()) continue;
+    if (!part.lattice->has_cell(cell) || (local.array() < -reach).any() || (local.array() > 1 + reach).any()) continue;
     const double x = local.x(), y = local.y();
     return {part.lattice->cell_corners(cell), {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}};
   }
@@ -53,7 +55,7 @@ std::vector<PointValue> Model::evaluate(const std::vector<Point>& places, bool w
     const Point& place = places[i];
     require(place.allFinite(), "point ", i, " is (", place.x(), ", ", place.y(),
             "); coordinates must be finite numbers");
-    const int region = region_at(scene_, place, d.tolerance);
+    const int region = region_at(scene_, d, place);
     require(region > 0, "point ", i, ", (", place.x(), ", ", place.y(), "), lies outside the body");
     PointValue& value = values[i];
     value.region = region;

@@ -109,9 +109,15 @@ double perimeter(const Outline& outline) {
 
 }  // namespace
 
-double Material::critical_stretch_for(double horizon) const {
+double Material::critical_stretch_for(double horizon, bool as_printed) const {
   if (critical_stretch > 0) return critical_stretch;
   if (fracture_energy > 0) {
+    if (as_printed) {
+      require(
+          elasticity.state == PlaneState::stress,
+          "the option critical_stretch = printed stands for a formula of plane stress; choose exact in plane strain");
+      return pd::printed_critical_stretch(fracture_energy, elasticity.young_modulus, horizon);
+    }
     return pd::critical_stretch(fracture_energy, elasticity.young_modulus, horizon, elasticity.state);
   }
   return std::numeric_limits<double>::infinity();

@@ -23,8 +23,8 @@ struct Material {
   double critical_stretch = 0;  // 0: not given
   double fracture_energy = 0;   // [J/m^2]; 0: not given
 
-  // Infinite for a material that does not break.
-  double critical_stretch_for(double horizon) const;
+  // Infinite for a material that does not break. `as_printed`: with the constant of Yang and Liu 2021, Eq. 15.
+  double critical_stretch_for(double horizon, bool as_printed) const;
 };
 
 struct EdgeMesh {

@@ -186,7 +186,7 @@ std::uint64_t Model::scene_fingerprint() const {
   hash.add(prepared_->conditions.prescribed);
   hash.add(prepared_->cut_bonds);
   for (const BoundaryPart& part : prepared_->discretization.boundaries) {
-    const Eigen::MatrixXd& stiffness = part.galerkin->stiffness();
+    const Eigen::MatrixXd& stiffness = part.mesh_stiffness();
     hash.add(stiffness.data(), static_cast<std::size_t>(stiffness.rows()) * sizeof(double));
   }
   const std::size_t supports = scene_.supports().size();

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
+
+#include "bem/boundary_operator.hpp"
+#include "coupling/operators.hpp"
+#include "geometry/arrangement.hpp"
+#include "geometry/boundary_mesh.hpp"
+#include "model/formulation.hpp"
+#include "model/node_registry.hpp"
+#include "model/scene.hpp"
+
+namespace bempd::model {
+
+// What a piece of an edge borders on.
+enum class Border { free, boundary_elements, peridynamics };
+
+// Where a panel of a boundary mesh comes from.
+struct PanelSource {
+  int edge;         // number in its region
+  double from, to;  // fractions of the edge
+  Border border;
+  int other_region;  // id of the region it borders on, 0 for none
+  bool tied;         // an interface at which the elements do not follow the lattice: lattice points are tied to them
+};
+
+// Panels and elements of one boundary element region, loop by loop (boundary_meshing.cpp).
+struct BoundaryPanels {
+  std::vector<std::vector<Panel>> loops;
+  std::vector<PanelSource> sources;
+};
+BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, const Formulation& formulation,
+                          double tolerance, int region);
+
+// A boundary element region on its nodes. In scheme `symmetric` mid nodes of elements that follow a lattice are not
+// nodes of the scene: there the displacement is linear between lattice points, so that a constant traction gives the
+// lattice its exact forces.
+struct BoundaryPart {
+  int region;
+  std::vector<PanelSource> panels;
+  BoundaryMesh mesh;
+  std::vector<int> nodes;              // of the scene
+  std::vector<int> node_of_mesh_node;  // of the scene, or -1
+  Eigen::SparseMatrix<double> trace;   // mesh displacements from those of `nodes`
+  std::unique_ptr<bem::BoundaryOperator> boundary_operator;
+  Eigen::MatrixXd stiffness;  // on the mesh's nodes, if not the operator's own
+
+  Eigen::VectorXd mesh_displacement(const Eigen::VectorXd& scene_displacement) const;
+  const Eigen::MatrixXd& mesh_stiffness() const {
+    return stiffness.size() > 0 ? stiffness : boundary_operator->stiffness();
+  }
+  coupling::DenseOperator dense_operator() const;
+};
+
+void number_nodes(BoundaryPart& part, const Formulation& formulation, NodeRegistry& registry);
+
+void build_operator(BoundaryPart& part, const Scene& scene, const Formulation& formulation, const Options& options);
+
+}  // namespace bempd::model
