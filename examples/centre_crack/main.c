@@ -19,10 +19,12 @@
 static const double mm = 1e-3;
 
 /* The crack runs midway between two columns of points and ends midway between two rows, so that it cuts 20 rows. Points
- * on the corners of the cells have rows at multiples of the spacing, so there the plate is half a millimetre lower. */
+ * on the corners of the cells have rows at multiples of the spacing, so there the plate is half a millimetre lower.
+ * Uncorrected bonds are overstretched at interfaces: nearer to them than 6 mm the strip of scheme paper breaks there
+ * instead. */
 static cracked_plate create_layout(const char* scheme) {
   const int cells = strcmp(scheme, "paper") == 0;
-  const double centre = 25.0 * mm, half_strip = (cells ? 4.5 : 4.25) * mm, half_crack = 5.0 * mm;
+  const double centre = 25.0 * mm, half_strip = (cells ? 6.5 : 4.25) * mm, half_crack = 5.0 * mm;
   cracked_plate plate;
   plate.height = (cells ? 50.0 : 49.5) * mm;
   plate.strip_left = centre - half_strip;
@@ -72,9 +74,10 @@ int main(int argument_count, char** arguments) {
   table = summary_open(EXAMPLE);
   for (s = 0; s < schemes.count; ++s) {
     const int symmetric = strcmp(schemes.names[s], "symmetric") == 0;
-    const known_run events = {NULL, NULL, symmetric ? 278.607 : 0, 0};
+    const known_run events = {NULL, NULL, 278.607, 0};
     const known_run increments = {"278", "406", 279, symmetric ? 383 : 368};
-    run(table, schemes.names[s], "events", events);
+    /* Bond by bond an unsymmetric matrix is dear, so scheme paper goes by increments only, as the paper does. */
+    if (symmetric) run(table, schemes.names[s], "events", events);
     run(table, schemes.names[s], "increments", increments);
     solve_once(table, schemes.names[s]);
   }

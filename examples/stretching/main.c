@@ -46,7 +46,8 @@ static bempd_model* create_stretched_strip(const char* scheme, double spacing) {
   ensure(model, bempd_add_bem_region(model, material, 4, vertices, length, &right));
   ensure(model, bempd_prescribe_edge(model, left, 4, 0.0, 1.0, BEMPD_X, 1, NULL, &to_the_left, NULL));
   ensure(model, bempd_prescribe_edge(model, right, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &to_the_right, NULL));
-  ensure(model, bempd_fix_point(model, 0.0, 0.5 * height, BEMPD_Y, NULL));
+  /* A corner has a node in any case, so the pin does not split the end's one element. */
+  ensure(model, bempd_fix_point(model, 0.0, 0.0, BEMPD_Y, NULL));
   return model;
 }
 
