@@ -6,6 +6,7 @@
 #include "error.hpp"
 #include "linalg/conjugate_gradient.hpp"
 #include "linalg/gmres.hpp"
+#include "linalg/low_rank_update.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparse_lu.hpp"
 #include "stopwatch.hpp"
@@ -19,6 +20,11 @@ namespace {
 constexpr double solution_tolerance = 1e-13;
 constexpr double acceptable_residual = 1e-12;
 constexpr int most_iterations = 40;
+
+// An LU factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly, and soon
+// after: iterations with a stale factor are dearer than with Cholesky's, which takes updates itself.
+constexpr int most_updates = 120;
+constexpr int most_unsymmetric_iterations = 12;
 
 // Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
 constexpr double suspicious_pivot_ratio = 1e-10;
@@ -182,7 +188,7 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble() const {
 
 std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorization() const {
   if (symmetric_) return linalg::make_sparse_cholesky();
-  return linalg::make_sparse_lu();
+  return linalg::with_low_rank_updates(linalg::make_sparse_lu(), most_updates);
 }
 
 void EquilibriumSystem::factorize() {
@@ -401,7 +407,7 @@ Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
         symmetric_
             ? linalg::conjugate_gradient(multiply, precondition, rhs, solution, {solution_tolerance, most_iterations})
             : linalg::gmres(multiply, precondition, rhs, solution,
-                            {solution_tolerance, most_iterations, most_iterations});
+                            {solution_tolerance, most_unsymmetric_iterations, most_unsymmetric_iterations});
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
   }
