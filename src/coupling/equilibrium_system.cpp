@@ -19,6 +19,7 @@ namespace {
 // it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
 constexpr double solution_tolerance = 1e-13;
 constexpr double acceptable_residual = 1e-12;
+constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
 constexpr int most_iterations = 40;
 
 // An LU factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly, and soon
@@ -197,6 +198,7 @@ void EquilibriumSystem::factorize() {
   {
     const Stopwatch watch(counters_.seconds_assembly);
     matrix = assemble();
+    largest_diagonal_ = matrix.diagonal().maxCoeff();
   }
   const Stopwatch watch(counters_.seconds_factorization);
   if (!factor_) factor_ = make_factorization();
@@ -397,6 +399,7 @@ Affine EquilibriumSystem::right_hand_side() const {
 Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
   const auto multiply = [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); };
   const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
+  const auto size = [](const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
   for (bool fresh : {false, true}) {
     if (fresh) {
       forget_factor();
@@ -410,6 +413,9 @@ Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
                             {solution_tolerance, most_unsymmetric_iterations, most_unsymmetric_iterations});
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
+    // Next to a mechanism the displacements are so large that forces smaller than this are rounding of their sums.
+    const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
+    if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }
   fail(Failure::unsolvable, "the stiffness matrix is numerically singular; check supports and very slender parts");
 }
