@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 
 namespace bempd::bem {
@@ -8,6 +9,9 @@ namespace bempd::bem {
 struct AssemblyOptions {
   double quadrature_tolerance = 1e-14;  // of every integral; the stiffness is some ten times as far off
   int threads = 0;                      // 0: OpenMP's default
+
+  // Threads worth waking for a boundary of this many elements.
+  int threads_for(std::size_t elements) const;
 };
 
 // What the layers above know of one elastic body that is described by its boundary.

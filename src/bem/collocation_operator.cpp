@@ -1,7 +1,5 @@
 #include "bem/collocation_operator.hpp"
 
-#include <omp.h>
-
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <array>
@@ -151,7 +149,7 @@ Eigen::SparseMatrix<double> trace_mass(const BoundaryMesh& mesh) {
 CollocationOperator::CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
                                          const AssemblyOptions& options) {
   Assembler assembler(mesh, elasticity.effective_poisson_ratio(), options.quadrature_tolerance);
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  const int threads = options.threads_for(mesh.elements.size());
   std::int64_t evaluations = 0;
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : evaluations)
   for (int point = 0; point < mesh.traction_node_count; ++point) evaluations += assembler.add_point(point);

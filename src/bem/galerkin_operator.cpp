@@ -1,7 +1,5 @@
 #include "bem/galerkin_operator.hpp"
 
-#include <omp.h>
-
 #include <cassert>
 #include <numbers>
 
@@ -149,7 +147,7 @@ void copy_lower_to_upper(Eigen::MatrixXd& a) {
 GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
                                    const AssemblyOptions& options) {
   Assembler assembler(mesh, elasticity.effective_poisson_ratio(), options);
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+  const int threads = options.threads_for(mesh.elements.size());
   std::int64_t evaluations = 0;
   for (const std::vector<int>& group : independent_groups(mesh)) {
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : evaluations)

@@ -6,6 +6,7 @@
 #include "error.hpp"
 #include "linalg/conjugate_gradient.hpp"
 #include "linalg/gmres.hpp"
+#include "linalg/low_rank_update.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparse_lu.hpp"
 #include "stopwatch.hpp"
@@ -18,7 +19,13 @@ namespace {
 // it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
 constexpr double solution_tolerance = 1e-13;
 constexpr double acceptable_residual = 1e-12;
+constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
 constexpr int most_iterations = 40;
+
+// An LU factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly, and soon
+// after: iterations with a stale factor are dearer than with Cholesky's, which takes updates itself.
+constexpr int most_updates = 120;
+constexpr int most_unsymmetric_iterations = 12;
 
 // Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
 constexpr double suspicious_pivot_ratio = 1e-10;
@@ -182,7 +189,7 @@ Eigen::SparseMatrix<double> EquilibriumSystem::assemble() const {
 
 std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorization() const {
   if (symmetric_) return linalg::make_sparse_cholesky();
-  return linalg::make_sparse_lu();
+  return linalg::with_low_rank_updates(linalg::make_sparse_lu(), most_updates);
 }
 
 void EquilibriumSystem::factorize() {
@@ -191,6 +198,7 @@ void EquilibriumSystem::factorize() {
   {
     const Stopwatch watch(counters_.seconds_assembly);
     matrix = assemble();
+    largest_diagonal_ = matrix.diagonal().maxCoeff();
   }
   const Stopwatch watch(counters_.seconds_factorization);
   if (!factor_) factor_ = make_factorization();
@@ -391,6 +399,7 @@ Affine EquilibriumSystem::right_hand_side() const {
 Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
   const auto multiply = [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); };
   const auto precondition = [this](Eigen::VectorXd& r) { factor_->solve_in_place(r); };
+  const auto size = [](const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
   for (bool fresh : {false, true}) {
     if (fresh) {
       forget_factor();
@@ -401,9 +410,12 @@ Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
         symmetric_
             ? linalg::conjugate_gradient(multiply, precondition, rhs, solution, {solution_tolerance, most_iterations})
             : linalg::gmres(multiply, precondition, rhs, solution,
-                            {solution_tolerance, most_iterations, most_iterations});
+                            {solution_tolerance, most_unsymmetric_iterations, most_unsymmetric_iterations});
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
+    // Next to a mechanism the displacements are so large that forces smaller than this are rounding of their sums.
+    const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
+    if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }
   fail(Failure::unsolvable, "the stiffness matrix is numerically singular; check supports and very slender parts");
 }

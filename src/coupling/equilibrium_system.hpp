@@ -124,6 +124,7 @@ class EquilibriumSystem {
   bool load_condensed_ = false;
   bool condensed_ = false;
   std::unique_ptr<linalg::SparseFactorization> factor_;
+  double largest_diagonal_ = 0;  // of the matrix last factorized
   bool has_factor_ = false;
   bool factor_is_current_ = false;  // false: changed matrix, stale factor
   SolverCounters counters_;
