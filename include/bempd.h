@@ -23,6 +23,10 @@
  * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A call on a model
  * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL).
  *
+ * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or "paper", the method of Yang
+ * and Liu (Int. J. Solids Struct., 2021) as published, in which material points are the centres of the cells and those
+ * of the boundary nodes on interfaces. What this file says of material points on boundaries holds for the first.
+ *
  * Sign conventions. Stress is positive in tension; a traction is the force per area that acts on the body; loops have
  * the body on their left.
  */
@@ -415,7 +419,9 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  *
  *  Between two events the response is linear in the load factor: a step without an event costs no solution. At an event
  *  the most stretched bonds break first (those within the option stepping.tie_band of the largest stretch ratio), and
- *  equilibrium is found again at the same load factor, until no bond exceeds its critical stretch.
+ *  equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With the option
+ * stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end
+ * of each every bond that exceeds its critical stretch breaks.
  *  @param[in] model the model @param[in] load_factor where to go, up or down [-]
  *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);

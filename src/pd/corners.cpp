@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "pd/congruent_clusters.hpp"
 #include "pd/least_change.hpp"
 
 namespace bempd::pd {
@@ -126,15 +127,6 @@ bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Ma
   return true;
 }
 
-int find_bond(const DraftBonds& bonds, int first, int second) {
-  if (first > second) std::swap(first, second);
-  const auto begin = std::lower_bound(bonds.first.begin(), bonds.first.end(), first) - bonds.first.begin();
-  const auto end = std::upper_bound(bonds.first.begin() + begin, bonds.first.end(), first) - bonds.first.begin();
-  const auto at =
-      std::lower_bound(bonds.second.begin() + begin, bonds.second.begin() + end, second) - bonds.second.begin();
-  return at < end && bonds.second[at] == second ? static_cast<int>(at) : -1;
-}
-
 // Mean of the stiffnesses of a bond and its mirror image: still exact, and symmetric to the last bit.
 template <class Map>
 void average(const CellLattice& lattice, const std::vector<int>& free, const Map& map, DraftBonds& bonds) {
@@ -190,15 +182,21 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
     if (bonds.adjustable[b] && (near[bonds.first[b]] || near[bonds.second[b]])) free.push_back(static_cast<int>(b));
   }
   const std::vector<std::vector<int>> clusters = clusters_of(bonds, free, lattice.point_count());
+  const CongruentClusters congruent = find_congruent(lattice, missing, bonds, clusters);
   std::vector<LeastChangeResult> results(clusters.size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
+#pragma omp parallel for schedule(dynamic) if (congruent.originals.size() > 1)
+  for (std::size_t k = 0; k < congruent.originals.size(); ++k) {
+    const int c = congruent.originals[k];
     results[c] = solve_least_change(cluster_problem(templates.family, missing, bonds, clusters[c]));
   }
   CornerReport report;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
-    for (std::size_t k = 0; k < clusters[c].size(); ++k) bonds.stiffness[clusters[c][k]] = results[c].stiffness[k];
-    report.bounded += results[c].bounded;
+    const CongruentClusters::Image& image = congruent.images[c];
+    const LeastChangeResult& result = results[image.original];
+    for (std::size_t k = 0; k < clusters[c].size(); ++k) {
+      bonds.stiffness[clusters[c][k]] = result.stiffness[image.bonds.empty() ? k : image.bonds[k]];
+    }
+    report.bounded += result.bounded;
   }
   symmetrise(lattice, cells, free, bonds);
   for (const int b : free) report.positive = report.positive && bonds.stiffness[b] > 0;

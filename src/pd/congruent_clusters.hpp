@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "pd/corners.hpp"
+
+namespace bempd::pd {
+
+// Clusters of bonds that are images of each other under a symmetry of the square lattice, with what their points lack
+// being images too, have the same least change: one solution serves them all.
+struct CongruentClusters {
+  struct Image {
+    int original;            // the cluster to solve; itself for an original
+    std::vector<int> bonds;  // per bond of the cluster: position of its image in the original; empty for an original
+  };
+  std::vector<Image> images;   // per cluster
+  std::vector<int> originals;  // clusters to solve
+};
+
+CongruentClusters find_congruent(const CellLattice& lattice, const std::vector<Eigen::Vector4d>& missing,
+                                 const DraftBonds& bonds, const std::vector<std::vector<int>>& clusters);
+
+// Position of the bond between two points, -1 where there is none.
+int find_bond(const DraftBonds& bonds, int first, int second);
+
+}  // namespace bempd::pd
