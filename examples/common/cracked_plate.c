@@ -4,7 +4,7 @@
 
 const double cracked_plate_spacing = 0.5e-3;
 const double cracked_plate_pull_per_increment = 2e-8;
-const double cracked_plate_increment_limit = 1000.0;
+const double cracked_plate_increment_limit = 500.0;
 
 bempd_model* cracked_plate_create(const char* scheme, const cracked_plate* plate) {
   const double width = 50e-3, element_length = 5e-3; /* nodes every 2.5 mm, on the interfaces as the lattice wants */
