@@ -397,7 +397,8 @@ typedef struct bempd_step_report {
   double stored_energy;        /**< elastic energy at the end [J] */
   double released_energy;      /**< energy released by breaking bonds since the beginning [J] */
   double work;                 /**< work of loads and supports since the beginning [J] */
-  double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-] */
+  double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-];
+                                  not small in scheme paper, whose stiffness is unsymmetric */
   double residual;       /**< largest unbalanced force at the end over the largest internal nodal force so far [-] */
   double seconds_total;  /**< wall time of this step [s] */
   double seconds_solve;  /**< of it: solutions [s] */

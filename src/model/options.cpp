@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "error.hpp"
-#include "model/formulation.hpp"
 
 namespace bempd::model {
 
@@ -147,17 +146,6 @@ const std::string& Options::text_value(std::string_view name) const {
   const OptionDescription& option = describe(name);
   require(option.is_text, "option ", name, " takes a number; ask for its value");
   return texts_.find(name)->second;
-}
-
-Formulation Formulation::from(const Options& options) {
-  Formulation f;
-  f.printed_critical_stretch = options.text_value("critical_stretch") == "printed";
-  f.paper = options.text_value("scheme") == "paper";
-  if (!f.paper) return f;
-  f.cell_centred = options.text_value("paper.lattice") == "cell_centred";
-  f.pointwise_traction = options.text_value("paper.interface") == "traction";
-  if (options.text_value("paper.corner_tractions") == "one") f.corner_tractions = CornerTractions::one;
-  return f;
 }
 
 }  // namespace bempd::model

@@ -1,1 +1,2 @@
 bempd_add_engine_test(coupling_test coupling_test.cpp)
+bempd_add_engine_test(coupling_interface_test coupling_interface_test.cpp)
