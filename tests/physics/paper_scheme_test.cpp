@@ -48,6 +48,7 @@ TEST(PaperScheme, stretching_has_the_published_sizes_and_errors) {
     EXPECT_EQ(s.material_points, row.points);
     const double error = scene.interface_error();
     report("interface error [%]", error, row.published, "published");
+    // The digits that the prototype's figures have.
     EXPECT_LE(std::abs(report("interface error [%]", error, row.prototype, "prototype")), 0.02);
   }
 }
