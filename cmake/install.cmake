@@ -14,12 +14,28 @@ install(FILES "${PROJECT_SOURCE_DIR}/include/bempd.h" DESTINATION "${CMAKE_INSTA
         COMPONENT development)
 install(EXPORT bempdTargets NAMESPACE bempd:: DESTINATION "${package_dir}" COMPONENT development)
 
+set(fortran_source_dir "${CMAKE_INSTALL_DATADIR}/bempd/fortran")
+set(fortran_binary_dir "${CMAKE_INSTALL_LIBDIR}/bempd/fortran")
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/bempdConfig.cmake.in" "${generated_dir}/bempdConfig.cmake"
-                              INSTALL_DESTINATION "${package_dir}")
+                              INSTALL_DESTINATION "${package_dir}" PATH_VARS fortran_source_dir fortran_binary_dir)
 # Before 1.0 a new minor version may change the interface.
 write_basic_package_version_file("${generated_dir}/bempdConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${generated_dir}/bempdConfig.cmake" "${generated_dir}/bempdConfigVersion.cmake"
+        "${PROJECT_SOURCE_DIR}/cmake/bempdFortran.cmake"
         DESTINATION "${package_dir}" COMPONENT development)
+
+# Fortran: the sources for every compiler, and what was compiled for the one at hand.
+install(FILES "${PROJECT_SOURCE_DIR}/bindings/fortran/bempd_c.f90" "${PROJECT_SOURCE_DIR}/bindings/fortran/bempd.f90"
+        DESTINATION "${fortran_source_dir}" COMPONENT development)
+if(TARGET bempd_fortran)
+  get_target_property(fortran_modules bempd_fortran Fortran_MODULE_DIRECTORY)
+  install(FILES "$<TARGET_FILE:bempd_fortran>" "${fortran_modules}/bempd_c.mod" "${fortran_modules}/bempd.mod"
+          DESTINATION "${fortran_binary_dir}" COMPONENT development)
+endif()
+
+# The Python module goes into Debian packages only; everybody else uses pip.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/python/bempd" DESTINATION lib/python3/dist-packages
+        COMPONENT python EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 
 # The prefix is found from the file itself, so that the installed tree can be moved.
 function(bempd_pkgconfig_path result dir)

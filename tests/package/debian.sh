@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Usage: debian.sh BUILD_FOLDER WORK_FOLDER C_COMPILER CONSUMER_SOURCE EXPECTED
+# Makes the Debian packages, installs them into a root of their own, uses them from there and removes them again.
+set -euo pipefail
+build=$1 work=$2 compiler=$3 consumer=$4 expected=$5
+root=$work/root
+
+rm -rf "$work"
+mkdir -p "$work" "$root"/var/lib/dpkg/{info,updates,triggers}
+touch "$root/var/lib/dpkg/status"
+cd "$work"
+cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work" >cpack.log || { cat cpack.log; exit 1; }
+ls -- *.deb
+[ "$(ls -- *.deb | wc -l)" -eq 3 ] || { echo "expected three packages"; exit 1; }
+for package in *.deb; do dpkg-deb --field "$package" Package Depends; done
+
+in_root=(dpkg "--root=$root" --log=dpkg.log --force-not-root --force-depends)
+files() { (cd "$root" && find . -path ./var -prune -o -print | LC_ALL=C sort); }
+files >before
+"${in_root[@]}" --install ./*.deb >install.log 2>&1 || { cat install.log; exit 1; }
+
+library=$(dirname "$(find "$root/usr" -name 'libbempd.so')")
+export LD_LIBRARY_PATH=$library PKG_CONFIG_PATH=$library/pkgconfig PKG_CONFIG_SYSROOT_DIR=
+# shellcheck disable=SC2046 # flags are words
+"$compiler" -std=c99 "$consumer" $(pkg-config --cflags --libs bempd) -o consumer
+for program in ./consumer "/usr/bin/python3 -c 'import bempd; print(\"bempd\", bempd.__version__)'"; do
+  said=$(env -u BEMPD_LIBRARY PYTHONPATH="$root/usr/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1 sh -c "$program")
+  echo "$program: $said"
+  [ "$said" = "$expected" ] || { echo "expected '$expected'"; exit 1; }
+done
+
+"${in_root[@]}" --purge $(dpkg "--root=$root" --force-not-root --get-selections | awk '{ print $1 }') >remove.log 2>&1 ||
+  { cat remove.log; exit 1; }
+files >after
+diff before after || { echo "removing the packages left these files behind"; exit 1; }
+echo "installed and removed without a trace"
