@@ -1,6 +1,8 @@
 #include "coupling/equilibrium_system.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "error.hpp"
@@ -124,67 +126,9 @@ void EquilibriumSystem::condense_load() {
   load_condensed_ = true;
 }
 
-Eigen::SparseMatrix<double> EquilibriumSystem::assemble() const {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(4 * bonds_.size() + 3 * static_cast<std::size_t>(node_count_));
-  const auto add = [&](int row_dof, int column_dof, double value) {
-    const int row = unknown_of_[row_dof], column = unknown_of_[column_dof];
-    if (row >= 0 && column >= 0 && (!symmetric_ || row >= column)) entries.emplace_back(row, column, value);
-  };
-  // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
-  Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, node_count_);  // xx, xy, yy
-  std::vector<Eigen::Triplet<double>> pull;
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    const int first = 2 * bonds_.first[b], second = 2 * bonds_.second[b];
-    const double c = bonds_.cosine[b], s = bonds_.sine[b];
-    if (ties_.tie_of(bonds_.first[b]) >= 0 || ties_.tie_of(bonds_.second[b]) >= 0) {
-      pull.clear();
-      add_pull(bonds_.first[b], c, s, -1, 0, pull);
-      add_pull(bonds_.second[b], c, s, 1, 0, pull);
-      for (const auto& row : pull) {
-        for (const auto& column : pull) {
-          if (symmetric_ && row.row() < column.row()) continue;
-          entries.emplace_back(row.row(), column.row(), active_stiffness_[b] * row.value() * column.value());
-        }
-      }
-      continue;
-    }
-    const Eigen::Vector3d block = active_stiffness_[b] * Eigen::Vector3d(c * c, c * s, s * s);
-    diagonal.col(bonds_.first[b]) += block;
-    diagonal.col(bonds_.second[b]) += block;
-    // Broken bonds stay as explicit zeros, so that the pattern and its analysis do not change.
-    for (int r = 0; r < 2; ++r) {
-      for (int k = 0; k < 2; ++k) {
-        add(first + r, second + k, -block[r + k]);
-        add(second + k, first + r, -block[r + k]);
-      }
-    }
-  }
-  for (int node = 0; node < node_count_; ++node) {
-    add(2 * node, 2 * node, diagonal(0, node));
-    add(2 * node + 1, 2 * node, diagonal(1, node));
-    add(2 * node, 2 * node + 1, diagonal(1, node));
-    add(2 * node + 1, 2 * node + 1, diagonal(2, node));
-  }
-  for (const CondensedOperator& op : operators_) {
-    const auto& dofs = op.shared_dofs();
-    for (std::size_t c = 0; c < dofs.size(); ++c) {
-      for (std::size_t r = 0; r < dofs.size(); ++r) {
-        add(dofs[r], dofs[c], op.schur_complement()(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)));
-      }
-    }
-  }
-  for (const HoldingSpring& s : springs_) {
-    const int dof[2] = {2 * s.node, 2 * s.node + 1};
-    const double d[2] = {s.cosine, s.sine};
-    for (int r = 0; r < 2; ++r) {
-      for (int c = 0; c < 2; ++c) add(dof[r], dof[c], s.stiffness * d[r] * d[c]);
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(dof_of_.size());
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
+  if (!assembly_) assembly_ = std::make_unique<StiffnessAssembly>(unknown_of_, bonds_, ties_, operators_, symmetric_);
+  return assembly_->sum(active_stiffness_, springs_);
 }
 
 std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorization() const {
@@ -192,22 +136,74 @@ std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorizati
   return linalg::with_low_rank_updates(linalg::make_sparse_lu(), most_updates);
 }
 
+void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
+  if (!symmetric_) return;
+  std::vector<std::vector<int>> groups;
+  for (const std::vector<int>& body : bodies_) {
+    std::vector<int>& group = groups.emplace_back();
+    std::copy_if(body.begin(), body.end(), std::back_inserter(group), [&](int n) { return has_unknown(n); });
+  }
+  std::vector<int> first, second;
+  const auto pulled = [&](int node) {
+    std::vector<int> nodes{node};
+    const int tie = ties_.tie_of(node);
+    if (tie < 0) return nodes;
+    nodes.clear();
+    for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
+    return nodes;
+  };
+  first.reserve(bonds_.size()), second.reserve(bonds_.size());
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    for (int i : pulled(bonds_.first[b])) {
+      for (int j : pulled(bonds_.second[b])) first.push_back(i), second.push_back(j);
+    }
+  }
+  graph_ = std::make_unique<linalg::NodeGraph>(positions, first, second, std::move(groups));
+}
+
+void EquilibriumSystem::keep_last(std::vector<int> nodes) {
+  kept_nodes_ = std::move(nodes);
+  forget_factor();
+}
+
+void EquilibriumSystem::choose_order() {
+  if (!graph_) return;
+  std::vector<char> member(node_count_, 0);
+  for (int node = 0; node < node_count_; ++node) member[node] = has_unknown(node) ? 1 : 0;
+  for (int node : kept_nodes_) member[node] = 0;
+  std::vector<int> order;
+  order.reserve(dof_of_.size());
+  const auto append = [&](const std::vector<int>& nodes) {
+    for (int node : nodes) {
+      for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
+        if (is_unknown(dof)) order.push_back(unknown_of_[dof]);
+      }
+    }
+  };
+  append(linalg::nested_dissection(*graph_, member));
+  const std::size_t others = order.size();
+  append(kept_nodes_);
+  kept_ = static_cast<int>(order.size() - others);
+  static_cast<linalg::SparseCholesky&>(*factor_).set_elimination_order(std::move(order), kept_);
+}
+
 void EquilibriumSystem::factorize() {
   if (has_factor_) return;
-  Eigen::SparseMatrix<double> matrix;
+  const Eigen::SparseMatrix<double>* matrix = nullptr;
   {
     const Stopwatch watch(counters_.seconds_assembly);
-    matrix = assemble();
-    largest_diagonal_ = matrix.diagonal().maxCoeff();
+    matrix = &assemble();
+    largest_diagonal_ = matrix->diagonal().maxCoeff();
   }
   const Stopwatch watch(counters_.seconds_factorization);
   if (!factor_) factor_ = make_factorization();
-  if (!factor_->factorize(matrix)) {
+  choose_order();
+  if (!factor_->factorize(*matrix)) {
     fail(Failure::unsolvable,
          "the stiffness matrix is singular: a part of the body can move freely; check supports, and cracks "
          "that leave a part hanging on a single point");
   }
-  has_factor_ = factor_is_current_ = true;
+  has_factor_ = factor_is_current_ = factor_is_untouched_ = true;
   ++counters_.sparse_factorizations;
   counters_.factor_nonzeros = factor_->factor_nonzeros();
 }
@@ -215,6 +211,7 @@ void EquilibriumSystem::factorize() {
 void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns,
                                       linalg::Change change) {
   if (!has_factor_ || entries.empty()) return;
+  factor_is_untouched_ = false;
   const Stopwatch watch(counters_.seconds_update);
   Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(dof_of_.size()), columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -229,16 +226,9 @@ void EquilibriumSystem::mark_broken(std::span<const int> bonds) {
 
 void EquilibriumSystem::add_pull(int node, double cosine, double sine, double size, int column,
                                  std::vector<Eigen::Triplet<double>>& entries) const {
-  const auto add = [&](int at, double weight) {
-    if (const int x = unknown_of_[2 * at]; x >= 0 && cosine != 0) entries.emplace_back(x, column, weight * cosine);
-    if (const int y = unknown_of_[2 * at + 1]; y >= 0 && sine != 0) entries.emplace_back(y, column, weight * sine);
-  };
-  const int tie = ties_.tie_of(node);
-  if (tie < 0) {
-    add(node, size);
-    return;
-  }
-  for (const NodeTies::Master& m : ties_.masters(tie)) add(m.node, size * m.weight);
+  std::vector<UnknownEntry> pull;
+  append_pull(unknown_of_, ties_, node, cosine, sine, size, pull);
+  for (const UnknownEntry& e : pull) entries.emplace_back(e.unknown, column, e.weight);
 }
 
 void EquilibriumSystem::commit_break(std::span<const int> bonds, std::span<const HoldingSpring> springs) {
@@ -294,7 +284,7 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
 SoftMotion EquilibriumSystem::softest_motion() {
   condense();
   // Inverse iteration with a shift that makes a singular matrix factorizable without hiding its null space.
-  const Eigen::SparseMatrix<double> matrix = assemble();
+  const Eigen::SparseMatrix<double>& matrix = assemble();
   const double largest = matrix.diagonal().maxCoeff();
   Eigen::SparseMatrix<double> shifted = matrix;
   for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * largest;

@@ -10,6 +10,9 @@
 #include "coupling/condensed_operator.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "coupling/stiffness_assembly.hpp"
+#include "geometry/point.hpp"
+#include "linalg/nested_dissection.hpp"
 #include "linalg/sparse_factorization.hpp"
 
 namespace bempd::coupling {
@@ -42,6 +45,12 @@ class EquilibriumSystem {
   // Masters of tied nodes belong to dense operators; tied nodes carry bonds only and cannot be prescribed.
   EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, BondSet bonds,
                     std::vector<char> prescribed_dofs, NodeTies ties = {});
+
+  // Where the nodes are: an ordering of a symmetric system with less fill follows from it.
+  void place_nodes(const std::vector<Point>& positions);
+
+  // The unknowns of these nodes are eliminated last, from the next factorization on.
+  void keep_last(std::vector<int> nodes);
 
   int node_count() const { return node_count_; }
   const BondSet& bonds() const { return bonds_; }
@@ -83,7 +92,7 @@ class EquilibriumSystem {
 
   bool is_symmetric() const { return symmetric_; }
   // The sparse matrix, of which a symmetric system gives the lower triangle; for factorization and tests.
-  Eigen::SparseMatrix<double> assemble() const;
+  const Eigen::SparseMatrix<double>& assemble() const;
 
   const SolverCounters& counters() const { return counters_; }
 
@@ -92,6 +101,8 @@ class EquilibriumSystem {
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void condense();
   void condense_load();
+  bool has_unknown(int node) const { return is_unknown(2 * node) || is_unknown(2 * node + 1); }
+  void choose_order();
   void factorize();
   Affine right_hand_side() const;
   Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
@@ -123,10 +134,15 @@ class EquilibriumSystem {
   Affine force_, prescribed_, condensed_load_;
   bool load_condensed_ = false;
   bool condensed_ = false;
+  mutable std::unique_ptr<StiffnessAssembly> assembly_;  // once condensed
+  std::unique_ptr<linalg::NodeGraph> graph_;
+  std::vector<int> kept_nodes_;
+  int kept_ = 0;  // their unknowns
   std::unique_ptr<linalg::SparseFactorization> factor_;
   double largest_diagonal_ = 0;  // of the matrix last factorized
   bool has_factor_ = false;
-  bool factor_is_current_ = false;  // false: changed matrix, stale factor
+  bool factor_is_current_ = false;    // false: changed matrix, stale factor
+  bool factor_is_untouched_ = false;  // by low-rank changes
   SolverCounters counters_;
 };
 

@@ -43,6 +43,7 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   force_ = prescribed_ = state_.displacement = Affine::Zero(dofs, 2);
   state_.total_displacement = state_.total_force = Eigen::VectorXd::Zero(dofs);
   state_.unloaded.assign(system.node_count(), 0);
+  system_.place_nodes(positions);
   system_.mark_broken(cut);
   system_.commit_break(cut, {});
   state_.intact = system_.intact();

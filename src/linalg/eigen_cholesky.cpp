@@ -1,6 +1,8 @@
 #include <Eigen/SparseCholesky>
 #include <cassert>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparsity_pattern.hpp"
@@ -13,6 +15,15 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 class EigenCholesky final : public SparseCholesky {
  public:
+  void set_elimination_order(std::vector<int> order, int kept_last) override {
+    if (order == wanted_order_ && kept_last == kept_last_) return;
+    wanted_order_ = std::move(order);
+    kept_last_ = kept_last;
+    pattern_.clear();
+  }
+
+  const std::vector<int>& elimination_order() const override { return order_; }
+
   bool factorize(const SparseMatrix& lower) override {
     assert(lower.rows() == lower.cols());
     if (!lower.isCompressed()) {
@@ -25,14 +36,41 @@ class EigenCholesky final : public SparseCholesky {
     if (lower.rows() == 0) return has_factor_ = true;
     if (!lower.coeffs().allFinite()) return false;
     analyse(lower);
-    factor_.factorize(lower);
+    factor_.factorize(permuted(lower));
     has_factor_ = factor_.info() == Eigen::Success && smallest_pivot_ratio() > singular_pivot_ratio;
     return has_factor_;
   }
 
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && rhs.rows() == diagonal_.size());
-    if (rhs.size() > 0) rhs = factor_.solve(rhs).eval();
+    if (rhs.size() == 0) return;
+    Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
+    ordered = factor_.solve(ordered).eval();
+    rhs(order_, Eigen::all) = ordered;
+  }
+
+  void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
+    Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
+    factor_.matrixL().solveInPlace(ordered);
+    rhs = factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * ordered;
+  }
+
+  void solve_backward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
+    Eigen::MatrixXd ordered = factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * rhs;
+    factor_.matrixU().solveInPlace(ordered);
+    rhs(order_, Eigen::all) = ordered;
+  }
+
+  Eigen::MatrixXd trailing_factor(int size) const override {
+    const SparseMatrix lower = factor_.matrixL();
+    const Eigen::Index first = lower.rows() - size;
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
+    for (Eigen::Index j = 0; j < size; ++j) {
+      const double root = std::sqrt(factor_.vectorD()[first + j]);
+      block(j, j) = root;
+      for (SparseMatrix::InnerIterator it(lower, first + j); it; ++it) block(it.row() - first, j) = it.value() * root;
+    }
+    return block;
   }
 
   bool update(const SparseMatrix& columns, Change) override {
@@ -42,7 +80,7 @@ class EigenCholesky final : public SparseCholesky {
 
   double smallest_pivot_ratio() const override {
     if (diagonal_.size() == 0) return 1;
-    const Eigen::VectorXd scale = factor_.permutationP() * diagonal_;
+    const Eigen::VectorXd scale = diagonal_(order_);
     double smallest = std::numeric_limits<double>::infinity();
     const Eigen::VectorXd pivots = factor_.vectorD();
     for (Eigen::Index j = 0; j < pivots.size(); ++j) {
@@ -60,11 +98,29 @@ class EigenCholesky final : public SparseCholesky {
   void analyse(const SparseMatrix& lower) {
     if (pattern_.matches(lower)) return;
     pattern_.clear();  // an exception on the way must not leave a pattern without its analysis
-    factor_.analyzePattern(lower);
+    order_ = wanted_order_.empty() ? minimum_degree(lower) : wanted_order_;
+    factor_.analyzePattern(permuted(lower));
     pattern_.assign(lower);
   }
 
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+  static std::vector<int> minimum_degree(const SparseMatrix& lower) {
+    SparseMatrix whole = lower.selfadjointView<Eigen::Lower>();
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
+    Eigen::AMDOrdering<int>()(whole, inverse);
+    return {inverse.indices().begin(), inverse.indices().end()};
+  }
+
+  SparseMatrix permuted(const SparseMatrix& lower) const {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_place(lower.rows());
+    for (std::size_t k = 0; k < order_.size(); ++k) to_place.indices()[order_[k]] = static_cast<int>(k);
+    SparseMatrix result(lower.rows(), lower.cols());
+    result.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(to_place);
+    return result;
+  }
+
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+  std::vector<int> wanted_order_, order_;  // unknown eliminated k-th
+  int kept_last_ = 0;
   Eigen::VectorXd diagonal_;      // of the matrix last factorized
   SparsityPattern<int> pattern_;  // what was analysed
   bool has_factor_ = false;

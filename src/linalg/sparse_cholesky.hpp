@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "linalg/sparse_factorization.hpp"
 
@@ -11,7 +12,23 @@ namespace bempd::linalg {
 //
 // After a removal to a singular matrix the factor stays finite, with the lost pivots kept at `singular_pivot_ratio` of
 // the largest diagonal entry; smallest_pivot_ratio() tells.
-class SparseCholesky : public SparseFactorization {};
+class SparseCholesky : public SparseFactorization {
+ public:
+  // From the next factorize() on unknowns are eliminated in about this order, the last `kept_last` of them after all
+  // others. Empty: an order is found from the pattern.
+  virtual void set_elimination_order(std::vector<int> order, int kept_last) = 0;
+
+  // The order of the present factor: unknown eliminated k-th.
+  virtual const std::vector<int>& elimination_order() const = 0;
+
+  // The two halves of solve_in_place() with a factor A = L L^T that no update() has touched: takes right-hand sides and
+  // leaves L^-1 of them in the order of elimination; takes such and leaves unknowns. Columns are independent.
+  virtual void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
+  virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
+
+  // Lower right corner of L: the Cholesky factor of the Schur complement on the last `size` unknowns.
+  virtual Eigen::MatrixXd trailing_factor(int size) const = 0;
+};
 
 std::unique_ptr<SparseCholesky> make_sparse_cholesky();
 

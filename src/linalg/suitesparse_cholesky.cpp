@@ -93,6 +93,15 @@ class SuiteSparseCholesky final : public SparseCholesky {
     common_->method[0].ordering = CHOLMOD_AMD;
   }
 
+  void set_elimination_order(std::vector<int> order, int kept_last) override {
+    if (order == wanted_order_ && kept_last == kept_last_) return;
+    wanted_order_ = std::move(order);
+    kept_last_ = kept_last;
+    pattern_.clear();
+  }
+
+  const std::vector<int>& elimination_order() const override { return order_; }
+
   bool factorize(const SparseMatrix& lower) override {
     assert(lower.rows() == lower.cols());
     if (!lower.isCompressed()) {
@@ -122,14 +131,44 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
-    cholmod_dense b = view(rhs);
-    {
-      const NoNestedThreads guard;
-      cholmod_solve2(CHOLMOD_A, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),
-                     common_.get());
+    triangular_solve(CHOLMOD_A, rhs);
+    rhs = solution();
+  }
+
+  void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
+    assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
+    Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
+    triangular_solve(CHOLMOD_L, ordered);
+    rhs = solution();
+  }
+
+  void solve_backward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
+    assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
+    triangular_solve(CHOLMOD_Lt, rhs);
+    const auto solved = solution();
+    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
+      for (Eigen::Index k = 0; k < rhs.rows(); ++k) rhs(order_[k], c) = solved(k, c);
     }
-    common_.check();
-    rhs = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution_->x), rhs.rows(), rhs.cols());
+  }
+
+  Eigen::MatrixXd trailing_factor(int size) const override {
+    assert(has_factor_ && factor_->is_super);
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
+    const double* x = static_cast<const double*>(factor_->x);
+    const int* super = static_cast<const int*>(factor_->super);
+    const int* pi = static_cast<const int*>(factor_->pi);
+    const int* px = static_cast<const int*>(factor_->px);
+    const int* row = static_cast<const int*>(factor_->s);
+    const int first = static_cast<int>(factor_->n) - size;
+    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
+      const int rows = pi[s + 1] - pi[s];
+      for (int j = std::max(super[s], first); j < super[s + 1]; ++j) {
+        const int k = j - super[s];
+        const double* column = x + px[s] + static_cast<std::ptrdiff_t>(k) * rows;
+        for (int r = k; r < rows; ++r) block(row[pi[s] + r] - first, j - first) = column[r];
+      }
+    }
+    return block;
   }
 
   bool update(const SparseMatrix& columns, Change change) override {
@@ -174,17 +213,53 @@ class SuiteSparseCholesky final : public SparseCholesky {
       factor_.reset();
       analysis_.reset();
       pattern_.assign(lower);
-      position_.resize(static_cast<std::size_t>(lower.cols()));
-      analysis_.reset(cholmod_analyze(&matrix, common_.get()));
-      common_.check();
-      const int* order = static_cast<const int*>(analysis_->Perm);
-      for (int j = 0; j < static_cast<int>(position_.size()); ++j) position_[order[j]] = j;
+      analyse(matrix);
+      order_.assign(static_cast<const int*>(analysis_->Perm), static_cast<const int*>(analysis_->Perm) + lower.cols());
+      position_.resize(order_.size());
+      for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
     }
     // A factor that was changed is simplicial; the next one starts from the analysis again.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
       common_.check();
     }
+  }
+
+  void analyse(cholmod_sparse& matrix) {
+    const bool given = !wanted_order_.empty();
+    common_->method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
+    // Postordering gathers columns into larger supernodes, but may move those that are to stay last.
+    for (const int postorder : {1, 0}) {
+      common_->postorder = postorder;
+      analysis_.reset(cholmod_analyze_p(&matrix, given ? wanted_order_.data() : nullptr, nullptr, 0, common_.get()));
+      common_.check();
+      if (kept_are_last()) return;
+    }
+  }
+
+  bool kept_are_last() const {
+    const int* found = static_cast<const int*>(analysis_->Perm);
+    const auto last = [&](const int* end) {
+      std::vector<int> set(end - kept_last_, end);
+      std::sort(set.begin(), set.end());
+      return set;
+    };
+    return last(found + analysis_->n) == last(wanted_order_.data() + wanted_order_.size());
+  }
+
+  // Leaves the result in solution().
+  void triangular_solve(int system, Eigen::Ref<Eigen::MatrixXd> rhs) const {
+    cholmod_dense b = view(rhs);
+    {
+      const NoNestedThreads guard;
+      cholmod_solve2(system, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),
+                     common_.get());
+    }
+    common_.check();
+  }
+  Eigen::Map<const Eigen::MatrixXd> solution() const {
+    return {static_cast<const double*>(solution_->x), static_cast<Eigen::Index>(solution_->nrow),
+            static_cast<Eigen::Index>(solution_->ncol)};
   }
 
   SparseMatrix in_elimination_order(const SparseMatrix& columns) const {
@@ -203,7 +278,9 @@ class SuiteSparseCholesky final : public SparseCholesky {
   mutable CholmodDense solution_{common_}, work_y_{common_}, work_e_{common_};
   Eigen::VectorXd diagonal_;      // of the matrix last factorized
   SparsityPattern<int> pattern_;  // what `analysis_` was made for
-  std::vector<int> position_;     // of a row in the elimination order
+  std::vector<int> wanted_order_;  // empty: CHOLMOD's own
+  int kept_last_ = 0;
+  std::vector<int> order_, position_;  // unknown eliminated k-th, and the inverse
   bool has_factor_ = false;
 };
 

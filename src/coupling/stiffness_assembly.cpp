@@ -1,0 +1,195 @@
+#include "coupling/stiffness_assembly.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace bempd::coupling {
+
+void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
+                 double size, std::vector<UnknownEntry>& entries) {
+  const auto add = [&](int at, double weight) {
+    if (const int x = unknown_of[2 * at]; x >= 0 && cosine != 0) entries.push_back({x, weight * cosine});
+    if (const int y = unknown_of[2 * at + 1]; y >= 0 && sine != 0) entries.push_back({y, weight * sine});
+  };
+  const int tie = ties.tie_of(node);
+  if (tie < 0) {
+    add(node, size);
+    return;
+  }
+  for (const NodeTies::Master& m : ties.masters(tie)) add(m.node, size * m.weight);
+}
+
+StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const BondSet& bonds, const NodeTies& ties,
+                                     const std::vector<CondensedOperator>& operators, bool symmetric)
+    : unknown_of_(unknown_of), bonds_(bonds), ties_(ties), operators_(operators), symmetric_(symmetric) {
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    if (is_tied(b)) tied_bonds_.push_back(b);
+  }
+  make_pattern();
+  find_places();
+}
+
+bool StiffnessAssembly::is_tied(std::size_t bond) const {
+  return ties_.tie_of(bonds_.first[bond]) >= 0 || ties_.tie_of(bonds_.second[bond]) >= 0;
+}
+
+std::vector<int> StiffnessAssembly::nodes_pulled(std::size_t bond) const {
+  std::vector<int> nodes;
+  for (int node : {bonds_.first[bond], bonds_.second[bond]}) {
+    const int tie = ties_.tie_of(node);
+    if (tie < 0) nodes.push_back(node);
+    if (tie < 0) continue;
+    for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
+  }
+  return nodes;
+}
+
+void StiffnessAssembly::make_pattern() {
+  const int node_count = static_cast<int>(unknown_of_.size() / 2);
+  // Coupled nodes by column node, those with a smaller number left out where the matrix is symmetric.
+  std::vector<int> start(node_count + 1, 0), row_node;
+  const auto each_pair = [&](const auto& visit) {
+    for (std::size_t b = 0; b < bonds_.size(); ++b) visit(bonds_.first[b], bonds_.second[b]);
+    const auto each_of = [&](const std::vector<int>& nodes) {
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) visit(nodes[i], nodes[j]);
+      }
+    };
+    for (std::size_t b : tied_bonds_) each_of(nodes_pulled(b));
+    for (const CondensedOperator& op : operators_) {
+      std::vector<int> nodes;
+      for (int dof : op.shared_dofs()) {
+        if (nodes.empty() || nodes.back() != dof / 2) nodes.push_back(dof / 2);
+      }
+      each_of(nodes);
+    }
+  };
+  each_pair([&](int a, int b) {
+    if (a < b || (!symmetric_ && a != b)) ++start[a + 1];
+    if (b < a || (!symmetric_ && a != b)) ++start[b + 1];
+  });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  row_node.resize(static_cast<std::size_t>(start.back()));
+  std::vector<int> next(start.begin(), start.end() - 1);
+  each_pair([&](int a, int b) {
+    if (a < b || (!symmetric_ && a != b)) row_node[next[a]++] = b;
+    if (b < a || (!symmetric_ && a != b)) row_node[next[b]++] = a;
+  });
+
+  const auto size = static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) {
+    return u >= 0;
+  }));
+  matrix_.resize(size, size);
+  std::vector<int> rows, column_start{0};
+  rows.reserve(4 * row_node.size() + 2 * static_cast<std::size_t>(size));
+  for (int node = 0; node < node_count; ++node) {
+    const auto begin = row_node.begin() + start[node], end = row_node.begin() + start[node + 1];
+    std::sort(begin, end);
+    const auto last = std::unique(begin, end);
+    for (int column = 2 * node; column < 2 * node + 2; ++column) {
+      if (unknown_of_[column] < 0) continue;
+      const auto append = [&](int at) {
+        for (int row = 2 * at; row < 2 * at + 2; ++row) {
+          if (unknown_of_[row] >= 0 && (!symmetric_ || row >= column)) rows.push_back(unknown_of_[row]);
+        }
+      };
+      auto it = begin;
+      for (; it != last && *it < node; ++it) append(*it);
+      append(node);
+      for (; it != last; ++it) append(*it);
+      column_start.push_back(static_cast<int>(rows.size()));
+    }
+  }
+  matrix_.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+  std::copy(column_start.begin(), column_start.end(), matrix_.outerIndexPtr());
+  std::copy(rows.begin(), rows.end(), matrix_.innerIndexPtr());
+}
+
+int StiffnessAssembly::place(int row, int column) const {
+  if (row < 0 || column < 0 || (symmetric_ && row < column)) return -1;
+  const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+  const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+  return static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
+}
+
+void StiffnessAssembly::find_places() {
+  const int entries = symmetric_ ? 4 : 8;
+  bond_places_.assign(entries * bonds_.size(), -1);
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    if (is_tied(b)) continue;
+    const int low = std::min(bonds_.first[b], bonds_.second[b]), high = std::max(bonds_.first[b], bonds_.second[b]);
+    int* places = bond_places_.data() + entries * b;
+    for (int r = 0; r < 2; ++r) {
+      for (int c = 0; c < 2; ++c) {
+        const int in_low = unknown_of_[2 * low + c], in_high = unknown_of_[2 * high + r];
+        places[2 * r + c] = place(in_high, in_low);
+        if (!symmetric_) places[4 + 2 * r + c] = place(in_low, in_high);
+      }
+    }
+  }
+}
+
+void StiffnessAssembly::add(int row, int column, double value) {
+  if (const int at = place(row, column); at >= 0) matrix_.valuePtr()[at] += value;
+}
+
+void StiffnessAssembly::add_tied_bond(std::size_t bond, double stiffness) {
+  std::vector<UnknownEntry> pull;
+  append_pull(unknown_of_, ties_, bonds_.first[bond], bonds_.cosine[bond], bonds_.sine[bond], -1, pull);
+  append_pull(unknown_of_, ties_, bonds_.second[bond], bonds_.cosine[bond], bonds_.sine[bond], 1, pull);
+  for (const UnknownEntry& row : pull) {
+    for (const UnknownEntry& column : pull) add(row.unknown, column.unknown, stiffness * row.weight * column.weight);
+  }
+}
+
+const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<double>& stiffness,
+                                                          const std::vector<HoldingSpring>& springs) {
+  double* values = matrix_.valuePtr();
+  std::fill_n(values, matrix_.nonZeros(), 0.0);
+  // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
+  Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(unknown_of_.size() / 2));
+  const int entries = symmetric_ ? 4 : 8;
+  std::size_t next_tied = 0;
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    if (next_tied < tied_bonds_.size() && tied_bonds_[next_tied] == b) {
+      add_tied_bond(b, stiffness[b]);
+      ++next_tied;
+      continue;
+    }
+    const double c = bonds_.cosine[b], s = bonds_.sine[b];
+    const Eigen::Vector3d block = stiffness[b] * Eigen::Vector3d(c * c, c * s, s * s);
+    diagonal.col(bonds_.first[b]) += block;
+    diagonal.col(bonds_.second[b]) += block;
+    const int* places = bond_places_.data() + entries * b;
+    for (int k = 0; k < entries; ++k) {
+      const int component_pair = (k % 4 + 1) / 2;  // xx, xy, xy, yy
+      if (places[k] >= 0) values[places[k]] -= block[component_pair];
+    }
+  }
+  for (Eigen::Index node = 0; node < diagonal.cols(); ++node) {
+    const int x = unknown_of_[2 * node], y = unknown_of_[2 * node + 1];
+    add(x, x, diagonal(0, node));
+    add(y, x, diagonal(1, node));
+    add(x, y, diagonal(1, node));
+    add(y, y, diagonal(2, node));
+  }
+  for (const CondensedOperator& op : operators_) {
+    const auto& dofs = op.shared_dofs();
+    for (std::size_t c = 0; c < dofs.size(); ++c) {
+      for (std::size_t r = 0; r < dofs.size(); ++r) {
+        add(unknown_of_[dofs[r]], unknown_of_[dofs[c]],
+            op.schur_complement()(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)));
+      }
+    }
+  }
+  for (const HoldingSpring& s : springs) {
+    const int unknown[2] = {unknown_of_[2 * s.node], unknown_of_[2 * s.node + 1]};
+    const double d[2] = {s.cosine, s.sine};
+    for (int r = 0; r < 2; ++r) {
+      for (int c = 0; c < 2; ++c) add(unknown[r], unknown[c], s.stiffness * d[r] * d[c]);
+    }
+  }
+  return matrix_;
+}
+
+}  // namespace bempd::coupling

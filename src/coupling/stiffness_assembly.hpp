@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "coupling/condensed_operator.hpp"
+#include "coupling/node_ties.hpp"
+#include "coupling/operators.hpp"
+
+namespace bempd::coupling {
+
+// What the unknowns of a pull are and how strongly each takes part in it.
+struct UnknownEntry {
+  int unknown;
+  double weight;
+};
+
+// A pull of this size along a direction at a node, as the unknowns feel it: its masters' where the node is tied.
+void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
+                 double size, std::vector<UnknownEntry>& entries);
+
+// Sums bonds, condensed operators and holding springs up to the sparse matrix of the unknowns. Where entries go is
+// found once; summing up anew costs one pass over the bonds.
+class StiffnessAssembly {
+ public:
+  // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only.
+  StiffnessAssembly(const std::vector<int>& unknown_of, const BondSet& bonds, const NodeTies& ties,
+                    const std::vector<CondensedOperator>& operators, bool symmetric);
+
+  // A bond that is gone has the stiffness 0; its entries stay, so that the pattern does not change.
+  const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
+                                         const std::vector<HoldingSpring>& springs);
+
+ private:
+  void make_pattern();
+  std::vector<int> nodes_pulled(std::size_t bond) const;
+  bool is_tied(std::size_t bond) const;
+  int place(int row, int column) const;  // -1: in the triangle left out
+  void add(int row, int column, double value);
+  void find_places();
+  void add_tied_bond(std::size_t bond, double stiffness);
+
+  const std::vector<int>& unknown_of_;
+  const BondSet& bonds_;
+  const NodeTies& ties_;
+  const std::vector<CondensedOperator>& operators_;
+  bool symmetric_;
+  Eigen::SparseMatrix<double> matrix_;
+  std::vector<int> bond_places_;  // of the four entries that couple its ends, -1 for none; twice as many if unsymmetric
+  std::vector<std::size_t> tied_bonds_;
+};
+
+}  // namespace bempd::coupling

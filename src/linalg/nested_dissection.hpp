@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace bempd::linalg {
+
+// Which nodes of a matrix are coupled: by pairs, each at most `reach` apart from its partners, and by groups all of
+// whose members are coupled to each other.
+struct NodeGraph {
+  std::vector<Eigen::Vector2d> positions;
+  std::vector<int> offset, neighbour;  // partners of node n: neighbour[offset[n] .. offset[n + 1])
+  std::vector<std::vector<int>> groups;
+
+  NodeGraph() = default;
+  NodeGraph(std::vector<Eigen::Vector2d> positions_of_nodes, const std::vector<int>& first,
+            const std::vector<int>& second, std::vector<std::vector<int>> coupled_groups);
+};
+
+// Order of elimination with little fill (George 1973): the nodes are halved across their longer side, what couples the
+// halves comes after both, and the halves are ordered in the same way. Only nodes marked in `member` are ordered.
+std::vector<int> nested_dissection(const NodeGraph& graph, const std::vector<char>& member);
+
+}  // namespace bempd::linalg
