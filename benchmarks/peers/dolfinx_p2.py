@@ -20,35 +20,11 @@ from dolfinx.io import gmshio
 from mpi4py import MPI
 from petsc4py import PETSc
 
-LENGTH, HEIGHT, RADIUS = 1.0, 0.2, 0.05
-YOUNG, POISSON = 100e9, 1 / 3
+from plate_mesh import HEIGHT, LENGTH, POISSON, YOUNG, load_of, mesh_plate
 
 
-def make_mesh(hole, size, refinement):
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    shapes = gmsh.model.occ
-    plate = shapes.addRectangle(0, 0, 0, LENGTH, HEIGHT)
-    if hole:
-        disk = shapes.addDisk(LENGTH / 2, HEIGHT / 2, 0, RADIUS, RADIUS)
-        shapes.cut([(2, plate)], [(2, disk)])
-    shapes.synchronize()
-    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
-    gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
-    corners = [tag for _, tag in gmsh.model.getEntities(0) if gmsh.model.getValue(0, tag, [])[0] < 1e-9]
-    field = gmsh.model.mesh.field
-    field.add("Distance", 1)
-    field.setNumbers(1, "PointsList", corners)
-    field.add("Threshold", 2)
-    field.setNumber(2, "InField", 1)
-    field.setNumber(2, "SizeMin", size / refinement)
-    field.setNumber(2, "SizeMax", size)
-    field.setNumber(2, "DistMin", 0)
-    field.setNumber(2, "DistMax", 0.5 * HEIGHT)
-    field.setAsBackgroundMesh(2)
-    gmsh.model.addPhysicalGroup(2, [tag for _, tag in gmsh.model.getEntities(2)], 1)
-    gmsh.model.mesh.generate(2)
-    gmsh.model.mesh.setOrder(2)  # curved triangles at the hole
+def make_mesh(problem, size, refinement):
+    mesh_plate(problem, size, refinement)
     mesh, _, _ = gmshio.model_to_mesh(gmsh.model, MPI.COMM_SELF, 0, gdim=2)
     gmsh.finalize()
     return mesh
@@ -92,10 +68,10 @@ def value_at(result, point, component):
 
 def main():
     problem, size, refinement, repeats = sys.argv[1], float(sys.argv[2]), float(sys.argv[3]), int(sys.argv[4])
-    traction, component = ([0.0, -0.5e6], 1) if problem == "shear" else ([5.25e6, 0.0], 0)
-    solve(make_mesh(problem == "hole", HEIGHT, 1), traction)  # compiles the forms
+    traction, component = load_of(problem)
+    solve(make_mesh(problem, HEIGHT, 1), traction)  # compiles the forms
     start = time.perf_counter()
-    mesh = make_mesh(problem == "hole", size, refinement)
+    mesh = make_mesh(problem, size, refinement)
     seconds_mesh = time.perf_counter() - start
     seconds = []
     for _ in range(repeats):
