@@ -14,6 +14,8 @@ fn main() {
         eprintln!("bempd-sys: {sentence}");
         process::exit(1);
     });
+    // A run path must not depend on where the program is started.
+    let folder = folder.canonicalize().unwrap_or(folder);
     println!("cargo:rerun-if-changed={}", library_in(&folder).display());
     println!("cargo:rustc-link-search=native={}", folder.display());
     println!("cargo:rustc-link-lib=dylib=bempd");

@@ -35,6 +35,8 @@
 //! was, and the panic goes on in the caller.
 #![warn(missing_docs)]
 #![deny(unsafe_code)]
+// Units stand in brackets, which rustdoc takes for links.
+#![allow(rustdoc::broken_intra_doc_links)]
 
 mod cancel;
 mod conditions;
