@@ -1,0 +1,115 @@
+use bempd_sys as sys;
+
+/// Plane stress (thin plates) or plane strain (long bodies).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Plane {
+    /// Thin plates.
+    Stress = sys::BEMPD_PLANE_STRESS as i32,
+    /// Long bodies.
+    Strain = sys::BEMPD_PLANE_STRAIN as i32,
+}
+
+/// Direction of a support or load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Component {
+    /// Along x.
+    X = sys::BEMPD_X as i32,
+    /// Along y.
+    Y = sys::BEMPD_Y as i32,
+    /// Along both, where the function says so.
+    Both = sys::BEMPD_BOTH as i32,
+}
+
+/// A field on a region. Nodes are boundary nodes or material points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Field {
+    /// Positions of the nodes, 2 numbers each [m].
+    Position = sys::BEMPD_POSITION as i32,
+    /// Displacements of the nodes, 2 numbers each [m].
+    Displacement = sys::BEMPD_DISPLACEMENT as i32,
+    /// Stress xx, yy, xy at the nodes [Pa].
+    Stress = sys::BEMPD_STRESS as i32,
+    /// Peridynamic regions: share of a point's bonds that is broken or cut [-].
+    Damage = sys::BEMPD_DAMAGE as i32,
+    /// Boundary element regions: tractions at the three nodes of every element, 2 numbers each [Pa].
+    Traction = sys::BEMPD_TRACTION as i32,
+    /// Peridynamic regions: stretch of every bond, also of broken ones [-].
+    BondStretch = sys::BEMPD_BOND_STRETCH as i32,
+}
+
+/// State of a bond.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum BondState {
+    /// Carries force.
+    Intact,
+    /// Broken in a step.
+    Broken,
+    /// Cut by an initial crack.
+    Cut,
+    /// A state that this version of the crate does not know.
+    Other(i32),
+}
+
+impl BondState {
+    pub(crate) fn from_raw(state: i32) -> BondState {
+        match state as sys::bempd_bond_state {
+            sys::BEMPD_BOND_INTACT => BondState::Intact,
+            sys::BEMPD_BOND_BROKEN => BondState::Broken,
+            sys::BEMPD_BOND_CUT => BondState::Cut,
+            _ => BondState::Other(state),
+        }
+    }
+}
+
+/// Why a step ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum StopReason {
+    /// The load factor asked for was reached.
+    LoadFactor,
+    /// One event happened, in [`Model::step_to_next_event`](crate::Model::step_to_next_event).
+    Event,
+    /// The body is separated: the proportional load meets no resistance any more.
+    Separated,
+    /// No bond can break however far the load factor goes in this direction.
+    NoFurtherEvent,
+    /// A reason that this version of the crate does not know.
+    Other(i32),
+}
+
+impl StopReason {
+    pub(crate) fn from_raw(reason: i32) -> StopReason {
+        match reason as sys::bempd_stop_reason {
+            sys::BEMPD_STOP_LOAD_FACTOR => StopReason::LoadFactor,
+            sys::BEMPD_STOP_EVENT => StopReason::Event,
+            sys::BEMPD_STOP_SEPARATED => StopReason::Separated,
+            sys::BEMPD_STOP_NO_FURTHER_EVENT => StopReason::NoFurtherEvent,
+            _ => StopReason::Other(reason),
+        }
+    }
+}
+
+/// How much a line of the log matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum LogLevel {
+    /// Something to look at.
+    Warning,
+    /// What happens.
+    Information,
+    /// What happens, in detail.
+    Detail,
+}
+
+impl LogLevel {
+    pub(crate) fn from_raw(level: i32) -> LogLevel {
+        match level {
+            i32::MIN..=1 => LogLevel::Warning,
+            2 => LogLevel::Information,
+            _ => LogLevel::Detail,
+        }
+    }
+}

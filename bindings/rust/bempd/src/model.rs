@@ -1,0 +1,201 @@
+use std::fmt;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use crate::raw::Handle;
+use crate::{
+    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, Progress, RegionId, Result, State, StepReport,
+};
+
+/// A scene and its state. Dropping it frees everything.
+///
+/// It may move between threads but not be shared by them; a [`CancelToken`] may be used anywhere.
+///
+/// ```
+/// fn movable<T: Send>() {}
+/// movable::<bempd::Model>();
+/// ```
+///
+/// ```compile_fail,E0277
+/// fn shareable<T: Sync>() {}
+/// shareable::<bempd::Model>();
+/// ```
+pub struct Model {
+    pub(crate) handle: Handle,
+}
+
+impl Model {
+    /// An empty model.
+    pub fn new() -> Result<Model> {
+        Ok(Model { handle: Handle::new()? })
+    }
+
+    /// A token with which any thread can stop a step of this model.
+    pub fn cancel_token(&self) -> CancelToken {
+        CancelToken(self.handle.cancel_target())
+    }
+}
+
+/// # Materials, regions and cracks
+impl Model {
+    /// Adds a material.
+    pub fn add_material(&mut self, material: &Material) -> Result<MaterialId> {
+        self.handle.add_material(material).map(MaterialId)
+    }
+
+    /// Adds a polygon with straight edges treated by boundary elements. `vertices` run counter-clockwise [m]; edge `k`,
+    /// from 1, goes from vertex `k` to the next one. No element is longer than `element_length` [m].
+    ///
+    /// Edges that coincide with edges of other regions become interfaces and are bonded; there the elements follow the
+    /// peridynamic lattice unless [`Model::set_edge_mesh`] is called, or the finer of two boundary meshes.
+    pub fn add_bem_region(
+        &mut self,
+        material: MaterialId,
+        vertices: &[[f64; 2]],
+        element_length: f64,
+    ) -> Result<RegionId> {
+        self.handle.add_bem_region(material.0, vertices, element_length).map(RegionId)
+    }
+
+    /// Adds a polygon with edges along the axes treated by peridynamics: square lattice cells of size `spacing` [m],
+    /// which must divide all edges, with material points on their corners. `vertices` run counter-clockwise [m].
+    ///
+    /// `horizon_ratio` is horizon over spacing, 2 to 8; `None` takes the option `pd.horizon_ratio`.
+    pub fn add_pd_region(
+        &mut self,
+        material: MaterialId,
+        vertices: &[[f64; 2]],
+        spacing: f64,
+        horizon_ratio: impl Into<Option<i32>>,
+    ) -> Result<RegionId> {
+        let ratio = horizon_ratio.into().unwrap_or(0);
+        self.handle.add_pd_region(material.0, vertices, spacing, ratio).map(RegionId)
+    }
+
+    /// Cuts a hole into a region and returns the number of its first edge: the hole's edges continue the region's
+    /// numbering. `vertices` run clockwise, with the body on the left [m].
+    pub fn add_hole(&mut self, region: RegionId, vertices: &[[f64; 2]]) -> Result<i32> {
+        self.handle.add_hole(region.0, vertices)
+    }
+
+    /// Chooses the elements of one edge of a boundary element region: `ceil(length / element_length)` of them [m],
+    /// whose lengths grow from both ends by the ratio `grading`, 1 to 4; 1 is for equal ones.
+    ///
+    /// On an interface with a peridynamic region they need not match the lattice then.
+    pub fn set_edge_mesh(&mut self, region: RegionId, edge: i32, element_length: f64, grading: f64) -> Result<()> {
+        self.handle.set_edge_mesh(region.0, edge, element_length, grading)
+    }
+
+    /// Adds an initial crack: bonds that meet the closed polyline are cut (touching its tip counts). It must lie in
+    /// peridynamic regions (ending on their boundary is fine) and keep off the material points.
+    pub fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<CrackId> {
+        self.handle.add_crack(line).map(CrackId)
+    }
+
+    /// Number of regions.
+    pub fn region_count(&self) -> Result<usize> {
+        self.handle.region_count().map(|count| count as usize)
+    }
+
+    /// Number of edges of a region with its holes.
+    pub fn edge_count(&self, region: RegionId) -> Result<usize> {
+        self.handle.edge_count(region.0).map(|count| count as usize)
+    }
+}
+
+/// # Progress and log
+impl Model {
+    /// Tells `function` after every event where a step stands. If it breaks off, the step returns to its start and fails
+    /// with [`Error::Cancelled`].
+    ///
+    /// ```
+    /// # let mut model = bempd::Model::new()?;
+    /// use std::ops::ControlFlow;
+    /// model.set_progress(|now| if now.events < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) })?;
+    /// # Ok::<(), bempd::Error>(())
+    /// ```
+    pub fn set_progress(&mut self, function: impl FnMut(Progress) -> ControlFlow<()> + Send + 'static) -> Result<()> {
+        self.handle.set_progress(Some(Box::new(function)))
+    }
+
+    /// No longer tells of progress.
+    pub fn clear_progress(&mut self) -> Result<()> {
+        self.handle.set_progress(None)
+    }
+
+    /// Gives `function` the lines of the log.
+    ///
+    /// ```
+    /// # let mut model = bempd::Model::new()?;
+    /// model.set_log(|level, line| eprintln!("{level:?}: {line}"))?;
+    /// # Ok::<(), bempd::Error>(())
+    /// ```
+    pub fn set_log(&mut self, function: impl FnMut(LogLevel, &str) + Send + 'static) -> Result<()> {
+        self.handle.set_log(Some(Box::new(function)))
+    }
+
+    /// No longer gives the log.
+    pub fn clear_log(&mut self) -> Result<()> {
+        self.handle.set_log(None)
+    }
+}
+
+/// # Stepping
+impl Model {
+    /// Checks the scene and builds its operators. The first step does it if you do not. From then on nothing can be
+    /// added; loads and supports can still change their values.
+    pub fn prepare(&mut self) -> Result<()> {
+        self.handle.prepare()
+    }
+
+    /// Moves the load factor up or down, breaking every bond that reaches its critical stretch on the way.
+    pub fn step(&mut self, load_factor: f64) -> Result<StepReport> {
+        Ok(StepReport::from_raw(&self.handle.step(load_factor)?))
+    }
+
+    /// Goes to the next event, no further than to the limit up or down, and performs it: one batch of bonds.
+    pub fn step_to_next_event(&mut self, load_factor_limit: f64) -> Result<StepReport> {
+        Ok(StepReport::from_raw(&self.handle.step_to_next_event(load_factor_limit)?))
+    }
+
+    /// Goes on until the body is separated, no bond can break any more, or the limit is reached.
+    pub fn run_to_separation(&mut self, load_factor_limit: f64) -> Result<StepReport> {
+        Ok(StepReport::from_raw(&self.handle.run_to_separation(load_factor_limit)?))
+    }
+
+    /// Saves the state of a prepared model in memory, so that a host can repeat a step.
+    pub fn save(&mut self) -> Result<State> {
+        self.handle.save()
+    }
+
+    /// Brings the model back to a saved state, of this model or one with the same scene. Loads and supports keep their
+    /// present values.
+    pub fn restore(&mut self, state: &State) -> Result<()> {
+        self.handle.restore(state)
+    }
+}
+
+/// # Files
+impl Model {
+    /// Writes the present state for ParaView: `prefix_NNNN_lattice.vtu` and `prefix_NNNN_boundary.vtu` with
+    /// displacement, damage and stress, and `prefix.pvd`, the series of all snapshots this model has written with this
+    /// prefix. The folder must exist.
+    pub fn write_snapshot(&mut self, prefix: impl AsRef<Path>) -> Result<()> {
+        self.handle.write_snapshot(utf8(prefix.as_ref())?)
+    }
+
+    /// Writes the history with the reactions of all supports as comma-separated values.
+    pub fn write_history(&self, path: impl AsRef<Path>) -> Result<()> {
+        self.handle.write_history(utf8(path.as_ref())?)
+    }
+}
+
+fn utf8(path: &Path) -> Result<&str> {
+    path.to_str().ok_or_else(|| Error::Argument(format!("{path:?} is not UTF-8; give a path that is")))
+}
+
+impl fmt::Debug for Model {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Model").finish_non_exhaustive()
+    }
+}

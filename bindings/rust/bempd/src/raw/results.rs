@@ -1,0 +1,156 @@
+use std::slice;
+
+use bempd_sys as sys;
+
+use super::handle::{filled, Handle};
+use super::points;
+use crate::Result;
+
+/// A field seen without copying. It borrows the model, which can therefore not change while the view lives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View<'a> {
+    values: &'a [f64],
+    components: usize,
+    generation: i64,
+}
+
+impl<'a> View<'a> {
+    /// All numbers, entry after entry.
+    pub fn values(&self) -> &'a [f64] {
+        self.values
+    }
+
+    /// The entries as arrays of `N` numbers, such as `[f64; 2]` of displacements; `None` if entries have not `N` numbers.
+    pub fn entries<const N: usize>(&self) -> Option<&'a [[f64; N]]> {
+        if N == 0 || N != self.components {
+            return None;
+        }
+        let (start, count) = (self.values.as_ptr().cast(), self.values.len() / N);
+        // SAFETY: the slice holds that many arrays, one after another, and lives as long as the view.
+        Some(unsafe { slice::from_raw_parts(start, count) })
+    }
+
+    /// Number of entries.
+    pub fn len(&self) -> usize {
+        self.values.len() / self.components
+    }
+
+    /// Whether the field has no entries.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// Numbers per entry.
+    pub fn components(&self) -> usize {
+        self.components
+    }
+
+    /// The model's generation when the view was made.
+    pub fn generation(&self) -> i64 {
+        self.generation
+    }
+}
+
+// SAFETY, for every call of this file: `call` and `output` give a valid model and place for the result, arrays are given
+// with their own length, and structs were filled by their `_init` function.
+impl Handle {
+    /// Shared borrows suffice, also for several views at a time: a view is of a prepared model in equilibrium, of which
+    /// no method with `&self` changes the generation.
+    pub(crate) fn view(&self, region: i32, field: i32) -> Result<View<'_>> {
+        let (mut values, mut count, mut components, mut generation) = (std::ptr::null(), 0i64, 0i32, 0i64);
+        self.call(|model| unsafe {
+            sys::bempd_view_field(model, region, field, &mut values, &mut count, &mut components, &mut generation)
+        })?;
+        let components = components as usize;
+        let values = match count as usize * components {
+            0 => &[],
+            // SAFETY: the library owns so many numbers there until the generation changes, which takes `&mut self`.
+            size => unsafe { slice::from_raw_parts(values, size) },
+        };
+        Ok(View { values, components, generation })
+    }
+
+    pub(crate) fn field_size(&self, region: i32, field: i32) -> Result<(i64, i32)> {
+        let mut components = 0;
+        let count =
+            self.output(|model, count| unsafe { sys::bempd_field_size(model, region, field, count, &mut components) })?;
+        Ok((count, components))
+    }
+
+    pub(crate) fn copy_field(&self, region: i32, field: i32, values: &mut [f64]) -> Result<()> {
+        let (capacity, start) = (values.len() as i64, values.as_mut_ptr());
+        self.call(|model| unsafe { sys::bempd_copy_field(model, region, field, capacity, start) })
+    }
+
+    pub(crate) fn node_count(&self, region: i32) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_node_count(model, region, count) })
+    }
+
+    pub(crate) fn element_count(&self, region: i32) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_element_count(model, region, count) })
+    }
+
+    pub(crate) fn copy_elements(&self, region: i32, nodes: &mut [i32]) -> Result<()> {
+        let (capacity, start) = (nodes.len() as i64, nodes.as_mut_ptr());
+        self.call(|model| unsafe { sys::bempd_copy_elements(model, region, capacity, start) })
+    }
+
+    pub(crate) fn bond_count(&self, region: i32) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_bond_count(model, region, count) })
+    }
+
+    /// Ends and states of as many bonds as both slices have room for.
+    pub(crate) fn copy_bonds(&self, region: i32, ends: &mut [[i32; 2]], states: &mut [i32]) -> Result<()> {
+        let capacity = ends.len().min(states.len()) as i64;
+        let (ends, states) = (ends.as_mut_ptr().cast(), states.as_mut_ptr());
+        self.call(|model| unsafe { sys::bempd_copy_bonds(model, region, capacity, ends, states) })
+    }
+
+    pub(crate) fn reaction(&self, support: i32) -> Result<[f64; 2]> {
+        let mut force = [0.0; 2];
+        self.call(|model| unsafe { sys::bempd_reaction(model, support, force.as_mut_ptr()) })?;
+        Ok(force)
+    }
+
+    pub(crate) fn evaluate(&self, places: &[[f64; 2]]) -> Result<(Vec<[f64; 2]>, Vec<[f64; 3]>, Vec<i32>)> {
+        let mut displacement = vec![[0.0; 2]; places.len()];
+        let mut stress = vec![[0.0; 3]; places.len()];
+        let mut regions = vec![0; places.len()];
+        let (count, places) = points(places);
+        let outputs = (displacement.as_mut_ptr().cast(), stress.as_mut_ptr().cast(), regions.as_mut_ptr());
+        self.call(|model| unsafe { sys::bempd_evaluate(model, count, places, outputs.0, outputs.1, outputs.2) })?;
+        Ok((displacement, stress, regions))
+    }
+
+    pub(crate) fn evaluate_displacement(&self, places: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
+        let mut displacement = vec![[0.0; 2]; places.len()];
+        let (count, places) = points(places);
+        let (output, none) = (displacement.as_mut_ptr().cast(), std::ptr::null_mut());
+        self.call(|model| unsafe { sys::bempd_evaluate(model, count, places, output, none, std::ptr::null_mut()) })?;
+        Ok(displacement)
+    }
+
+    pub(crate) fn load_factor(&self) -> Result<f64> {
+        self.output(|model, load_factor| unsafe { sys::bempd_load_factor(model, load_factor) })
+    }
+
+    pub(crate) fn generation(&self) -> Result<i64> {
+        self.output(|model, generation| unsafe { sys::bempd_generation(model, generation) })
+    }
+
+    pub(crate) fn statistics(&self) -> Result<sys::bempd_statistics> {
+        let mut statistics = filled(sys::bempd_statistics_init)?;
+        self.call(|model| unsafe { sys::bempd_get_statistics(model, &mut statistics) })?;
+        Ok(statistics)
+    }
+
+    pub(crate) fn history_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_history_count(model, count) })
+    }
+
+    pub(crate) fn history_entry(&self, index: i64) -> Result<sys::bempd_history_entry> {
+        let mut entry = filled(sys::bempd_history_entry_init)?;
+        self.call(|model| unsafe { sys::bempd_history(model, index, &mut entry) })?;
+        Ok(entry)
+    }
+}

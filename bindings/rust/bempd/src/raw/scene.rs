@@ -1,0 +1,57 @@
+use bempd_sys as sys;
+
+use super::handle::{filled, Handle};
+use super::points;
+use crate::{Material, Result};
+
+// SAFETY, for every call of this file: `call` and `output` give a valid model and place for the result, and arrays are
+// given with their own length.
+impl Handle {
+    pub(crate) fn add_material(&mut self, material: &Material) -> Result<i32> {
+        let mut raw = filled(sys::bempd_material_init)?;
+        material.write_to(&mut raw);
+        self.output(|model, id| unsafe { sys::bempd_add_material(model, &raw, id) })
+    }
+
+    pub(crate) fn add_bem_region(&mut self, material: i32, vertices: &[[f64; 2]], element_length: f64) -> Result<i32> {
+        let (count, vertices) = points(vertices);
+        self.output(|model, region| unsafe {
+            sys::bempd_add_bem_region(model, material, count, vertices, element_length, region)
+        })
+    }
+
+    pub(crate) fn add_pd_region(
+        &mut self,
+        material: i32,
+        vertices: &[[f64; 2]],
+        spacing: f64,
+        horizon_ratio: i32,
+    ) -> Result<i32> {
+        let (count, vertices) = points(vertices);
+        self.output(|model, region| unsafe {
+            sys::bempd_add_pd_region(model, material, count, vertices, spacing, horizon_ratio, region)
+        })
+    }
+
+    pub(crate) fn add_hole(&mut self, region: i32, vertices: &[[f64; 2]]) -> Result<i32> {
+        let (count, vertices) = points(vertices);
+        self.output(|model, first_edge| unsafe { sys::bempd_add_hole(model, region, count, vertices, first_edge) })
+    }
+
+    pub(crate) fn set_edge_mesh(&mut self, region: i32, edge: i32, element_length: f64, grading: f64) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_edge_mesh(model, region, edge, element_length, grading) })
+    }
+
+    pub(crate) fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<i32> {
+        let (count, line) = points(line);
+        self.output(|model, crack| unsafe { sys::bempd_add_crack(model, count, line, crack) })
+    }
+
+    pub(crate) fn region_count(&self) -> Result<i32> {
+        self.output(|model, count| unsafe { sys::bempd_region_count(model, count) })
+    }
+
+    pub(crate) fn edge_count(&self, region: i32) -> Result<i32> {
+        self.output(|model, count| unsafe { sys::bempd_edge_count(model, region, count) })
+    }
+}

@@ -1,0 +1,165 @@
+use bempd_sys as sys;
+
+use crate::StopReason;
+
+/// Where a run stands, told after every event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Load factor [-].
+    pub load_factor: f64,
+    /// Events so far.
+    pub events: i64,
+    /// Bonds broken so far.
+    pub broken_bonds: i64,
+}
+
+/// A struct whose members are those of a C struct, with the conversions that the members' types ask for.
+macro_rules! mirror {
+    ($(#[$documentation:meta])* $name:ident of $raw:ident { $($(#[$about:meta])* $member:ident: $kind:ty,)* }) => {
+        $(#[$documentation])*
+        #[derive(Clone, Debug, PartialEq)]
+        #[non_exhaustive]
+        pub struct $name { $($(#[$about])* pub $member: $kind,)* }
+
+        impl $name {
+            pub(crate) fn from_raw(raw: &sys::$raw) -> $name {
+                $name { $($member: FromRaw::from_raw(raw.$member),)* }
+            }
+        }
+    };
+}
+
+trait FromRaw<Raw> {
+    fn from_raw(raw: Raw) -> Self;
+}
+
+impl<T> FromRaw<T> for T {
+    fn from_raw(raw: T) -> T {
+        raw
+    }
+}
+
+impl FromRaw<i32> for bool {
+    fn from_raw(raw: i32) -> bool {
+        raw != 0
+    }
+}
+
+impl FromRaw<i32> for StopReason {
+    fn from_raw(raw: i32) -> StopReason {
+        StopReason::from_raw(raw)
+    }
+}
+
+mirror! {
+    /// What a step did.
+    StepReport of bempd_step_report {
+        /// Why the step ended.
+        stop_reason: StopReason,
+        /// Whether the load path is cut.
+        separated: bool,
+        /// Events in this step: batches of bonds broken at one load factor.
+        events: i64,
+        /// Bonds broken in this step.
+        broken_bonds: i64,
+        /// Events since the beginning.
+        total_events: i64,
+        /// Bonds broken since the beginning, without those cut by initial cracks.
+        total_broken_bonds: i64,
+        /// Pieces come free of all supports, or loaded ones that swing on a hinge.
+        fragments: i64,
+        /// Load factor reached [-].
+        load_factor: f64,
+        /// Elastic energy at the end [J].
+        stored_energy: f64,
+        /// Energy released by breaking bonds since the beginning [J].
+        released_energy: f64,
+        /// Work of loads and supports since the beginning [J].
+        work: f64,
+        /// |work - stored - released| over the largest work so far, worst of all events [-]; not small in scheme
+        /// `paper`, whose stiffness is unsymmetric.
+        energy_balance_error: f64,
+        /// Largest unbalanced force at the end over the largest internal nodal force so far [-].
+        residual: f64,
+        /// Wall time of this step [s].
+        seconds_total: f64,
+        /// Of it: solutions [s].
+        seconds_solve: f64,
+        /// Of it: changes of the factorization [s].
+        seconds_update: f64,
+        /// Of it: stretches, choice of bonds, connectivity [s].
+        seconds_search: f64,
+    }
+}
+
+mirror! {
+    /// One line of the history: an event or the end of a step.
+    HistoryEntry of bempd_history_entry {
+        /// Number of the event, or 0 for the end of a step.
+        event: i64,
+        /// Bonds broken so far.
+        total_broken_bonds: i64,
+        /// Load factor [-].
+        load_factor: f64,
+        /// Largest bond stretch over its critical stretch just before the break [-].
+        stretch_ratio: f64,
+        /// Elastic energy [J].
+        stored_energy: f64,
+        /// Energy released by breaking bonds so far [J].
+        released_energy: f64,
+        /// Work of loads and supports so far [J].
+        work: f64,
+        /// |work - stored - released| over the largest work so far [-].
+        energy_balance_error: f64,
+        /// Largest unbalanced force over the largest internal nodal force so far [-].
+        residual: f64,
+    }
+}
+
+mirror! {
+    /// Sizes, counters and times since the model was created.
+    Statistics of bempd_statistics {
+        /// Nodes of all boundary element regions.
+        boundary_nodes: i64,
+        /// Elements of all boundary element regions.
+        boundary_elements: i64,
+        /// Points of all peridynamic regions.
+        material_points: i64,
+        /// Bonds of all peridynamic regions.
+        bonds: i64,
+        /// Bonds cut by initial cracks.
+        cut_bonds: i64,
+        /// Bonds broken in steps.
+        broken_bonds: i64,
+        /// Unknowns of the sparse system after condensing boundary element regions.
+        sparse_unknowns: i64,
+        /// Entries of the sparse factor.
+        factor_nonzeros: i64,
+        /// Evaluations of the boundary kernels.
+        kernel_evaluations: i64,
+        /// Factorizations of condensed boundary element regions.
+        dense_factorizations: i64,
+        /// Factorizations of the sparse system.
+        sparse_factorizations: i64,
+        /// Columns added to or removed from the factor.
+        factor_updates: i64,
+        /// Equilibrium solutions (load cases).
+        solves: i64,
+        /// Applications of the factor in these.
+        solver_iterations: i64,
+        /// Time for boundary operators [s].
+        seconds_boundary: f64,
+        /// Time for lattice, bonds and weights [s].
+        seconds_lattice: f64,
+        /// Time for condensation and assembly [s].
+        seconds_assembly: f64,
+        /// Time for sparse factorizations [s].
+        seconds_factorization: f64,
+        /// Time for solutions [s].
+        seconds_solve: f64,
+        /// Time for changes of the factor [s].
+        seconds_update: f64,
+        /// Time for stretches, choice of bonds, connectivity [s].
+        seconds_search: f64,
+    }
+}

@@ -1,0 +1,143 @@
+use crate::{BondState, Field, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View};
+
+/// Node indices, from 0, of the boundary elements or lattice cells of a region.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Elements {
+    /// Boundary elements: start, mid, end.
+    Boundary(Vec<[i32; 3]>),
+    /// Lattice cells: corners, counter-clockwise.
+    Lattice(Vec<[i32; 4]>),
+}
+
+/// A bond between two material points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Bond {
+    /// Indices of the material points, from 0.
+    pub points: [i32; 2],
+    /// Whether it carries force.
+    pub state: BondState,
+}
+
+/// Displacement and stress at places in the body, one entry a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointValues {
+    /// Displacements [m].
+    pub displacement: Vec<[f64; 2]>,
+    /// Stress xx, yy, xy [Pa].
+    pub stress: Vec<[f64; 3]>,
+    /// The regions that hold the places.
+    pub regions: Vec<RegionId>,
+}
+
+/// # Results
+///
+/// Those of regions, supports and places prepare the model if that has not been done.
+impl Model {
+    /// Looks at a field without copying. Several views can live at a time; while one lives the model cannot change.
+    ///
+    /// ```compile_fail,E0502
+    /// # use bempd::{Field, Model, RegionId, Result};
+    /// fn refused(model: &mut Model, region: RegionId) -> Result<f64> {
+    ///     let displacement = model.view(region, Field::Displacement)?;
+    ///     model.step(1.0)?;
+    ///     Ok(displacement.values()[0])
+    /// }
+    /// ```
+    pub fn view(&self, region: RegionId, field: Field) -> Result<View<'_>> {
+        self.handle.view(region.0, field as i32)
+    }
+
+    /// Number of entries of a field, and of numbers per entry.
+    pub fn field_size(&self, region: RegionId, field: Field) -> Result<(usize, usize)> {
+        self.handle.field_size(region.0, field as i32).map(|(count, components)| (count as usize, components as usize))
+    }
+
+    /// Copies a field into the first numbers of `values`, which must have room for all.
+    pub fn copy_field(&self, region: RegionId, field: Field, values: &mut [f64]) -> Result<()> {
+        self.handle.copy_field(region.0, field as i32, values)
+    }
+
+    /// Number of boundary nodes or material points of a region.
+    pub fn node_count(&self, region: RegionId) -> Result<usize> {
+        self.handle.node_count(region.0).map(|count| count as usize)
+    }
+
+    /// Number of boundary elements or lattice cells of a region.
+    pub fn element_count(&self, region: RegionId) -> Result<usize> {
+        self.handle.element_count(region.0).map(|count| count as usize)
+    }
+
+    /// Nodes of the boundary elements or of the lattice cells of a region.
+    pub fn elements(&self, region: RegionId) -> Result<Elements> {
+        // The library writes three or four indices an element, as the region is; indices are not negative.
+        let count = self.element_count(region)?;
+        let mut nodes = vec![-1; 4 * count];
+        self.handle.copy_elements(region.0, &mut nodes)?;
+        Ok(match nodes.last() {
+            Some(-1) => Elements::Boundary(nodes[..3 * count].chunks(3).map(|n| [n[0], n[1], n[2]]).collect()),
+            _ => Elements::Lattice(nodes.chunks(4).map(|n| [n[0], n[1], n[2], n[3]]).collect()),
+        })
+    }
+
+    /// Number of bonds of a peridynamic region, with broken and cut ones.
+    pub fn bond_count(&self, region: RegionId) -> Result<usize> {
+        self.handle.bond_count(region.0).map(|count| count as usize)
+    }
+
+    /// Ends and states of the bonds of a peridynamic region.
+    pub fn bonds(&self, region: RegionId) -> Result<Vec<Bond>> {
+        let count = self.bond_count(region)?;
+        let (mut ends, mut states) = (vec![[0; 2]; count], vec![0; count]);
+        self.handle.copy_bonds(region.0, &mut ends, &mut states)?;
+        let bond = |(points, state)| Bond { points, state: BondState::from_raw(state) };
+        Ok(ends.into_iter().zip(states).map(bond).collect())
+    }
+
+    /// Force that a support exerts on the body at the present load factor [N]. Where supports share a node's component
+    /// the first one counts it.
+    pub fn reaction(&self, support: SupportId) -> Result<[f64; 2]> {
+        self.handle.reaction(support.0)
+    }
+
+    /// Displacement and stress at places in the body [m]: by the interior identities in boundary element regions, by
+    /// interpolation between material points in peridynamic ones.
+    pub fn evaluate(&self, places: &[[f64; 2]]) -> Result<PointValues> {
+        let (displacement, stress, regions) = self.handle.evaluate(places)?;
+        Ok(PointValues { displacement, stress, regions: regions.into_iter().map(RegionId).collect() })
+    }
+
+    /// As [`Model::evaluate`], without the cost of the stress.
+    pub fn evaluate_displacement(&self, places: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
+        self.handle.evaluate_displacement(places)
+    }
+
+    /// Present load factor [-].
+    pub fn load_factor(&self) -> Result<f64> {
+        self.handle.load_factor()
+    }
+
+    /// Number that changes whenever the model's fields may have changed.
+    pub fn generation(&self) -> Result<i64> {
+        self.handle.generation()
+    }
+
+    /// Sizes, counters and times so far.
+    pub fn statistics(&self) -> Result<Statistics> {
+        Ok(Statistics::from_raw(&self.handle.statistics()?))
+    }
+
+    /// Number of lines of the history: one per event and per end of a step.
+    pub fn history_count(&self) -> Result<usize> {
+        self.handle.history_count().map(|count| count as usize)
+    }
+
+    /// A line of the history, from 0.
+    pub fn history_entry(&self, index: usize) -> Result<HistoryEntry> {
+        Ok(HistoryEntry::from_raw(&self.handle.history_entry(index as i64)?))
+    }
+
+    /// The whole history.
+    pub fn history(&self) -> Result<Vec<HistoryEntry>> {
+        (0..self.history_count()?).map(|index| self.history_entry(index)).collect()
+    }
+}

@@ -1,0 +1,227 @@
+//! Results: views, copies, bonds, elements, places, history, statistics, options, files.
+
+mod common;
+
+use bempd::{BondState, Component, Elements, Field, Material, Model, OptionKind, StopReason, Values};
+use common::{plate, rectangle};
+
+#[test]
+fn views_are_the_librarys_numbers() {
+    let mut plate = plate();
+    plate.model.step(0.01).unwrap();
+    for (region, field, components) in [
+        (plate.left, Field::Position, 2),
+        (plate.left, Field::Traction, 2),
+        (plate.strip, Field::Displacement, 2),
+        (plate.strip, Field::Stress, 3),
+        (plate.strip, Field::Damage, 1),
+        (plate.strip, Field::BondStretch, 1),
+    ] {
+        let view = plate.model.view(region, field).unwrap();
+        let again = plate.model.view(region, field).unwrap();
+        let mut copy = vec![f64::NAN; view.values().len()];
+        plate.model.copy_field(region, field, &mut copy).unwrap();
+        assert_eq!(plate.model.field_size(region, field).unwrap(), (view.len(), components));
+        assert_eq!(view.components(), components);
+        assert_eq!(view.values(), copy);
+        assert_eq!(view.values().as_ptr(), again.values().as_ptr(), "{field:?} was copied");
+        assert_eq!(view.generation(), plate.model.generation().unwrap());
+        assert!(!view.is_empty());
+    }
+}
+
+#[test]
+fn views_have_entries_of_their_own_size_only() {
+    let plate = plate();
+    let view = plate.model.view(plate.strip, Field::Position).unwrap();
+    let places = view.entries::<2>().unwrap();
+    assert_eq!(places.len(), plate.model.node_count(plate.strip).unwrap());
+    assert!(places.iter().all(|[x, y]| (10.0..=19.0).contains(x) && (0.0..=8.0).contains(y)));
+    assert_eq!(places[3], [view.values()[6], view.values()[7]]);
+    assert!(view.entries::<3>().is_none() && view.entries::<0>().is_none());
+}
+
+#[test]
+fn several_views_live_while_other_results_are_asked_for() {
+    let plate = plate();
+    let positions = plate.model.view(plate.left, Field::Position).unwrap();
+    let before = positions.values().to_vec();
+    let displacement = plate.model.view(plate.left, Field::Displacement).unwrap();
+    plate.model.statistics().unwrap();
+    plate.model.bonds(plate.strip).unwrap();
+    plate.model.view(plate.right, Field::Stress).unwrap();
+    plate.model.evaluate(&[[5.0, 4.0]]).unwrap();
+    assert_eq!(positions.generation(), displacement.generation());
+    assert_eq!(plate.model.generation().unwrap(), positions.generation());
+    assert_eq!(positions.values(), before);
+}
+
+#[test]
+fn the_generation_changes_with_the_model() {
+    let mut plate = plate();
+    let first = plate.model.view(plate.left, Field::Displacement).unwrap().generation();
+    plate.model.step(0.01).unwrap();
+    let second = plate.model.view(plate.left, Field::Displacement).unwrap().generation();
+    plate.model.set_load_values(plate.force, Values::constant(&[1e-3])).unwrap();
+    assert!(first < second && second < plate.model.generation().unwrap());
+}
+
+#[test]
+fn bonds_and_elements_are_those_of_the_regions() {
+    let mut plate = plate();
+    let report = plate.model.run_to_separation(1000.0).unwrap();
+    let bonds = plate.model.bonds(plate.strip).unwrap();
+    let count = |state| bonds.iter().filter(|bond| bond.state == state).count() as i64;
+    let statistics = plate.model.statistics().unwrap();
+    assert_eq!(bonds.len() as i64, statistics.bonds);
+    assert_eq!(count(BondState::Broken), report.total_broken_bonds);
+    assert_eq!(count(BondState::Cut), statistics.cut_bonds);
+    assert!(count(BondState::Intact) > 0 && statistics.cut_bonds > 0);
+
+    let points = plate.model.node_count(plate.strip).unwrap() as i32;
+    assert!(bonds.iter().all(|bond| bond.points.iter().all(|point| (0..points).contains(point))));
+    match plate.model.elements(plate.strip).unwrap() {
+        Elements::Lattice(cells) => {
+            assert_eq!(cells.len(), 9 * 8);
+            assert!(cells.iter().flatten().all(|point| (0..points).contains(point)));
+        }
+        other => panic!("{other:?}"),
+    }
+    let nodes = plate.model.node_count(plate.left).unwrap() as i32;
+    match plate.model.elements(plate.left).unwrap() {
+        Elements::Boundary(elements) => {
+            assert_eq!(elements.len(), plate.model.element_count(plate.left).unwrap());
+            assert!(elements.iter().flatten().all(|node| (0..nodes).contains(node)));
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn places_have_displacement_stress_and_region() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();
+    let region = model.add_bem_region(material, &rectangle(0.0, 0.0, 4.0, 2.0), 0.5).unwrap();
+    model.fix_edge(region, 4, Component::X).unwrap();
+    model.fix_point([0.0, 0.0], Component::Y).unwrap();
+    let pull = Values::both(&[1.0], &[2.0]);
+    let load = model.add_traction(region, 2, .., Component::X, pull).unwrap();
+    model.step(2.0).unwrap();
+    let at = model.evaluate(&[[3.0, 1.0], [1.0, 0.5]]).unwrap();
+    assert_eq!(at.regions, [region, region]);
+    for (displacement, expected) in at.displacement.iter().zip([[0.15, -0.0125], [0.05, -0.00625]]) {
+        assert!((0..2).all(|i| (displacement[i] - expected[i]).abs() < 1e-10), "{displacement:?}");
+    }
+    for stress in &at.stress {
+        assert!((0..3).all(|i| (stress[i] - [5.0, 0.0, 0.0][i]).abs() < 1e-8), "{stress:?}");
+    }
+    assert_eq!(model.evaluate_displacement(&[[3.0, 1.0]]).unwrap(), at.displacement[..1]);
+    assert!(model.evaluate(&[]).unwrap().displacement.is_empty());
+
+    model.set_load_values(load, Values::constant(&[10.0])).unwrap();
+    model.step(2.0).unwrap();
+    let stress = model.evaluate(&[[3.0, 1.0]]).unwrap().stress[0];
+    assert!((stress[0] - 10.0).abs() < 1e-8, "{stress:?}");
+}
+
+#[test]
+fn a_hole_continues_the_edges_and_meshes_are_chosen() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();
+    let region = model.add_bem_region(material, &rectangle(0.0, 0.0, 4.0, 4.0), 1.0).unwrap();
+    let hole = [[1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [3.0, 1.0]];
+    assert_eq!(model.add_hole(region, &hole).unwrap(), 5);
+    assert_eq!(model.edge_count(region).unwrap(), 8);
+    model.set_edge_mesh(region, 1, 0.5, 1.0).unwrap();
+    model.fix_edge(region, 4, Component::Both).unwrap();
+    assert_eq!(model.element_count(region).unwrap(), 8 + 3 * 4 + 4 * 2);
+}
+
+#[test]
+fn supports_take_new_values() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();
+    let region = model.add_bem_region(material, &rectangle(0.0, 0.0, 1.0, 1.0), 0.5).unwrap();
+    model.fix_edge(region, 1, Component::Both).unwrap();
+    let support = model.prescribe_point([1.0, 1.0], Component::X, 0.0, 0.1).unwrap();
+    model.step(1.0).unwrap();
+    assert!((model.evaluate_displacement(&[[1.0, 1.0]]).unwrap()[0][0] - 0.1).abs() < 1e-10);
+    model.set_support_values(support, Values::constant(&[0.3])).unwrap();
+    model.step(1.0).unwrap();
+    assert!((model.evaluate_displacement(&[[1.0, 1.0]]).unwrap()[0][0] - 0.3).abs() < 1e-10);
+}
+
+#[test]
+fn reports_and_history_tell_of_the_run() {
+    let mut plate = plate();
+    assert_eq!(plate.model.step(0.001).unwrap().stop_reason, StopReason::LoadFactor);
+    let event = plate.model.step_to_next_event(1000.0).unwrap();
+    assert_eq!((event.stop_reason, event.events), (StopReason::Event, 1));
+    let report = plate.model.run_to_separation(1000.0).unwrap();
+    assert_eq!(report.separated, report.stop_reason == StopReason::Separated);
+    assert!(report.energy_balance_error < 1e-9 && report.residual < 1e-9);
+    let history = plate.model.history().unwrap();
+    assert_eq!(history.len(), plate.model.history_count().unwrap());
+    assert_eq!(history.iter().filter(|line| line.event > 0).count() as i64, report.total_events);
+    let last = history.last().unwrap();
+    assert_eq!(last.total_broken_bonds, report.total_broken_bonds);
+    assert_eq!(last.load_factor, plate.model.load_factor().unwrap());
+}
+
+#[test]
+fn options_have_values_in_their_ranges() {
+    let mut model = Model::new().unwrap();
+    let options = bempd::options().unwrap();
+    assert!(options.iter().any(|option| option.name == "scheme"));
+    for option in options {
+        assert!(!option.summary.is_empty() && !option.unit.is_empty());
+        match option.kind {
+            OptionKind::Number { default, minimum, maximum, .. } => {
+                assert!((minimum..=maximum).contains(&default));
+                assert_eq!(model.option(option.name).unwrap(), default);
+                model.set_option(option.name, maximum).unwrap();
+                assert_eq!(model.option(option.name).unwrap(), maximum);
+            }
+            OptionKind::Text { default, choices } => {
+                assert!(choices.contains(&default));
+                assert_eq!(model.option_text(option.name).unwrap(), default);
+                let last = choices.last().unwrap();
+                model.set_option_text(option.name, last).unwrap();
+                assert_eq!(model.option_text(option.name).unwrap(), *last);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_region_takes_the_horizon_of_the_option() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 1.0 / 3.0)).unwrap();
+    model.set_option("pd.horizon_ratio", 3.0).unwrap();
+    let region = model.add_pd_region(material, &rectangle(0.0, 0.0, 8.0, 8.0), 1.0, None).unwrap();
+    let far = model.add_pd_region(material, &rectangle(20.0, 0.0, 28.0, 8.0), 1.0, 4).unwrap();
+    for region in [region, far] {
+        model.fix_edge(region, 1, Component::Both).unwrap();
+    }
+    assert!(model.bond_count(region).unwrap() < model.bond_count(far).unwrap());
+}
+
+#[test]
+fn files_are_written() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("files, written");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut plate = plate();
+    plate.model.step(0.01).unwrap();
+    plate.model.write_snapshot(folder.join("run")).unwrap();
+    plate.model.write_history(folder.join("history.csv")).unwrap();
+    for name in ["run.pvd", "run_0000_lattice.vtu", "run_0000_boundary.vtu", "history.csv"] {
+        assert!(std::fs::metadata(folder.join(name)).unwrap().len() > 0, "{name}");
+    }
+}
+
+#[test]
+fn the_library_says_what_it_is() {
+    assert_eq!(bempd::version(), env!("CARGO_PKG_VERSION"));
+    assert!(bempd::build_info().starts_with(&format!("bempd {}", bempd::version())));
+}
