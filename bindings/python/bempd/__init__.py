@@ -10,7 +10,7 @@ Any consistent set of units; comments show SI. Build a Model, step, ask:
 >>> right = model.prescribe_edge(strip, 2, "x", 1e-6)
 >>> report = model.step(10)
 >>> print(f"{model.reaction(right)[0]:.0f} N")
-51 N
+50 N
 """
 
 from ._library import build_info, library_path, version

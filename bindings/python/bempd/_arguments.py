@@ -24,7 +24,7 @@ def real_array(name: str, value: npt.ArrayLike) -> FloatArray:
         raise ArgumentError(f"{name} has rows of different lengths; give an array of numbers") from None
     if array.dtype.kind not in "iuf":
         raise ArgumentError(f"{name} has the dtype {array.dtype}; give real numbers")
-    if isinstance(value, np.ma.MaskedArray) and np.any(np.ma.getmaskarray(value)):
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise ArgumentError(f"{name} has masked entries; give numbers only")
     return np.ascontiguousarray(array, dtype=np.float64)
 
