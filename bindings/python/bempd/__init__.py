@@ -1,0 +1,44 @@
+"""Cracks in two-dimensional elastic bodies: boundary elements coupled with bond-based peridynamics.
+
+Any consistent set of units; comments show SI. Build a Model, step, ask:
+
+>>> import bempd
+>>> model = bempd.Model()
+>>> acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
+>>> strip = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.06, 0.02), element_length=0.005)
+>>> left = model.fix_edge(strip, 4)
+>>> right = model.prescribe_edge(strip, 2, "x", 1e-6)
+>>> report = model.step(10)
+>>> print(f"{model.reaction(right)[0]:.0f} N")
+50 N
+"""
+
+from ._library import build_info, library_path, version
+from ._results import read_history
+from ._scene import rectangle
+from .callbacks import ProgressBar, progress_bar
+from .errors import (
+    ArgumentError,
+    CancelledError,
+    ConvergenceError,
+    Error,
+    FileError,
+    InternalError,
+    OrderError,
+    OutOfMemoryError,
+    UnknownOptionError,
+    UnsolvableError,
+)
+from .model import Model
+from .options import OptionInfo, Options, describe_options
+from .reports import Bonds, BondState, PointValues, Statistics, StepReport, StopReason
+from .state import State
+
+__version__ = version()
+
+__all__ = [
+    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "Error", "FileError", "InternalError",
+    "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues", "ProgressBar", "State",
+    "Statistics", "StepReport", "StopReason", "UnknownOptionError", "UnsolvableError", "build_info", "describe_options",
+    "library_path", "progress_bar", "read_history", "rectangle", "version",
+]

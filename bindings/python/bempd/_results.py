@@ -1,0 +1,180 @@
+"""The part of a Model that answers questions: fields, bonds, reactions, history, files."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments as arguments
+from ._arguments import FloatArray
+from ._handle import Handle
+from ._library import ffi, lib, new_struct
+from .errors import ArgumentError
+from .reports import Bonds, PointValues, Statistics, rows, values_of
+
+FIELDS = {
+    "position": lib.BEMPD_POSITION,
+    "displacement": lib.BEMPD_DISPLACEMENT,
+    "stress": lib.BEMPD_STRESS,
+    "damage": lib.BEMPD_DAMAGE,
+    "traction": lib.BEMPD_TRACTION,
+    "bond_stretch": lib.BEMPD_BOND_STRETCH,
+}
+IntArray = npt.NDArray[np.int32]
+
+
+class Results:
+    """What can be asked of a model. Asking prepares it if need be.
+
+    Fields are "position", "displacement", "stress" (xx, yy, xy), "damage" (PD), "traction" (BEM, at the three nodes of
+    every element) and "bond_stretch" (PD). There are three ways to a field:
+
+    field()       a read-only array that keeps the values of the moment; asked again before the model changes, the same
+                  array. Yours for as long as you like, whatever becomes of the model.
+    copy_field()  an array of your own, or your array filled again.
+    view_field()  the library's own memory, nothing copied. The array, and every slice of it, keeps the library's model
+                  alive, also after close(). The memory would move when the model changes, so while such an array lives,
+                  calls that change the model (steps, restore, new values of loads and supports) raise OrderError.
+    """
+
+    _handle: Optional[Handle]
+    _fields: dict[tuple[int, int], FloatArray]
+    _fields_generation: int
+
+    def _open(self) -> Handle:
+        raise NotImplementedError
+
+    def _number(self, name: str, kind: str, *arguments_before: Any) -> Any:
+        result = ffi.new(f"{kind} *")
+        self._open().call(name, *arguments_before, result)
+        return result[0]
+
+    @property
+    def load_factor(self) -> float:
+        """Present load factor."""
+        return float(self._number("bempd_load_factor", "double"))
+
+    @property
+    def generation(self) -> int:
+        """Number that changes whenever fields may have changed."""
+        return int(self._number("bempd_generation", "int64_t"))
+
+    def node_count(self, region: int) -> int:
+        """Number of boundary nodes or material points of a region."""
+        return int(self._number("bempd_node_count", "int64_t", region))
+
+    def elements(self, region: int) -> IntArray:
+        """Nodes of the boundary elements (n, 3), start, mid, end, or of the lattice cells (n, 4), counter-clockwise."""
+        count = int(self._number("bempd_element_count", "int64_t", region))
+        # A lattice has four corners to a cell; there is room for both kinds, and what the library wrote tells them apart.
+        nodes = np.full((count, 4), -1, dtype=np.int32)
+        self._open().call("bempd_copy_elements", region, nodes.size, ffi.from_buffer("int32_t[]", nodes))
+        if count and nodes[-1, -1] < 0:
+            return nodes.reshape(-1)[: 3 * count].reshape(count, 3).copy()
+        return nodes
+
+    def field(self, region: int, name: str) -> FloatArray:
+        """A field as a read-only array of shape (n, components), or (n,) where there is one component.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> support = model.fix_edge(plate, 4, "x"), model.fix_point((0, 0), "y")
+        >>> load = model.add_traction(plate, 2, "x", 3e6)
+        >>> before = model.field(plate, "displacement")
+        >>> report = model.step(1)
+        >>> print(f"{before[:, 0].max():.4f} {model.field(plate, 'displacement')[:, 0].max():.4f}")
+        0.0000 0.0020
+        """
+        generation = self.generation
+        if self._fields_generation != generation:
+            self._fields, self._fields_generation = {}, generation
+        key = (arguments.whole("field: region", region), arguments.choice("field: name", name, FIELDS))
+        if key not in self._fields:
+            values = self.copy_field(region, name)
+            values.flags.writeable = False
+            # Asking may have prepared the model, which is a change.
+            self._fields_generation = self.generation
+            self._fields[key] = values
+        return self._fields[key]
+
+    def copy_field(self, region: int, name: str, out: Optional[FloatArray] = None) -> FloatArray:
+        """A field as an array of your own; `out` is filled and returned if given."""
+        number = arguments.choice("copy_field: name", name, FIELDS)
+        count, components = ffi.new("int64_t *"), ffi.new("int32_t *")
+        self._open().call("bempd_field_size", region, number, count, components)
+        shape = (count[0],) if components[0] == 1 else (count[0], components[0])
+        if out is None:
+            out = np.empty(shape)
+        elif (not isinstance(out, np.ndarray) or out.shape != shape or out.dtype != np.float64
+              or not out.flags.c_contiguous or not out.flags.writeable):
+            raise ArgumentError(f"copy_field: out must be a writable, contiguous array of float64 of the shape {shape}")
+        self._open().call("bempd_copy_field", region, number, out.size, ffi.from_buffer("double[]", out))
+        return out
+
+    def view_field(self, region: int, name: str) -> FloatArray:
+        """The library's own memory of a field, read-only and without a copy; see Results for what that costs."""
+        number = arguments.choice("view_field: name", name, FIELDS)
+        memory, count, components = self._open().view("bempd_view_field", region, number)
+        values = np.frombuffer(memory, dtype=np.float64)
+        return values if components == 1 else values.reshape(count, components)
+
+    def bonds(self, region: int) -> Bonds:
+        """Ends and states of all bonds of a PD region, also of broken ones."""
+        count = int(self._number("bempd_bond_count", "int64_t", region))
+        points, states = np.empty((count, 2), dtype=np.int32), np.empty(count, dtype=np.int32)
+        self._open().call("bempd_copy_bonds", region, count, ffi.from_buffer("int32_t[]", points),
+                          ffi.from_buffer("int32_t[]", states))
+        return Bonds(points, states)
+
+    def reaction(self, support: int) -> FloatArray:
+        """Force [N] that a support exerts on the body, shape (2,)."""
+        force = np.empty(2)
+        self._open().call("bempd_reaction", support, ffi.from_buffer("double[]", force))
+        return force
+
+    def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues:
+        """Displacement, stress and region at places in the body; without `stress` it is faster."""
+        places = arguments.point_array("evaluate: points", points)
+        count = len(places)
+        displacement, regions = np.empty((count, 2)), np.empty(count, dtype=np.int32)
+        tensor = np.empty((count, 3)) if stress else None
+        self._open().call("bempd_evaluate", count, arguments.doubles(places), arguments.doubles(displacement),
+                          arguments.doubles(tensor), ffi.from_buffer("int32_t[]", regions))
+        return PointValues(displacement, tensor, regions)
+
+    def statistics(self) -> Statistics:
+        """Sizes, counters and times so far."""
+        struct = new_struct("bempd_statistics")
+        self._open().call("bempd_get_statistics", struct)
+        return Statistics(**values_of(struct, "bempd_statistics"))
+
+    def history(self) -> npt.NDArray[Any]:
+        """One row for every event and end of a step, as a structured array: `model.history()["load_factor"]`.
+
+        Its columns are those of bempd_history_entry; `event` is 0 at the end of a step. write_history() has the
+        reactions too, read_history() reads them.
+        """
+        count = int(self._number("bempd_history_count", "int64_t"))
+        entries = ffi.new("bempd_history_entry[]", max(count, 1))
+        for index in range(count):
+            entries[index].struct_size = ffi.sizeof("bempd_history_entry")
+            self._open().call("bempd_history", index, entries + index)
+        return rows(entries, "bempd_history_entry")[:count]
+
+    def write_snapshot(self, prefix: Union[str, "os.PathLike[str]"]) -> None:
+        """Write the present state for ParaView: PREFIX_NNNN_*.vtu and the series PREFIX.pvd; the folder must exist."""
+        self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
+
+    def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write the history with the reactions of all supports as comma-separated values."""
+        self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
+
+
+def read_history(path: Union[str, "os.PathLike[str]"]) -> npt.NDArray[Any]:
+    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ..."""
+    return np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64))

@@ -1,0 +1,195 @@
+"""The part of a Model that describes the body: materials, regions, cracks, supports, loads."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Union
+
+import numpy.typing as npt
+
+from . import _arguments as arguments
+from ._handle import Handle
+from ._library import ffi, lib, new_struct
+from .callbacks import BoundaryFunction, boundary_callback
+from .errors import OrderError
+
+COMPONENTS = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y, "both": lib.BEMPD_BOTH}
+PLANES = {"stress": lib.BEMPD_PLANE_STRESS, "strain": lib.BEMPD_PLANE_STRAIN}
+WHOLE_EDGE = (0.0, 1.0)
+
+
+class Scene:
+    """What can be added to a model. Ids of materials, regions, edges, cracks, supports and loads begin at 1.
+
+    Points are anything that converts to an array of shape (n, 2); values along an edge are a number, or n numbers at
+    equally spaced places, linear between. Whatever is given is copied. Components are "x", "y" and, where that makes
+    sense, "both". Displacements, tractions and forces are `constant + load_factor * proportional`.
+    """
+
+    _handle: Optional[Handle]
+
+    def _open(self) -> Handle:
+        if self._handle is None:
+            raise OrderError("the model is closed; create another one")
+        return self._handle
+
+    def _added(self, name: str, *values: Any) -> int:
+        added = ffi.new("int32_t *")
+        self._open().call(name, *values, added)
+        return int(added[0])
+
+    def add_material(self, *, young_modulus: float, poisson_ratio: float, thickness: float = 1.0,
+                     critical_stretch: Optional[float] = None, fracture_energy: Optional[float] = None,
+                     plane: str = "stress") -> int:
+        """Add an isotropic elastic material; returns its id.
+
+        Give the critical bond stretch or the fracture energy [J/m^2], or neither for a material that does not break.
+        `plane` is "stress" or "strain". Peridynamic regions need Poisson's ratio 1/3 in plane stress, 1/4 in plane
+        strain.
+
+        >>> import bempd
+        >>> bempd.Model().add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
+        1
+        """
+        material = new_struct("bempd_material")
+        material.plane = arguments.choice("add_material: plane", plane, PLANES)
+        given = {"young_modulus": young_modulus, "poisson_ratio": poisson_ratio, "thickness": thickness,
+                 "critical_stretch": critical_stretch, "fracture_energy": fracture_energy}
+        for name, value in given.items():
+            if value is not None:
+                setattr(material, name, arguments.real(f"add_material: {name}", value))
+        return self._added("bempd_add_material", material)
+
+    def add_bem_region(self, material: int, vertices: npt.ArrayLike, element_length: float) -> int:
+        """Add a polygon treated by boundary elements; returns its id.
+
+        `vertices` run counter-clockwise; edge k (1, 2, ...) goes from vertex k to the next. Edges that coincide with
+        edges of other regions are bonded.
+        """
+        points = arguments.point_array("add_bem_region: vertices", vertices)
+        return self._added("bempd_add_bem_region", material, len(points), arguments.doubles(points), element_length)
+
+    def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0) -> int:
+        """Add a rectilinear polygon treated by peridynamics; returns its id.
+
+        Material points lie on the corners of square cells of size `spacing`, also on the boundary. `horizon_ratio` is
+        the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio.
+        """
+        points = arguments.point_array("add_pd_region: vertices", vertices)
+        return self._added("bempd_add_pd_region", material, len(points), arguments.doubles(points), spacing,
+                           horizon_ratio)
+
+    def add_hole(self, region: int, vertices: npt.ArrayLike) -> int:
+        """Cut a hole into a region, its vertices clockwise; returns the number of the hole's first edge."""
+        points = arguments.point_array("add_hole: vertices", vertices)
+        return self._added("bempd_add_hole", region, len(points), arguments.doubles(points))
+
+    def set_edge_mesh(self, region: int, edge: int, element_length: float, grading: float = 1.0) -> None:
+        """Choose the elements of an edge of a BEM region; `grading` is the ratio of neighbours' lengths, 1 to 4."""
+        self._open().call("bempd_set_edge_mesh", region, edge, element_length, grading)
+
+    def add_crack(self, points: npt.ArrayLike) -> int:
+        """Add an initial crack along a polyline in peridynamic regions; returns its id."""
+        polyline = arguments.point_array("add_crack: points", points)
+        return self._added("bempd_add_crack", len(polyline), arguments.doubles(polyline))
+
+    @property
+    def region_count(self) -> int:
+        """Number of regions."""
+        return self._added("bempd_region_count")
+
+    def edge_count(self, region: int) -> int:
+        """Number of edges of a region with its holes."""
+        return self._added("bempd_edge_count", region)
+
+    def fix_edge(self, region: int, edge: int, component: str = "both") -> int:
+        """Fix a whole edge; returns the id of the support."""
+        return self._added("bempd_fix_edge", region, edge,
+                           arguments.choice("fix_edge: component", component, COMPONENTS))
+
+    def fix_point(self, point: Sequence[float], component: str = "both") -> int:
+        """Fix the node or material point at a place; returns the id of the support."""
+        return self._added("bempd_fix_point", *arguments.place("fix_point: point", point),
+                           arguments.choice("fix_point: component", component, COMPONENTS))
+
+    def prescribe_edge(self, region: int, edge: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
+                       constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
+        """Prescribe the displacement [m] of an edge, or of the `part` between two fractions of it; returns the id of
+        the support."""
+        count, *values = arguments.samples("prescribe_edge", constant, proportional)
+        return self._added("bempd_prescribe_edge", region, edge, *arguments.fraction_pair("prescribe_edge: part", part),
+                           arguments.choice("prescribe_edge: component", component, COMPONENTS), count, *values)
+
+    def prescribe_edge_function(self, region: int, edge: int, function: BoundaryFunction, component: str = "both", *,
+                                part: Sequence[float] = WHOLE_EDGE) -> int:
+        """Prescribe the displacement of a part of an edge by a function f(x, y), asked once for each node.
+
+        It returns (ux, uy) [m], multiplied by the load factor, or the two pairs constant and proportional.
+        """
+        ends = arguments.fraction_pair("prescribe_edge_function: part", part)
+        chosen = arguments.choice("prescribe_edge_function: component", component, COMPONENTS)
+        return self._added("bempd_prescribe_edge_function", region, edge, *ends, chosen, self._kept(function), ffi.NULL)
+
+    def prescribe_point(self, point: Sequence[float], component: str, proportional: float = 0.0, *,
+                        constant: float = 0.0) -> int:
+        """Prescribe the displacement [m] of the node or material point at a place; returns the id of the support."""
+        return self._added("bempd_prescribe_point", *arguments.place("prescribe_point: point", point),
+                           arguments.choice("prescribe_point: component", component, COMPONENTS), constant, proportional)
+
+    def add_traction(self, region: int, edge: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
+                     constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
+        """Add a traction [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
+        count, *values = arguments.samples("add_traction", constant, proportional)
+        return self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
+                           arguments.choice("add_traction: component", component, COMPONENTS), count, *values)
+
+    def add_traction_function(self, region: int, edge: int, function: BoundaryFunction, *,
+                              part: Sequence[float] = WHOLE_EDGE) -> int:
+        """Add a traction given by a function f(x, y), as prescribe_edge_function() has it; returns the id of the load.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=0.3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> support = model.fix_edge(plate, 4)
+        >>> model.add_traction_function(plate, 2, lambda x, y: (0, 6e6 * y * (1 - y)))
+        1
+        """
+        ends = arguments.fraction_pair("add_traction_function: part", part)
+        return self._added("bempd_add_traction_function", region, edge, *ends, self._kept(function), ffi.NULL)
+
+    def add_point_force(self, point: Sequence[float], component: str, proportional: float = 0.0, *,
+                        constant: float = 0.0) -> int:
+        """Add a force [N] on the node or material point at a place; returns the id of the load."""
+        return self._added("bempd_add_point_force", *arguments.place("add_point_force: point", point),
+                           arguments.choice("add_point_force: component", component, COMPONENTS), constant, proportional)
+
+    def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
+                        constant: Optional[npt.ArrayLike] = None) -> None:
+        """Give a traction or point force new values, as many as it was made with; they act from the next step on."""
+        self._set_values("load", load, constant, proportional)
+
+    def set_support_values(self, support: int, proportional: Optional[npt.ArrayLike] = None, *,
+                           constant: Optional[npt.ArrayLike] = None) -> None:
+        """Give a support new prescribed displacements, as many as it was made with."""
+        self._set_values("support", support, constant, proportional)
+
+    def _set_values(self, what: str, number: int, constant: Any, proportional: Any) -> None:
+        count, *values = arguments.samples(f"set_{what}_values", constant, proportional)
+        name = "bempd_set_load_values" if what == "load" else "bempd_set_support_values"
+        self._open().call(name, number, count, *values, changes=True)
+
+    def _kept(self, function: BoundaryFunction) -> Any:
+        handle = self._open()
+        callback = boundary_callback(handle.raised, function)
+        handle.callbacks.append(callback)
+        return callback
+
+
+def rectangle(left: float, bottom: float, right: float, top: float) -> list[tuple[float, float]]:
+    """Vertices of a rectangle; its edges are 1 bottom, 2 right, 3 top, 4 left.
+
+    >>> import bempd
+    >>> bempd.rectangle(0, 0, 2, 1)
+    [(0, 0), (2, 0), (2, 1), (0, 1)]
+    """
+    return [(left, bottom), (right, bottom), (right, top), (left, top)]

@@ -1,0 +1,167 @@
+"""A scene and its state."""
+
+from __future__ import annotations
+
+import logging
+from types import TracebackType
+from typing import Any, Mapping, Optional, Type
+
+from ._handle import Handle
+from ._library import check, ffi, invoke, new_struct
+from ._results import Results
+from ._scene import Scene
+from .callbacks import Log, Progress, callable_or_none, log_callback, progress_callback
+from .errors import ArgumentError
+from .options import Options, OptionValue
+from .reports import StepReport, step_report
+from .state import State
+
+
+class Model(Scene, Results):
+    """Cracks in a two-dimensional elastic body: build it, step, ask, close.
+
+    One thread at a time, except request_cancel(); other threads run on while the library works. Used in a `with`
+    statement it is closed at the end; otherwise when nothing refers to it any more.
+
+    >>> import bempd
+    >>> with bempd.Model(options={"pd.horizon_ratio": 3}) as model:
+    ...     glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
+    ...     plate = model.add_pd_region(glass, bempd.rectangle(0, 0, 0.02, 0.02), spacing=0.001)
+    ...     crack = model.add_crack([(0.0095, 0), (0.0095, 0.0055)])
+    ...     bottom = model.fix_edge(plate, 4)
+    ...     pulled = model.prescribe_edge(plate, 2, "x", 1e-6)
+    ...     report = model.run_to_separation(1e4)
+    >>> report.stop_reason
+    <StopReason.SEPARATED: 3>
+    """
+
+    def __init__(self, *, options: Optional[Mapping[str, OptionValue]] = None, progress: Optional[Progress] = None,
+                 log: Optional[Log] = None) -> None:
+        self._handle: Optional[Handle] = Handle()
+        self._fields = {}
+        self._fields_generation = 0
+        self._progress: Optional[Progress] = None
+        self._log: Optional[Log] = None
+        self.progress = progress
+        if log is not None:
+            self.log = log
+        self.options.update(options or {})
+
+    def close(self) -> None:
+        """Give the model back; asking for anything afterwards is an OrderError. Arrays of view_field() stay good."""
+        self._handle = None
+        self._fields.clear()
+
+    @property
+    def closed(self) -> bool:
+        """Whether close() was called."""
+        return self._handle is None
+
+    def __enter__(self) -> Model:
+        return self
+
+    def __exit__(self, kind: Optional[Type[BaseException]], error: Optional[BaseException],
+                 traceback: Optional[TracebackType]) -> None:
+        self.close()
+
+    @property
+    def options(self) -> Options:
+        """Options by name: `model.options["threads"] = 2`; describe() tells what they mean."""
+        return Options(self._open)
+
+    @property
+    def progress(self) -> Optional[Progress]:
+        """Function called as f(load_factor, events, broken_bonds) after every event, or None.
+
+        An exception cancels the step, which returns to its start, and is raised again; so is KeyboardInterrupt, with a
+        function or without. If the function has methods start(load_factor, goal) and finish(), they are called around
+        every run; progress_bar() makes such a one.
+        """
+        return self._progress
+
+    @progress.setter
+    def progress(self, function: Optional[Progress]) -> None:
+        handle = self._open()
+        callback = progress_callback(handle.raised, callable_or_none("progress", function))
+        handle.call("bempd_set_progress", callback, ffi.NULL)
+        handle.progress, self._progress = callback, function
+
+    @property
+    def log(self) -> Optional[Log]:
+        """A logging.Logger, or a function called as f(level, message), or None."""
+        return self._log
+
+    @log.setter
+    def log(self, log: Optional[Log]) -> None:
+        handle = self._open()
+        callback = ffi.NULL
+        if log is not None:
+            if not isinstance(log, logging.Logger):
+                callable_or_none("log", log)
+            callback = log_callback(handle.raised, handle.pointer, log)
+        handle.call("bempd_set_log", callback, ffi.NULL)
+        handle.log, self._log = callback, log
+
+    def request_cancel(self) -> None:
+        """Ask the step that runs in another thread to stop: it returns to its start and raises CancelledError."""
+        check(invoke("bempd_request_cancel", self._open().pointer))
+
+    def prepare(self) -> None:
+        """Check the scene and build its operators; nothing can be added afterwards. The first step does it otherwise."""
+        self._open().call("bempd_prepare")
+
+    def step(self, load_factor: float) -> StepReport:
+        """Move the load factor, breaking every bond that reaches its critical stretch on the way."""
+        return self._run("bempd_step", load_factor, goal=load_factor)
+
+    def step_to_next_event(self, load_factor_limit: float) -> StepReport:
+        """Go to the next event, one batch of bonds, and perform it; no further than the limit."""
+        return self._run("bempd_step_to_next_event", load_factor_limit)
+
+    def run_to_separation(self, load_factor_limit: float) -> StepReport:
+        """Go on until the body is separated, no bond can break any more, or the limit is reached."""
+        return self._run("bempd_run_to_separation", load_factor_limit)
+
+    def save(self) -> State:
+        """The state of a prepared model, to come back to or to keep.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> support = model.fix_edge(plate, 4)
+        >>> load = model.add_traction(plate, 2, "x", 3e6)
+        >>> model.prepare()
+        >>> start = model.save()
+        >>> report = model.step(2)
+        >>> model.restore(start)
+        >>> model.load_factor
+        0.0
+        """
+        saved = ffi.new("bempd_state **")
+        self._open().call("bempd_state_save", saved)
+        return State(saved[0])
+
+    def restore(self, state: State) -> None:
+        """Come back to a saved state; loads and supports keep their present values."""
+        if not isinstance(state, State):
+            raise ArgumentError(f"restore: state is a {type(state).__name__}; give what save() or State.from_bytes() made")
+        self._open().call("bempd_state_restore", state.pointer, changes=True)
+
+    def plot(self, quantity: str = "damage", **options: Any) -> Any:
+        """Draw the body with matplotlib; see bempd.plot.draw() for quantities and options. Returns the axes."""
+        from . import plot
+
+        return plot.draw(self, quantity, **options)
+
+    def _run(self, name: str, load_factor: float, goal: Optional[float] = None) -> StepReport:
+        report = new_struct("bempd_step_report")
+        start, finish = (getattr(self._progress, part, None) for part in ("start", "finish"))
+        if start is not None:
+            start(self.load_factor, goal)
+        try:
+            self._open().call(name, load_factor, report, changes=True)
+        finally:
+            if finish is not None:
+                finish()
+        return step_report(report)

@@ -1,0 +1,207 @@
+"""Pictures of models with matplotlib, which only this module needs.
+
+Labels assume SI units. Figures are matplotlib's: change or save them as you like.
+
+>>> import bempd, bempd.plot, matplotlib
+>>> matplotlib.use("Agg")
+>>> model = bempd.Model()
+>>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+>>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 0.2, 0.1), element_length=0.025)
+>>> support = model.fix_edge(plate, 4)
+>>> load = model.add_traction(plate, 2, "y", 1e5)
+>>> report = model.step(1)
+>>> axes = bempd.plot.draw(model, "stress xx", magnification=20)
+>>> axes.get_title()
+'Stress xx, load factor 1, displacements x 20'
+"""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from typing import Any, Literal, Optional, Union
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.animation import PillowWriter
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from . import _arguments as arguments
+from ._bodies import Body, bodies
+from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, Limits, colour_scale, draw_cracks, engineering, paint
+from ._drawing import round_magnification
+from ._results import read_history
+from .errors import ArgumentError, OrderError
+from .model import Model
+
+STYLE = {
+    "font.size": 9,
+    "axes.titlesize": 9.5,
+    "axes.labelsize": 9,
+    "axes.linewidth": 0.7,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "legend.frameon": False,
+    "figure.dpi": 120,
+    "savefig.dpi": 200,
+}
+Magnification = Union[float, Literal["auto"]]
+
+
+def draw(model: Model, quantity: str = "damage", *, axes: Any = None, magnification: Magnification = 0.0,
+         limits: Optional[Limits] = None, cracks: bool = True, colour_bar: bool = True, resolution: int = 20) -> Any:
+    """Draw the body at the present load factor; returns matplotlib's axes.
+
+    quantity       "outline", "lattice" (cells and nodes), "damage", "displacement" (magnitude), "displacement x" and
+                   "y", "stress xx", "yy", "xy", "principal" (largest), "shear" (largest in the plane).
+    axes           where to draw; a figure of its own if not given.
+    magnification  of the displacements in the deformed shape; 0 for the undeformed one, "auto" for a round number.
+    limits         of the colours, in SI units; else from the values, without the outermost percent of stresses.
+    cracks         whether to draw lines along broken bonds, in the undeformed shape.
+    resolution     places across a boundary-element region at which its interior is evaluated.
+    """
+    arguments.choice("draw: quantity", quantity, dict.fromkeys(QUANTITIES))
+    if arguments.whole("draw: resolution", resolution) < 1:
+        raise ArgumentError(f"draw: resolution is {resolution}; it must be at least 1")
+    found = bodies(model, resolution)
+    if not found:
+        raise OrderError("draw: the scene has no region; add one first")
+    if magnification == "auto":
+        magnification = round_magnification(found)
+    magnification = arguments.real("draw: magnification", magnification)
+    if axes is None:
+        with plt.rc_context(STYLE):
+            axes = plt.subplots(figsize=figure_size(found, quantity), layout="constrained")[1]
+    factor, unit = engineering(max(float(np.abs(body.points).max()) for body in found), "m")
+    colours = colour_scale(found, quantity, limits)
+    mapped = paint(axes, found, colours, magnification, factor, mesh=quantity == "lattice")
+    if cracks and magnification == 0:
+        draw_cracks(axes, found, factor, "black" if colours else MARK)
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.margins(0.04)
+    axes.set_xlabel(f"x [{unit}]")
+    axes.set_ylabel(f"y [{unit}]")
+    deformed = f", displacements x {magnification:g}" if magnification else ""
+    axes.set_title(f"{quantity.capitalize()}, load factor {model.load_factor:.6g}{deformed}")
+    if colour_bar and mapped is not None and colours is not None:
+        bar = axes.figure.colorbar(mapped, ax=axes, label=f"{quantity} [{colours.unit}]", pad=0.02, aspect=18,
+                                   ticks=MaxNLocator(7))
+        bar.outline.set_linewidth(0.5)
+    return axes
+
+
+def figure_size(found: list[Body], quantity: str) -> tuple[float, float]:
+    """Inches that give the body about its own shape."""
+    extent = np.ptp(np.concatenate([body.points for body in found]), axis=0)
+    width, height = 5.2 * extent / extent.max()
+    bar = 1.0 if quantity in COLOURS else 0.0
+    return max(float(width) + 0.9 + bar, 3.2), max(float(height) + 0.8, 1.9)
+
+
+def load_displacement(model: Model, support: int, component: str = "x", *, displacement: float = 1.0, axes: Any = None,
+                      label: str = "imposed displacement") -> Any:
+    """Draw the force of a support against its displacement over the whole history; returns matplotlib's axes.
+
+    `displacement` is the support's displacement [m] per unit of the load factor. The first break and the end of growth
+    are marked.
+    """
+    arguments.whole("load_displacement: support", support)
+    arguments.choice("load_displacement: component", component, {"x": 1, "y": 2})
+    with tempfile.TemporaryDirectory() as folder:
+        table = pathlib.Path(folder) / "history.csv"
+        model.write_history(table)
+        history = read_history(table)
+    column = f"reaction_{component}_{support}"
+    if column not in (history.dtype.names or ()):
+        raise ArgumentError(f"load_displacement: support is {support}; there is no support with this id")
+    if not history.size:
+        raise OrderError("load_displacement: there is no history yet; step first")
+    imposed, force = displacement * history["load_factor"], history[column]
+    force = force * np.sign(force[np.argmax(np.abs(force))])
+    (to_length, length_unit), (to_force, force_unit) = (
+        engineering(float(np.abs(values).max()), unit) for values, unit in ((imposed, "m"), (force, "N")))
+    x, y = to_length * imposed, to_force * force
+    if axes is None:
+        with plt.rc_context(STYLE):
+            axes = plt.subplots(figsize=(4.6, 3.2), layout="constrained")[1]
+    axes.plot(np.append(0, x), np.append(0, y), color=CURVE, linewidth=1.3, zorder=2)
+    broken = history["total_broken_bonds"]
+    if broken[-1] > 0:
+        marks = (("first break", "o", np.argmax(broken > 0)), ("end of growth", "s", np.argmax(broken >= broken[-1])))
+        for text, marker, row in marks:
+            axes.plot(x[row], y[row], marker, color=MARK, markersize=5, zorder=3, clip_on=False,
+                      label=f"{text}: {x[row]:.4g} {length_unit}, {y[row]:.3g} {force_unit}")
+        axes.legend(loc="best", handletextpad=0.3)
+    axes.set_xlabel(f"{label} [{length_unit}]")
+    axes.set_ylabel(f"force [{force_unit}]")
+    axes.set_ylim(top=1.12 * float(y.max()))
+    axes.grid(color="#dddddd", linewidth=0.5)
+    axes.set_axisbelow(True)
+    return axes
+
+
+class Movie:
+    """A GIF of a run: add a frame whenever there is something to see.
+
+    with bempd.plot.Movie("crack.gif", model, magnification=20) as movie:
+        for load_factor in range(100, 200, 5):
+            model.step(load_factor)
+            movie.add_frame()
+
+    Options are those of draw(). Scales of colours and axes are those of the first frame unless `limits` are given;
+    damage goes from 0 to 1.
+    """
+
+    def __init__(self, path: Union[str, "os.PathLike[str]"], model: Model, quantity: str = "damage", *,
+                 frames_per_second: float = 10, **options: Any) -> None:
+        self._model, self._quantity, self._options = model, quantity, options
+        if quantity == "damage":
+            options.setdefault("limits", (0.0, 1.0))
+        self._writer = PillowWriter(fps=frames_per_second)
+        self._path = os.fspath(path)
+        self._figure: Optional[Figure] = None
+        self._view: Optional[tuple[Limits, Limits]] = None
+
+    def add_frame(self) -> None:
+        """Draw the model as it is now."""
+        if self._figure is None:
+            self._begin()
+        assert self._figure is not None
+        self._figure.clear()
+        with plt.rc_context(STYLE):
+            axes = draw(self._model, self._quantity, axes=self._figure.add_subplot(), **self._options)
+        if self._view is None:
+            self._view = axes.get_xlim(), axes.get_ylim()
+        axes.set_xlim(self._view[0])
+        axes.set_ylim(self._view[1])
+        self._writer.grab_frame()
+
+    def close(self) -> None:
+        """Write the file; without a frame there is none."""
+        if self._figure is not None:
+            self._writer.finish()
+            self._figure = None
+
+    def __enter__(self) -> Movie:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _begin(self) -> None:
+        found = bodies(self._model, int(self._options.get("resolution", 20)))
+        colours = colour_scale(found, self._quantity, self._options.get("limits"))
+        if colours is not None:
+            self._options["limits"] = (colours.low, colours.high)
+        if self._options.get("magnification") == "auto":
+            self._options["magnification"] = round_magnification(found)
+        # A figure of its own, so that the user's current one stays what it is.
+        self._figure = Figure(figsize=figure_size(found, self._quantity), layout="constrained")
+        FigureCanvasAgg(self._figure)
+        self._writer.setup(self._figure, self._path, dpi=110)

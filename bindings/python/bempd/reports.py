@@ -1,0 +1,125 @@
+"""What steps, bonds and evaluations report."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from ._library import ffi, members
+
+
+class StopReason(enum.IntEnum):
+    """Why a step ended."""
+
+    LOAD_FACTOR = 1  #: the load factor asked for was reached
+    EVENT = 2  #: one event happened
+    SEPARATED = 3  #: the body is separated
+    NO_FURTHER_EVENT = 4  #: no bond can break however far the load goes
+
+
+class BondState(enum.IntEnum):
+    """State of a bond."""
+
+    INTACT = 0
+    BROKEN = 1
+    CUT = 2  #: by an initial crack
+
+
+@dataclasses.dataclass(frozen=True)
+class StepReport:
+    """What a step did."""
+
+    stop_reason: StopReason
+    separated: bool  #: whether the load path is cut
+    events: int  #: in this step: batches of bonds broken at one load factor
+    broken_bonds: int  #: in this step
+    total_events: int  #: since the beginning
+    total_broken_bonds: int  #: since the beginning, without those cut by initial cracks
+    fragments: int  #: pieces come free of all supports, or loaded ones that swing on a hinge
+    load_factor: float  #: reached
+    stored_energy: float  #: elastic energy at the end [J]
+    released_energy: float  #: by breaking bonds since the beginning [J]
+    work: float  #: of loads and supports since the beginning [J]
+    energy_balance_error: float  #: |work - stored - released| over the largest work so far
+    residual: float  #: largest unbalanced force over the largest internal force
+    seconds_total: float  #: wall time of this step
+    seconds_solve: float
+    seconds_update: float
+    seconds_search: float
+
+
+@dataclasses.dataclass(frozen=True)
+class Statistics:
+    """Sizes, counters and times since the model was created."""
+
+    boundary_nodes: int
+    boundary_elements: int
+    material_points: int
+    bonds: int
+    cut_bonds: int
+    broken_bonds: int
+    sparse_unknowns: int
+    factor_nonzeros: int
+    kernel_evaluations: int
+    dense_factorizations: int
+    sparse_factorizations: int
+    factor_updates: int
+    solves: int
+    solver_iterations: int
+    seconds_boundary: float
+    seconds_lattice: float
+    seconds_assembly: float
+    seconds_factorization: float
+    seconds_solve: float
+    seconds_update: float
+    seconds_search: float
+
+
+class Bonds(NamedTuple):
+    """Bonds of a peridynamic region."""
+
+    points: npt.NDArray[np.int32]  #: shape (bonds, 2): indices of material points
+    states: npt.NDArray[np.int32]  #: shape (bonds,): each a BondState
+
+
+class PointValues(NamedTuple):
+    """Values at places in the body."""
+
+    displacement: npt.NDArray[np.float64]  #: shape (n, 2) [m]
+    stress: Optional[npt.NDArray[np.float64]]  #: shape (n, 3): xx, yy, xy [Pa]; None if not asked for
+    region: npt.NDArray[np.int32]  #: shape (n,): the region that holds each place
+
+
+def values_of(struct: Any, name: str) -> dict[str, Any]:
+    """Members of a struct by name."""
+    return {key: getattr(struct, key) for key, _ in members(name)}
+
+
+def step_report(struct: Any) -> StepReport:
+    """The report as a value."""
+    values = values_of(struct, "bempd_step_report")
+    values["stop_reason"] = StopReason(values["stop_reason"])
+    values["separated"] = bool(values["separated"])
+    return StepReport(**values)
+
+
+def rows(structs: Any, name: str) -> npt.NDArray[Any]:
+    """An array of structs as a structured array of their telling members."""
+    dtypes = {"int32_t": np.int32, "int64_t": np.int64, "double": np.float64}
+    fields = dict(ffi.typeof(name).fields)
+    whole = np.dtype({
+        "names": list(fields),
+        "formats": [dtypes[field.type.cname] for field in fields.values()],
+        "offsets": [field.offset for field in fields.values()],
+        "itemsize": ffi.sizeof(name),
+    })
+    kept = [key for key, _ in members(name)]
+    table = np.frombuffer(ffi.buffer(structs), dtype=whole)
+    copied = np.empty(len(table), dtype=[(key, whole[key]) for key in kept])
+    for key in kept:
+        copied[key] = table[key]
+    return copied
