@@ -28,8 +28,8 @@ if(bempd_fortran_modules_fit)
   target_include_directories(bempd::fortran INTERFACE "${bempd_fortran_binary_dir}")
   target_link_libraries(bempd::fortran INTERFACE bempd::bempd)
 else()
-  add_library(bempd_fortran STATIC EXCLUDE_FROM_ALL "${bempd_fortran_source_dir}/bempd_c.f90"
-              "${bempd_fortran_source_dir}/bempd.f90")
+  file(GLOB bempd_fortran_sources "${bempd_fortran_source_dir}/*.f90")
+  add_library(bempd_fortran STATIC EXCLUDE_FROM_ALL ${bempd_fortran_sources})
   add_library(bempd::fortran ALIAS bempd_fortran)
   set_target_properties(bempd_fortran PROPERTIES POSITION_INDEPENDENT_CODE ON
                         Fortran_MODULE_DIRECTORY "${CMAKE_BINARY_DIR}${CMAKE_FILES_DIRECTORY}/bempd_modules")

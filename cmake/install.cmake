@@ -25,8 +25,8 @@ install(FILES "${generated_dir}/bempdConfig.cmake" "${generated_dir}/bempdConfig
         DESTINATION "${package_dir}" COMPONENT development)
 
 # Fortran: the sources for every compiler, and what was compiled for the one at hand.
-install(FILES "${PROJECT_SOURCE_DIR}/bindings/fortran/bempd_c.f90" "${PROJECT_SOURCE_DIR}/bindings/fortran/bempd.f90"
-        DESTINATION "${fortran_source_dir}" COMPONENT development)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/fortran/" DESTINATION "${fortran_source_dir}" COMPONENT development
+        FILES_MATCHING PATTERN "*.f90")
 if(TARGET bempd_fortran)
   get_target_property(fortran_modules bempd_fortran Fortran_MODULE_DIRECTORY)
   install(FILES "$<TARGET_FILE:bempd_fortran>" "${fortran_modules}/bempd_c.mod" "${fortran_modules}/bempd.mod"
