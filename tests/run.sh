@@ -15,7 +15,8 @@ esac
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ pkg-config libeigen3-dev libsuitesparse-dev libopenblas-dev \
-  libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio abigail-tools clang-format
+  libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio abigail-tools clang-format \
+  python3-pycparser bindgen rustfmt gfortran valgrind
 
 jobs=$(nproc)
 summary=()

@@ -7,7 +7,6 @@ from .header import Declaration, Enumeration, Function, Header, Refusal, Structu
 _NUMBERS = {"double", "int32_t", "int64_t"}
 _BYTES = {"char", "uint8_t"}
 _DIRECTIONS = {"in", "out", "in,out"}
-_SIZES = {"count", "capacity", "size"}
 
 
 def check(header: Header) -> list[Refusal]:
@@ -88,7 +87,9 @@ def _is_array(function: Function, argument: Variable) -> bool:
         return True
     if kind.name == "char":
         return not kind.const
-    sized = any(one.name in _SIZES and one.type.pointers == 0 for one in function.arguments)
+    # A function with a count may give one id back; one with a capacity fills arrays.
+    sizes = {"capacity"} if kind.name == "int32_t" else {"count", "capacity", "size"}
+    sized = any(one.name in sizes and one.type.pointers == 0 for one in function.arguments)
     return kind.const or kind.name == "uint8_t" or sized
 
 

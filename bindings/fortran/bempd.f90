@@ -1,0 +1,492 @@
+!> Cracks in two-dimensional elastic bodies, for Fortran.
+!>
+!> Every procedure stands for the function of the same name in bempd_c, whose comment describes the arguments, units and
+!> rules. What differs:
+!>
+!> * points are (2,n), fields (components,n), and counts are the arrays' own;
+!> * nodes, lines of the history and everything else that C counts from 0 are counted from 1 here;
+!> * ids and reports that nobody asks for are left out, as are constant or proportional parts that are 0;
+!> * strings lose their trailing blanks.
+!>
+!> Errors. With stat= the outcome is given there (BEMPD_OK is 0) and errmsg= receives the sentence, cut or padded as by
+!> allocate; last_error() has it in full. Without stat= an error stops the program with the sentence.
+module bempd
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
+  use bempd_c, only: BEMPD_OK, BEMPD_ERROR_ARGUMENT, BEMPD_ERROR_ORDER, BEMPD_ERROR_UNSOLVABLE, &
+    BEMPD_ERROR_CONVERGENCE, BEMPD_ERROR_CANCELLED, BEMPD_ERROR_MEMORY, BEMPD_ERROR_IO, BEMPD_ERROR_INTERNAL, &
+    BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
+    BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, BEMPD_POSITION, &
+    BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_BOND_INTACT, &
+    BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, bempd_step_report, bempd_statistics, bempd_history_entry, &
+    bempd_boundary_function, bempd_progress_function, bempd_log_function
+  implicit none
+  private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
+
+  !> A scene and its state. It cannot be copied; what goes out of scope is freed.
+  type :: bempd_model
+    private
+    type(c_ptr) :: handle = c_null_ptr
+    character(:), allocatable :: sentence  ! of an error that this module found
+  contains
+    procedure :: create, free, last_error
+    procedure, private :: set_option_number, set_option_text, get_option_number, get_option_text, refuse_copy
+    generic :: set_option => set_option_number, set_option_text
+    generic :: get_option => get_option_number, get_option_text
+    generic :: assignment(=) => refuse_copy
+    procedure :: add_material, add_bem_region, add_pd_region, add_hole, set_edge_mesh, add_crack
+    procedure :: region_count, edge_count, node_count, element_count, bond_count
+    procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
+    procedure :: add_traction, add_traction_function, add_point_force, set_load_values, set_support_values
+    procedure :: set_progress, set_log, request_cancel
+    procedure :: prepare, step, step_to_next_event, run_to_separation
+    procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate
+    procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
+    final :: finalize_model
+  end type bempd_model
+
+  !> A saved state of a model. It cannot be copied; what goes out of scope is freed.
+  type :: bempd_state
+    private
+    type(c_ptr) :: handle = c_null_ptr
+  contains
+    procedure :: free => free_state, to_bytes, from_bytes
+    procedure, private :: refuse_copy_of_state
+    generic :: assignment(=) => refuse_copy_of_state
+    final :: finalize_state
+  end type bempd_state
+
+  !> What bempd_get_options says of one option.
+  type :: bempd_option
+    character(:), allocatable :: name, summary, unit, choices, default_text
+    integer(c_int) :: kind  !< BEMPD_OPTION_NUMBER or BEMPD_OPTION_TEXT
+    logical :: whole_number
+    real(c_double) :: default_value, minimum, maximum
+  end type bempd_option
+
+  private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
+    get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, set_edge_mesh, add_crack, &
+    region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
+    prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
+    set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
+    load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate, get_statistics, &
+    history, state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
+    from_bytes, refuse_copy_of_state, finalize_state
+
+  interface
+
+    ! Life and errors.
+    module subroutine create(self, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine create
+    module function last_error(self) result(sentence)
+      class(bempd_model), intent(in) :: self
+      character(:), allocatable :: sentence
+    end function last_error
+
+    ! Options: a number or a word.
+    module subroutine set_option_number(self, name, value, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(c_double), intent(in) :: value
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_option_number
+    module subroutine set_option_text(self, name, value, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: name, value
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_option_text
+    module subroutine get_option_number(self, name, value, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(c_double), intent(out) :: value
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine get_option_number
+    module subroutine get_option_text(self, name, value, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: name
+      character(:), allocatable, intent(out) :: value
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine get_option_text
+
+    ! Materials, regions and cracks.
+    module subroutine add_material(self, young_modulus, poisson_ratio, id, thickness, critical_stretch, &
+        fracture_energy, plane, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: young_modulus, poisson_ratio
+      integer(c_int32_t), intent(out), optional :: id
+      real(c_double), intent(in), optional :: thickness, critical_stretch, fracture_energy
+      integer(c_int32_t), intent(in), optional :: plane
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_material
+    module subroutine add_bem_region(self, material, vertices, element_length, region, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      real(c_double), intent(in) :: vertices(:, :), element_length
+      integer(c_int32_t), intent(out), optional :: region
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_bem_region
+    module subroutine add_pd_region(self, material, vertices, spacing, horizon_ratio, region, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      real(c_double), intent(in) :: vertices(:, :), spacing
+      integer(c_int32_t), intent(in), optional :: horizon_ratio
+      integer(c_int32_t), intent(out), optional :: region
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_pd_region
+    module subroutine add_hole(self, region, vertices, first_edge, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      real(c_double), intent(in) :: vertices(:, :)
+      integer(c_int32_t), intent(out), optional :: first_edge
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_hole
+    module subroutine set_edge_mesh(self, region, edge, element_length, grading, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in) :: element_length
+      real(c_double), intent(in), optional :: grading
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_edge_mesh
+    module subroutine add_crack(self, points, crack, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: points(:, :)
+      integer(c_int32_t), intent(out), optional :: crack
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_crack
+    module subroutine region_count(self, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine region_count
+    module subroutine edge_count(self, region, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int32_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine edge_count
+
+    ! Supports and loads. Without from and to: the whole edge.
+    module subroutine fix_edge(self, region, edge, component, support, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge, component
+      integer(c_int32_t), intent(out), optional :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine fix_edge
+    module subroutine fix_point(self, x, y, component, support, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: x, y
+      integer(c_int32_t), intent(in) :: component
+      integer(c_int32_t), intent(out), optional :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine fix_point
+    module subroutine prescribe_edge(self, region, edge, component, constant, proportional, from, to, support, stat, &
+        errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge, component
+      real(c_double), intent(in), optional :: constant(:), proportional(:), from, to
+      integer(c_int32_t), intent(out), optional :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine prescribe_edge
+    module subroutine prescribe_edge_function(self, region, edge, component, function, user, from, to, support, &
+        stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge, component
+      procedure(bempd_boundary_function) :: function
+      type(c_ptr), intent(in), optional :: user
+      real(c_double), intent(in), optional :: from, to
+      integer(c_int32_t), intent(out), optional :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine prescribe_edge_function
+    module subroutine prescribe_point(self, x, y, component, constant, proportional, support, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: x, y
+      integer(c_int32_t), intent(in) :: component
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine prescribe_point
+    module subroutine add_traction(self, region, edge, component, constant, proportional, from, to, load, stat, &
+        errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge, component
+      real(c_double), intent(in), optional :: constant(:), proportional(:), from, to
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_traction
+    module subroutine add_traction_function(self, region, edge, function, user, from, to, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      procedure(bempd_boundary_function) :: function
+      type(c_ptr), intent(in), optional :: user
+      real(c_double), intent(in), optional :: from, to
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_traction_function
+    module subroutine add_point_force(self, x, y, component, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: x, y
+      integer(c_int32_t), intent(in) :: component
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_point_force
+    module subroutine set_load_values(self, load, constant, proportional, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      real(c_double), intent(in), optional :: constant(:), proportional(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_load_values
+    module subroutine set_support_values(self, support, constant, proportional, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(in), optional :: constant(:), proportional(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_support_values
+
+    ! Callbacks; without a function there is none any more.
+    module subroutine set_progress(self, function, user, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      procedure(bempd_progress_function), optional :: function
+      type(c_ptr), intent(in), optional :: user
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_progress
+    module subroutine set_log(self, function, user, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      procedure(bempd_log_function), optional :: function
+      type(c_ptr), intent(in), optional :: user
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_log
+    module subroutine request_cancel(self, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine request_cancel
+
+    ! Stepping.
+    module subroutine prepare(self, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine prepare
+    module subroutine step(self, load_factor, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: load_factor
+      type(bempd_step_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine step
+    module subroutine step_to_next_event(self, load_factor_limit, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: load_factor_limit
+      type(bempd_step_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine step_to_next_event
+    module subroutine run_to_separation(self, load_factor_limit, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: load_factor_limit
+      type(bempd_step_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine run_to_separation
+
+    ! Results.
+    module subroutine load_factor(self, value, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(out) :: value
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine load_factor
+    module subroutine generation(self, number, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int64_t), intent(out) :: number
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine generation
+    module subroutine node_count(self, region, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int64_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine node_count
+    module subroutine element_count(self, region, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int64_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine element_count
+    module subroutine bond_count(self, region, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int64_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine bond_count
+    module subroutine copy_field(self, region, field, values, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, field
+      real(c_double), allocatable, intent(out) :: values(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine copy_field
+    module subroutine view_field(self, region, field, values, generation, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, field
+      real(c_double), pointer, intent(out) :: values(:, :)
+      integer(c_int64_t), intent(out), optional :: generation
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine view_field
+    module subroutine copy_elements(self, region, nodes, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int32_t), allocatable, intent(out) :: nodes(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine copy_elements
+    module subroutine copy_bonds(self, region, points, states, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int32_t), allocatable, intent(out) :: points(:, :)
+      integer(c_int32_t), allocatable, intent(out), optional :: states(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine copy_bonds
+    module subroutine reaction(self, support, force, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(out) :: force(2)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine reaction
+    module subroutine evaluate(self, points, displacement, stress, regions, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: points(:, :)
+      real(c_double), allocatable, intent(out), optional :: displacement(:, :), stress(:, :)
+      integer(c_int32_t), allocatable, intent(out), optional :: regions(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine evaluate
+    module subroutine get_statistics(self, statistics, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_statistics), intent(out) :: statistics
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine get_statistics
+    module subroutine history(self, entries, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_history_entry), allocatable, intent(out) :: entries(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine history
+
+    ! State and files.
+    module subroutine state_save(self, state, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      class(bempd_state), intent(inout) :: state
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine state_save
+    module subroutine state_restore(self, state, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      class(bempd_state), intent(in) :: state
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine state_restore
+    module subroutine write_snapshot(self, prefix, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: prefix
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine write_snapshot
+    module subroutine write_history(self, path, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: path
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine write_history
+
+    module subroutine free(self)
+      class(bempd_model), intent(inout) :: self
+    end subroutine free
+    impure elemental module subroutine finalize_model(self)
+      type(bempd_model), intent(inout) :: self
+    end subroutine finalize_model
+    module subroutine refuse_copy(left, right)
+      class(bempd_model), intent(inout) :: left
+      type(bempd_model), intent(in) :: right
+    end subroutine refuse_copy
+    module subroutine free_state(self)
+      class(bempd_state), intent(inout) :: self
+    end subroutine free_state
+    impure elemental module subroutine finalize_state(self)
+      type(bempd_state), intent(inout) :: self
+    end subroutine finalize_state
+    module subroutine refuse_copy_of_state(left, right)
+      class(bempd_state), intent(inout) :: left
+      type(bempd_state), intent(in) :: right
+    end subroutine refuse_copy_of_state
+    module subroutine to_bytes(self, bytes, stat, errmsg)
+      class(bempd_state), intent(in) :: self
+      integer(c_int8_t), allocatable, intent(out) :: bytes(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine to_bytes
+    module subroutine from_bytes(self, bytes, stat, errmsg)
+      class(bempd_state), intent(inout) :: self
+      integer(c_int8_t), intent(in) :: bytes(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine from_bytes
+
+    ! Without a model.
+    module subroutine bempd_get_options(options, stat, errmsg)
+      type(bempd_option), allocatable, intent(out) :: options(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine bempd_get_options
+    module function bempd_version() result(text)
+      character(:), allocatable :: text
+    end function bempd_version
+    module function bempd_build() result(text)
+      character(:), allocatable :: text
+    end function bempd_build
+    module function bempd_status_word(status) result(text)
+      integer, intent(in) :: status
+      character(:), allocatable :: text
+    end function bempd_status_word
+    !> A zero-terminated string, such as the message that a log function receives.
+    module function bempd_text(letters) result(text)
+      character(kind=c_char), intent(in) :: letters(*)
+      character(:), allocatable :: text
+    end function bempd_text
+  end interface
+end module bempd

@@ -1,0 +1,202 @@
+!> Stepping, results, state and files of the module bempd.
+submodule (bempd:bempd_support) bempd_results
+  implicit none
+contains
+
+  module procedure prepare
+    call finish(self, bempd_prepare(self%handle), stat, errmsg)
+  end procedure prepare
+
+  module procedure step
+    type(bempd_step_report), target :: done
+    integer(c_int) :: status
+
+    status = bempd_step_report_init(done, c_sizeof(done))
+    call finish(self, bempd_step(self%handle, load_factor, c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure step
+
+  module procedure step_to_next_event
+    type(bempd_step_report), target :: done
+    integer(c_int) :: status
+
+    status = bempd_step_report_init(done, c_sizeof(done))
+    call finish(self, bempd_step_to_next_event(self%handle, load_factor_limit, c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure step_to_next_event
+
+  module procedure run_to_separation
+    type(bempd_step_report), target :: done
+    integer(c_int) :: status
+
+    status = bempd_step_report_init(done, c_sizeof(done))
+    call finish(self, bempd_run_to_separation(self%handle, load_factor_limit, c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure run_to_separation
+
+  module procedure load_factor
+    call finish(self, bempd_load_factor(self%handle, value), stat, errmsg)
+  end procedure load_factor
+
+  module procedure generation
+    call finish(self, bempd_generation(self%handle, number), stat, errmsg)
+  end procedure generation
+
+  module procedure region_count
+    call finish(self, bempd_region_count(self%handle, count), stat, errmsg)
+  end procedure region_count
+
+  module procedure edge_count
+    call finish(self, bempd_edge_count(self%handle, region, count), stat, errmsg)
+  end procedure edge_count
+
+  module procedure node_count
+    call finish(self, bempd_node_count(self%handle, region, count), stat, errmsg)
+  end procedure node_count
+
+  module procedure element_count
+    call finish(self, bempd_element_count(self%handle, region, count), stat, errmsg)
+  end procedure element_count
+
+  module procedure bond_count
+    call finish(self, bempd_bond_count(self%handle, region, count), stat, errmsg)
+  end procedure bond_count
+
+  module procedure reaction
+    call finish(self, bempd_reaction(self%handle, support, force), stat, errmsg)
+  end procedure reaction
+
+  module procedure get_statistics
+    integer(c_int) :: status
+
+    status = bempd_statistics_init(statistics, c_sizeof(statistics))
+    call finish(self, bempd_get_statistics(self%handle, statistics), stat, errmsg)
+  end procedure get_statistics
+
+  module procedure write_snapshot
+    call finish(self, bempd_write_snapshot(self%handle, c_string(prefix)), stat, errmsg)
+  end procedure write_snapshot
+
+  module procedure write_history
+    call finish(self, bempd_write_history(self%handle, c_string(path)), stat, errmsg)
+  end procedure write_history
+
+  module procedure state_save
+    call state%free()
+    call finish(self, bempd_state_save(self%handle, state%handle), stat, errmsg)
+  end procedure state_save
+
+  module procedure state_restore
+    call finish(self, bempd_state_restore(self%handle, state%handle), stat, errmsg)
+  end procedure state_restore
+
+  module procedure copy_field
+    integer(c_int64_t), target :: count
+    integer(c_int32_t), target :: components
+    integer(c_int) :: status
+
+    count = 0
+    components = 0
+    status = bempd_field_size(self%handle, region, field, c_loc(count), c_loc(components))
+    allocate (values(components, count))
+    if (status == BEMPD_OK) status = bempd_copy_field(self%handle, region, field, size(values, kind=c_int64_t), values)
+    call finish(self, status, stat, errmsg)
+  end procedure copy_field
+
+  module procedure view_field
+    type(c_ptr) :: address
+    integer(c_int64_t), target :: count, stamp
+    integer(c_int32_t), target :: components
+    integer(c_int) :: status
+
+    nullify (values)
+    stamp = 0
+    address = c_null_ptr
+    status = bempd_view_field(self%handle, region, field, address, c_loc(count), c_loc(components), c_loc(stamp))
+    if (status == BEMPD_OK .and. c_associated(address)) &
+      call c_f_pointer(address, values, [int(components, c_int64_t), count])
+    if (present(generation)) generation = stamp
+    call finish(self, status, stat, errmsg)
+  end procedure view_field
+
+  module procedure copy_elements
+    integer(c_int64_t) :: count, bonds
+    integer(c_int) :: status
+    integer :: corners
+
+    ! Only lattices have bonds: their cells have four corners, a boundary element has three nodes.
+    count = 0
+    corners = merge(4, 3, bempd_bond_count(self%handle, region, bonds) == BEMPD_OK)
+    status = bempd_element_count(self%handle, region, count)
+    allocate (nodes(corners, count), source=0_c_int32_t)
+    if (status == BEMPD_OK) status = bempd_copy_elements(self%handle, region, size(nodes, kind=c_int64_t), nodes)
+    nodes = nodes + 1
+    call finish(self, status, stat, errmsg)
+  end procedure copy_elements
+
+  module procedure copy_bonds
+    integer(c_int32_t), allocatable, target :: ends(:, :), all_states(:)
+    integer(c_int64_t) :: count
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_bond_count(self%handle, region, count)
+    allocate (ends(2, count), all_states(count))
+    if (status == BEMPD_OK) status = bempd_copy_bonds(self%handle, region, count, c_loc(ends), c_loc(all_states))
+    points = ends + 1
+    if (present(states)) states = all_states
+    call finish(self, status, stat, errmsg)
+  end procedure copy_bonds
+
+  module procedure evaluate
+    real(c_double), allocatable, target :: u(:, :), s(:, :)
+    integer(c_int32_t), allocatable, target :: ids(:)
+    integer(c_int64_t) :: count
+
+    if (.not. are_points(self, "bempd_evaluate", "points", points, stat, errmsg)) return
+    count = size(points, 2)
+    allocate (u(2, count), s(3, count), source=0.0_c_double)
+    allocate (ids(count), source=0_c_int32_t)
+    call finish(self, bempd_evaluate(self%handle, count, points, merge(c_loc(u), c_null_ptr, present(displacement)), &
+      merge(c_loc(s), c_null_ptr, present(stress)), c_loc(ids)), stat, errmsg)
+    if (present(displacement)) call move_alloc(u, displacement)
+    if (present(stress)) call move_alloc(s, stress)
+    if (present(regions)) call move_alloc(ids, regions)
+  end procedure evaluate
+
+  module procedure history
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_history_count(self%handle, count)
+    allocate (entries(count))
+    do k = 1, count
+      status = bempd_history_entry_init(entries(k), c_sizeof(entries(k)))
+      status = bempd_history(self%handle, k - 1, entries(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure history
+
+  module procedure to_bytes
+    integer(c_int8_t), allocatable, target :: buffer(:)
+    integer(c_int64_t), target :: needed
+    integer(c_int) :: status
+
+    needed = 0
+    status = bempd_state_to_bytes(self%handle, 0_c_int64_t, c_null_ptr, c_loc(needed))
+    allocate (buffer(needed))
+    if (status == BEMPD_OK) status = bempd_state_to_bytes(self%handle, needed, c_loc(buffer), c_null_ptr)
+    call move_alloc(buffer, bytes)
+    call conclude(status, text_at(bempd_last_error(c_null_ptr)), stat, errmsg)
+  end procedure to_bytes
+
+  module procedure from_bytes
+    integer(c_int) :: status
+
+    call self%free()
+    status = bempd_state_from_bytes(size(bytes, kind=c_int64_t), bytes, self%handle)
+    call conclude(status, text_at(bempd_last_error(c_null_ptr)), stat, errmsg)
+  end procedure from_bytes
+end submodule bempd_results

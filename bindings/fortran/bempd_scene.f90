@@ -1,0 +1,216 @@
+!> Options, scene, conditions and callbacks of the module bempd.
+submodule (bempd:bempd_support) bempd_scene
+  implicit none
+contains
+
+  module procedure set_option_number
+    call finish(self, bempd_set_option(self%handle, c_string(name), value), stat, errmsg)
+  end procedure set_option_number
+
+  module procedure set_option_text
+    call finish(self, bempd_set_option_text(self%handle, c_string(name), c_string(value)), stat, errmsg)
+  end procedure set_option_text
+
+  module procedure get_option_number
+    call finish(self, bempd_get_option(self%handle, c_string(name), value), stat, errmsg)
+  end procedure get_option_number
+
+  module procedure get_option_text
+    character(kind=c_char), allocatable, target :: letters(:)
+    integer(c_int64_t), target :: needed
+    integer(c_int) :: status
+
+    needed = 0
+    status = bempd_get_option_text(self%handle, c_string(name), c_null_ptr, 0_c_int64_t, c_loc(needed))
+    if (status == BEMPD_OK) then
+      allocate (letters(needed))
+      status = bempd_get_option_text(self%handle, c_string(name), c_loc(letters), needed, c_null_ptr)
+      if (status == BEMPD_OK) value = bempd_text(letters)
+    end if
+    call finish(self, status, stat, errmsg)
+  end procedure get_option_text
+
+  module procedure add_material
+    type(bempd_material) :: material
+    integer(c_int) :: status
+    integer(c_int32_t), target :: new
+
+    status = bempd_material_init(material, c_sizeof(material))
+    material%young_modulus = young_modulus
+    material%poisson_ratio = poisson_ratio
+    if (present(thickness)) material%thickness = thickness
+    if (present(critical_stretch)) material%critical_stretch = critical_stretch
+    if (present(fracture_energy)) material%fracture_energy = fracture_energy
+    if (present(plane)) material%plane = plane
+    new = 0
+    call finish(self, bempd_add_material(self%handle, material, c_loc(new)), stat, errmsg)
+    call give(new, id)
+  end procedure add_material
+
+  module procedure add_bem_region
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_points(self, "bempd_add_bem_region", "vertices", vertices, stat, errmsg)) then
+      call finish(self, bempd_add_bem_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
+        element_length, c_loc(new)), stat, errmsg)
+    end if
+    call give(new, region)
+  end procedure add_bem_region
+
+  module procedure add_pd_region
+    integer(c_int32_t) :: ratio
+    integer(c_int32_t), target :: new
+
+    ratio = 0
+    if (present(horizon_ratio)) ratio = horizon_ratio
+    new = 0
+    if (are_points(self, "bempd_add_pd_region", "vertices", vertices, stat, errmsg)) then
+      call finish(self, bempd_add_pd_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, spacing, &
+        ratio, c_loc(new)), stat, errmsg)
+    end if
+    call give(new, region)
+  end procedure add_pd_region
+
+  module procedure add_hole
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_points(self, "bempd_add_hole", "vertices", vertices, stat, errmsg)) then
+      call finish(self, bempd_add_hole(self%handle, region, size(vertices, 2, c_int64_t), vertices, c_loc(new)), stat, &
+        errmsg)
+    end if
+    call give(new, first_edge)
+  end procedure add_hole
+
+  module procedure set_edge_mesh
+    call finish(self, bempd_set_edge_mesh(self%handle, region, edge, element_length, value_or(grading, 1.0_c_double)), &
+      stat, errmsg)
+  end procedure set_edge_mesh
+
+  module procedure add_crack
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_points(self, "bempd_add_crack", "points", points, stat, errmsg)) then
+      call finish(self, bempd_add_crack(self%handle, size(points, 2, c_int64_t), points, c_loc(new)), stat, errmsg)
+    end if
+    call give(new, crack)
+  end procedure add_crack
+
+  module procedure fix_edge
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_fix_edge(self%handle, region, edge, component, c_loc(new)), stat, errmsg)
+    call give(new, support)
+  end procedure fix_edge
+
+  module procedure fix_point
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_fix_point(self%handle, x, y, component, c_loc(new)), stat, errmsg)
+    call give(new, support)
+  end procedure fix_point
+
+  module procedure prescribe_edge
+    type(value_parts), target :: parts
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_values(self, "bempd_prescribe_edge", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_prescribe_edge(self%handle, region, edge, value_or(from, 0.0_c_double), value_or(to, &
+        1.0_c_double), component, parts%count, c_loc(parts%constant), c_loc(parts%proportional), c_loc(new)), stat, &
+        errmsg)
+    end if
+    call give(new, support)
+  end procedure prescribe_edge
+
+  module procedure prescribe_edge_function
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_prescribe_edge_function(self%handle, region, edge, value_or(from, 0.0_c_double), &
+      value_or(to, 1.0_c_double), component, c_funloc(function), address_or_null(user), c_loc(new)), stat, errmsg)
+    call give(new, support)
+  end procedure prescribe_edge_function
+
+  module procedure prescribe_point
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_prescribe_point(self%handle, x, y, component, value_or(constant, 0.0_c_double), &
+      value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
+    call give(new, support)
+  end procedure prescribe_point
+
+  module procedure add_traction
+    type(value_parts), target :: parts
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_values(self, "bempd_add_traction", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_add_traction(self%handle, region, edge, value_or(from, 0.0_c_double), value_or(to, &
+        1.0_c_double), component, parts%count, c_loc(parts%constant), c_loc(parts%proportional), c_loc(new)), stat, &
+        errmsg)
+    end if
+    call give(new, load)
+  end procedure add_traction
+
+  module procedure add_traction_function
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_traction_function(self%handle, region, edge, value_or(from, 0.0_c_double), &
+      value_or(to, 1.0_c_double), c_funloc(function), address_or_null(user), c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_traction_function
+
+  module procedure add_point_force
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_point_force(self%handle, x, y, component, value_or(constant, 0.0_c_double), &
+      value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_point_force
+
+  module procedure set_load_values
+    type(value_parts), target :: parts
+
+    if (are_values(self, "bempd_set_load_values", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_set_load_values(self%handle, load, parts%count, c_loc(parts%constant), &
+        c_loc(parts%proportional)), stat, errmsg)
+    end if
+  end procedure set_load_values
+
+  module procedure set_support_values
+    type(value_parts), target :: parts
+
+    if (are_values(self, "bempd_set_support_values", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_set_support_values(self%handle, support, parts%count, c_loc(parts%constant), &
+        c_loc(parts%proportional)), stat, errmsg)
+    end if
+  end procedure set_support_values
+
+  module procedure set_progress
+    type(c_funptr) :: address
+
+    address = c_null_funptr
+    if (present(function)) address = c_funloc(function)
+    call finish(self, bempd_set_progress(self%handle, address, address_or_null(user)), stat, errmsg)
+  end procedure set_progress
+
+  module procedure set_log
+    type(c_funptr) :: address
+
+    address = c_null_funptr
+    if (present(function)) address = c_funloc(function)
+    call finish(self, bempd_set_log(self%handle, address, address_or_null(user)), stat, errmsg)
+  end procedure set_log
+
+  module procedure request_cancel
+    call finish(self, bempd_request_cancel(self%handle), stat, errmsg)
+  end procedure request_cancel
+end submodule bempd_scene
