@@ -26,7 +26,7 @@ class Body:
     displacement: FloatArray  #: shape (n, 2)
     stress: FloatArray  #: shape (n, 3)
     damage: FloatArray  #: shape (n,); zero in BEM regions
-    triangles: IntArray  #: shape (m, 3), without cells that a crack cuts
+    triangles: IntArray  #: shape (m, 3)
     outline: list[IntArray]  #: closed loops of points of a BEM region; empty for a lattice
     nodes: IntArray  #: those of the points that are nodes
     cells: IntArray  #: shape (c, 4): lattice cells; empty in BEM regions
@@ -61,9 +61,8 @@ def lattice_body(model: Model, region: int, cells: IntArray, resolution: int) ->
     pairs = list(itertools.combinations(range(4), 2))
     broken = np.stack([np.isin(pair_keys(cells[:, pair], len(points)), parted) for pair in pairs], axis=1)
     cut = broken.any(axis=1)
-    whole = cells[~cut]
     return Body(points, model.field(region, "displacement"), model.field(region, "stress"), model.field(region, "damage"),
-                np.concatenate([whole[:, [0, 1, 2]], whole[:, [0, 2, 3]]]), [],
+                halves(cells), [],
                 np.arange(len(points), dtype=np.int32), cells, cut,
                 crack_segments(points, cells, broken[:, [pairs.index(side) for side in ((0, 1), (1, 2), (2, 3), (0, 3))]]))
 
@@ -78,18 +77,42 @@ def free_sides(cells: IntArray) -> IntArray:
     """Pairs of points of the sides that belong to one cell only."""
     sides = np.sort(np.concatenate([cells[:, [k, (k + 1) % 4]] for k in range(4)]), axis=1)
     unique, count = np.unique(sides, axis=0, return_counts=True)
-    return unique[count == 1]
+    outer: IntArray = unique[count == 1]
+    return outer
+
+
+def halves(cells: IntArray) -> IntArray:
+    """Two triangles for each cell."""
+    return np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
 
 
 def crack_segments(points: FloatArray, cells: IntArray, broken: npt.NDArray[np.bool_]) -> FloatArray:
-    """Lines between the midpoints of the broken sides of each cell; `broken` has a column for each side."""
+    """Lines through cells between the midpoints of broken sides; `broken` has a column for each side.
+
+    Strains are small, so where a crack steps sideways between two rows of the lattice it leaves the bond along the step
+    unstretched and whole: there two neighbours have one broken side each, and the line goes from one to the other.
+    """
     middles = np.stack([(points[cells[:, k]] + points[cells[:, (k + 1) % 4]]) / 2 for k in range(4)], axis=1)
     count = broken.sum(axis=1)
-    two = middles[count == 2][broken[count == 2]].reshape(-1, 2, 2)
-    centre = points[cells].mean(axis=1)
-    # Where more than two sides are broken branches meet in the cell's centre.
-    cell, side = np.nonzero(broken & (count > 2)[:, None])
-    return np.concatenate([two, np.stack([middles[cell, side], centre[cell]], axis=1)])
+    through = middles[count == 2][broken[count == 2]].reshape(-1, 2, 2)
+    ends = np.flatnonzero(count == 1)
+    # The shared side is next to the broken one; across the opposite side lies another stretch of the crack.
+    steps = ends[neighbours(cells[ends], broken[ends] | np.roll(broken[ends], 2, axis=1), len(points))]
+    across = middles[steps][broken[steps]].reshape(-1, 2, 2)
+    # Where three or four sides are broken branches meet in the cell's centre; in it lies the tip where one is.
+    lone = (count > 2) | ((count == 1) & ~np.isin(np.arange(len(cells)), steps))
+    cell, side = np.nonzero(broken & lone[:, None])
+    return np.concatenate([through, across, np.stack([middles[cell, side], points[cells[cell]].mean(axis=1)], axis=1)])
+
+
+def neighbours(cells: IntArray, left_out: npt.NDArray[np.bool_], count: int) -> npt.NDArray[np.int64]:
+    """Pairs of cells that share a side which neither leaves out, shape (n, 2)."""
+    keys = np.stack([pair_keys(cells[:, [k, (k + 1) % 4]], count) for k in range(4)], axis=1)
+    keys = np.where(left_out, -1 - np.arange(keys.size).reshape(keys.shape), keys)
+    _, group, times = np.unique(keys, return_inverse=True, return_counts=True)
+    group = group.reshape(-1)
+    shared = np.flatnonzero(times[group] == 2)
+    return shared[np.argsort(group[shared], kind="stable")].reshape(-1, 2) // 4
 
 
 def boundary_body(model: Model, region: int, elements: IntArray, resolution: int) -> Body:
@@ -144,7 +167,8 @@ def interior_places(rim: FloatArray, outline: list[IntArray], step: float) -> Fl
     grid = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
     grid = grid[inside(grid, rim, outline)]
     far = np.array([np.min(np.hypot(*(rim - place).T)) > 0.6 * step for place in grid], dtype=bool)
-    return grid[far]
+    kept: FloatArray = grid[far]
+    return kept
 
 
 def inside(places: FloatArray, rim: FloatArray, outline: list[IntArray]) -> npt.NDArray[np.bool_]:

@@ -7,8 +7,10 @@ from typing import Any, Optional, Tuple
 
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
-from ._bodies import Body, free_sides, quantity_values
+from ._bodies import Body, free_sides, halves, quantity_values
 
 BODY_FACE, BODY_EDGE, CURVE, MARK = "#e9ebee", "#6d737c", "#1f4e79", "#b3261e"
 # Signed quantities get two colours that part at zero.
@@ -33,7 +35,17 @@ class ColourScale:
 
     def values(self, body: Body) -> Any:
         """Values at the points of a body within the limits, in the unit of the scale."""
-        return self.factor * np.clip(quantity_values(body, self.quantity), self.low, self.high)
+        levels = self.levels()
+        # A hair inside: contours leave out what rounding puts beyond the outermost level.
+        hair = 1e-9 * (levels[-1] - levels[0])
+        return np.clip(self.factor * quantity_values(body, self.quantity), levels[0] + hair, levels[-1] - hair)
+
+    def norm(self) -> Normalize:
+        """Positions in the colour map: those of signed quantities have zero in the middle."""
+        low, high = self.factor * self.low, self.factor * self.high
+        if COLOURS[self.quantity] == SIGNED:
+            low, high = min(low, -high), max(high, -low)
+        return Normalize(low, high)
 
     def levels(self) -> Any:
         """Borders of the colours of contours, in the unit of the scale."""
@@ -55,8 +67,6 @@ def colour_scale(found: list[Body], quantity: str, limits: Optional[Limits]) -> 
         low, high = (float(value) for value in np.quantile(values, (0.01, 0.99)))
         if COLOURS[quantity] == UNSIGNED:
             low = 0.0
-        elif low < 0 < high:
-            low, high = -max(-low, high), max(-low, high)
     largest = max(abs(low), abs(high))
     high = max(high, low + max(1e-6 * largest, 1e-300))
     factor, shown_unit = engineering(largest, unit) if unit != "-" else (1.0, unit)
@@ -90,19 +100,20 @@ def paint(axes: Any, found: list[Body], colours: Optional[ColourScale], magnific
         points = factor * body.shown(magnification)
         # In the deformed shape a crack is the gap that the cut cells leave.
         cells = body.cells if magnification == 0 else body.cells[~body.cut]
+        triangles = halves(cells) if body.is_lattice else body.triangles
         if colours is None or (colours.quantity == "damage" and not body.is_lattice):
-            paint_plain(axes, points, body.triangles)
+            paint_plain(axes, points, triangles)
         elif colours.quantity == "damage":
             mapped = paint_cells(axes, points, cells, colours, colours.values(body))
-        elif len(body.triangles):
-            mapped = axes.tricontourf(*points.T, body.triangles, colours.values(body), levels=colours.levels(),
-                                      cmap=COLOURS[colours.quantity], zorder=2)
+        elif len(triangles):
+            mapped = axes.tricontourf(*points.T, triangles, colours.values(body), levels=colours.levels(),
+                                      cmap=COLOURS[colours.quantity], norm=colours.norm(), zorder=2)
         if mesh and body.is_lattice:
             draw_lattice(axes, points, cells)
         elif mesh:
             axes.plot(*points[body.nodes].T, ".", color=MARK, markersize=3, zorder=5)
-        lines = points[free_sides(cells)] if body.is_lattice else [points[line] for line in body.outline]
-        axes.add_collection(LineCollection(list(lines), colors=BODY_EDGE, linewidths=0.8, zorder=4))
+        outline: Any = free_sides(cells) if body.is_lattice else body.outline
+        axes.add_collection(LineCollection([points[line] for line in outline], colors=BODY_EDGE, linewidths=0.8, zorder=4))
     return mapped
 
 
@@ -114,7 +125,7 @@ def draw_cracks(axes: Any, found: list[Body], factor: float, colour: str) -> Non
 
 def paint_plain(axes: Any, points: Any, triangles: Any) -> None:
     """A face without values."""
-    axes.add_collection(PolyCollection(points[triangles], facecolors=BODY_FACE, edgecolors=BODY_FACE, linewidths=0.3,
+    axes.add_collection(PolyCollection(points[triangles], facecolors=BODY_FACE, edgecolors=BODY_FACE, linewidths=0.8,
                                        zorder=1))
 
 
@@ -122,7 +133,7 @@ def paint_cells(axes: Any, points: Any, cells: Any, colours: ColourScale, values
     """Lattice cells by the mean of their corners."""
     painted = PolyCollection(points[cells], cmap=COLOURS[colours.quantity], edgecolors="face", linewidths=0.2, zorder=2)
     painted.set_array(values[cells].mean(axis=1))
-    painted.set_clim(colours.factor * colours.low, colours.factor * colours.high)
+    painted.set_norm(colours.norm())
     painted.set_rasterized(True)
     axes.add_collection(painted)
     return painted
@@ -132,3 +143,13 @@ def draw_lattice(axes: Any, points: Any, cells: Any) -> None:
     """Lattice cells with the material points."""
     axes.add_collection(PolyCollection(points[cells], facecolors="none", edgecolors="#aab0b8", linewidths=0.3, zorder=2))
     axes.plot(*points.T, ".", color=CURVE, markersize=1.5, zorder=3)
+
+
+def add_colour_bar(axes: Any, mapped: Any, label: str) -> None:
+    """A bar as high as the axes, whatever the shape of the body."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    width, height = right - left, high - low
+    place = axes.inset_axes([1 + 0.02 * max(width, height) / width, 0, 0.025 * max(width, height) / width, 1])
+    bar = axes.figure.colorbar(mapped, cax=place, label=label, ticks=MaxNLocator(max(3, int(7 * min(1, 2 * height / width)))))
+    bar.outline.set_linewidth(0.5)
+    place.tick_params(labelsize=8, width=0.7)

@@ -27,12 +27,11 @@ import numpy as np
 from matplotlib.animation import PillowWriter
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
 from . import _arguments as arguments
 from ._bodies import Body, bodies
 from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, Limits, colour_scale, draw_cracks, engineering, paint
-from ._drawing import round_magnification
+from ._drawing import add_colour_bar, round_magnification
 from ._results import read_history
 from .errors import ArgumentError, OrderError
 from .model import Model
@@ -83,6 +82,7 @@ def draw(model: Model, quantity: str = "damage", *, axes: Any = None, magnificat
     if cracks and magnification == 0:
         draw_cracks(axes, found, factor, "black" if colours else MARK)
     axes.set_aspect("equal")
+    axes.use_sticky_edges = False
     axes.autoscale_view()
     axes.margins(0.04)
     axes.set_xlabel(f"x [{unit}]")
@@ -90,9 +90,7 @@ def draw(model: Model, quantity: str = "damage", *, axes: Any = None, magnificat
     deformed = f", displacements x {magnification:g}" if magnification else ""
     axes.set_title(f"{quantity.capitalize()}, load factor {model.load_factor:.6g}{deformed}")
     if colour_bar and mapped is not None and colours is not None:
-        bar = axes.figure.colorbar(mapped, ax=axes, label=f"{quantity} [{colours.unit}]", pad=0.02, aspect=18,
-                                   ticks=MaxNLocator(7))
-        bar.outline.set_linewidth(0.5)
+        add_colour_bar(axes, mapped, f"{quantity} [{colours.unit}]")
     return axes
 
 
@@ -126,6 +124,7 @@ def load_displacement(model: Model, support: int, component: str = "x", *, displ
     force = force * np.sign(force[np.argmax(np.abs(force))])
     (to_length, length_unit), (to_force, force_unit) = (
         engineering(float(np.abs(values).max()), unit) for values, unit in ((imposed, "m"), (force, "N")))
+    force[np.abs(force) < 1e-9 * np.abs(force).max()] = 0  # rounding of a body in two
     x, y = to_length * imposed, to_force * force
     if axes is None:
         with plt.rc_context(STYLE):
