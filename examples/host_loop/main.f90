@@ -12,8 +12,8 @@
       MODULE MACHIN
       IMPLICIT NONE
       DOUBLE PRECISION, PARAMETER :: SPEED = 1.0D-2, STIFF = 2.0D6, GRIP = 5.0D0, DAMP = 1.0D3
-      DOUBLE PRECISION, PARAMETER :: DTMAX = 1.0D-3, DTMIN = 1.0D-7, TOL = 1.0D-6
-      INTEGER, PARAMETER :: ITMAX = 12, NBMAX = 40, MXSTEP = 400
+      DOUBLE PRECISION, PARAMETER :: DTMAX = 2.0D-3, DTMIN = 1.0D-7, TOL = 1.0D-6
+      INTEGER, PARAMETER :: ITMAX = 12, NBMAX = 50, MXSTEP = 400
       END MODULE MACHIN
 
       PROGRAM HSTLOP
@@ -43,7 +43,7 @@
         DO
           CALL TRIAL(SPECIM, START, LSUPP, T, DT, U, V, UNEW, F, NBROK, ITER, APART, GOOD)
           IF (GOOD .AND. (NBROK <= NBMAX .OR. DT < 2.0D0 * DTMIN)) EXIT
-          IF (DT < 2.0D0 * DTMIN) STOP 'the step did not converge with the smallest time increment'
+          IF (DT < 2.0D0 * DTMIN) ERROR STOP 'the step did not converge with the smallest time increment'
           DT = 0.5D0 * DT
           NCUT = NCUT + 1
         END DO
@@ -61,7 +61,7 @@
         IF (NBROK < NBMAX / 2 .AND. NCUT == 0) DT = MIN(2.0D0 * DT, DTMAX)
       END DO
 
-      IF (.NOT. APART) STOP 'the specimen still holds'
+      IF (.NOT. APART) ERROR STOP 'the specimen still holds'
       PRINT '(A, F8.2, A, I5, A, I4, A)', 'the specimen is in two: largest force', FMAX, ' N,', NTOTAL, ' bonds,', NREPET, &
         ' steps repeated with a smaller increment'
       CALL SPECIM%FREE()
@@ -76,7 +76,7 @@
       INTEGER, INTENT(OUT) :: LSUPP
       DOUBLE PRECISION :: BOX(2, 4), CRACK(2, 2), WIDTH
       INTEGER :: MAT, K
-      DATA CRACK / 0.0295D0, 0.0D0, 0.0295D0, 0.0045D0 /
+      DATA CRACK / 0.0295D0, 0.0D0, 0.0295D0, 0.0105D0 /
 
       WIDTH = 0.02D0
       CALL SPECIM%CREATE()
