@@ -104,14 +104,10 @@ def call(name: str, *arguments: Any) -> None:
     check(invoke(name, *arguments))
 
 
-def new_struct(name: str) -> Any:
-    """A struct filled by its _init function, or with its size where it has none."""
+def new_struct(name: str, initialize: str) -> Any:
+    """A struct filled by its _init function."""
     struct = ffi.new(f"{name} *")
-    size = ffi.sizeof(name)
-    if f"{name}_init" in ARGUMENT_NAMES:
-        call(f"{name}_init", struct, size)
-    else:
-        struct.struct_size = size
+    call(initialize, struct, ffi.sizeof(name))
     return struct
 
 

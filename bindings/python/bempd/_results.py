@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _arguments as arguments
 from ._arguments import FloatArray
 from ._handle import Handle
-from ._library import ffi, lib, new_struct
+from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
 from .reports import Bonds, PointValues, Statistics, rows, values_of
 
@@ -149,7 +149,7 @@ class Results:
 
     def statistics(self) -> Statistics:
         """Sizes, counters and times so far."""
-        struct = new_struct("bempd_statistics")
+        struct = new_struct("bempd_statistics", "bempd_statistics_init")
         self._open().call("bempd_get_statistics", struct)
         return Statistics(**values_of(struct, "bempd_statistics"))
 
@@ -162,7 +162,7 @@ class Results:
         count = int(self._number("bempd_history_count", "int64_t"))
         entries = ffi.new("bempd_history_entry[]", max(count, 1))
         for index in range(count):
-            entries[index].struct_size = ffi.sizeof("bempd_history_entry")
+            call("bempd_history_entry_init", entries + index, ffi.sizeof("bempd_history_entry"))
             self._open().call("bempd_history", index, entries + index)
         return rows(entries, "bempd_history_entry")[:count]
 

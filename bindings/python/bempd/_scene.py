@@ -50,7 +50,7 @@ class Scene:
         >>> bempd.Model().add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
         1
         """
-        material = new_struct("bempd_material")
+        material = new_struct("bempd_material", "bempd_material_init")
         material.plane = arguments.choice("add_material: plane", plane, PLANES)
         given = {"young_modulus": young_modulus, "poisson_ratio": poisson_ratio, "thickness": thickness,
                  "critical_stretch": critical_stretch, "fracture_energy": fracture_energy}

@@ -155,7 +155,7 @@ class Model(Scene, Results):
         return plot.draw(self, quantity, **options)
 
     def _run(self, name: str, load_factor: float, goal: Optional[float] = None) -> StepReport:
-        report = new_struct("bempd_step_report")
+        report = new_struct("bempd_step_report", "bempd_step_report_init")
         start, finish = (getattr(self._progress, part, None) for part in ("start", "finish"))
         if start is not None:
             start(self.load_factor, goal)

@@ -7,7 +7,7 @@ from typing import Any, Callable, Iterator, MutableMapping, Union
 
 from . import _arguments as arguments
 from ._handle import Handle
-from ._library import call, ffi, lib, new_struct, string
+from ._library import call, ffi, lib, string
 from .errors import ArgumentError, UnknownOptionError
 
 OptionValue = Union[int, float, str]
@@ -40,7 +40,8 @@ def describe_options() -> dict[str, OptionInfo]:
 
 
 def _describe(index: int) -> OptionInfo:
-    info = new_struct("bempd_option_info")
+    info = ffi.new("bempd_option_info *")
+    info.struct_size = ffi.sizeof("bempd_option_info")
     call("bempd_option_describe", index, info)
     default: OptionValue = info.default_value
     if info.kind == lib.BEMPD_OPTION_TEXT:
