@@ -31,9 +31,6 @@ bempd_add_fortran_stop(shape "bempd_add_crack: points has shape \\(3,1\\)")
 bempd_add_fortran_stop(copy "a model cannot be copied")
 
 if(TARGET example_first_crack_fortran)
-  add_test(NAME bindings.fortran_first_crack_prints_what_c_prints COMMAND "${CMAKE_COMMAND}"
-    -D "EXPECTED=$<TARGET_FILE:example_first_crack>" -D "PROGRAM=$<TARGET_FILE:example_first_crack_fortran>"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/fortran_prints_the_same.cmake")
   find_program(BEMPD_VALGRIND valgrind)
   mark_as_advanced(BEMPD_VALGRIND)
   if(BEMPD_VALGRIND)
