@@ -26,7 +26,7 @@ def real_array(name: str, value: npt.ArrayLike) -> FloatArray:
         raise ArgumentError(f"{name} has the dtype {array.dtype}; give real numbers")
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise ArgumentError(f"{name} has masked entries; give numbers only")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.asarray(array, dtype=np.float64, order="C")
 
 
 def point_array(name: str, value: npt.ArrayLike) -> FloatArray:
@@ -60,7 +60,8 @@ def whole(name: str, value: Any) -> int:
         raise ArgumentError(f"{name} is {value!r}; it must be a whole number") from None
 
 
-def samples(name: str, constant: Optional[npt.ArrayLike], proportional: Optional[npt.ArrayLike]) -> tuple[int, Any, Any]:
+def samples(name: str, constant: Optional[npt.ArrayLike],
+            proportional: Optional[npt.ArrayLike]) -> tuple[int, Any, Any]:
     """(count, constant, proportional) of values along an edge; a single number stands for all of them."""
     given = [None if part is None else np.atleast_1d(real_array(f"{name}: {what}", part))
              for what, part in (("constant", constant), ("proportional", proportional))]
@@ -70,7 +71,8 @@ def samples(name: str, constant: Optional[npt.ArrayLike], proportional: Optional
     count = max(counts)
     if not counts <= {1, count} or 0 in counts or any(part is not None and part.ndim != 1 for part in given):
         shapes = " and ".join(str(part.shape) for part in given if part is not None)
-        raise ArgumentError(f"{name}: values have the shape {shapes}; give a number, or the same number of values for both")
+        raise ArgumentError(f"{name}: values have the shape {shapes}; "
+                            "give a number, or the same number of values for both")
     # Arrays that own their numbers: the pointers made of them keep them alive.
     filled = [None if part is None else np.ascontiguousarray(np.broadcast_to(part, count)) for part in given]
     return count, doubles(filled[0]), doubles(filled[1])

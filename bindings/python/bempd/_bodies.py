@@ -61,10 +61,10 @@ def lattice_body(model: Model, region: int, cells: IntArray, resolution: int) ->
     pairs = list(itertools.combinations(range(4), 2))
     broken = np.stack([np.isin(pair_keys(cells[:, pair], len(points)), parted) for pair in pairs], axis=1)
     cut = broken.any(axis=1)
-    return Body(points, model.field(region, "displacement"), model.field(region, "stress"), model.field(region, "damage"),
-                halves(cells), [],
-                np.arange(len(points), dtype=np.int32), cells, cut,
-                crack_segments(points, cells, broken[:, [pairs.index(side) for side in ((0, 1), (1, 2), (2, 3), (0, 3))]]))
+    sides = [pairs.index(side) for side in ((0, 1), (1, 2), (2, 3), (0, 3))]
+    return Body(points, model.field(region, "displacement"), model.field(region, "stress"),
+                model.field(region, "damage"), halves(cells), [], np.arange(len(points), dtype=np.int32), cells, cut,
+                crack_segments(points, cells, broken[:, sides]))
 
 
 def pair_keys(pairs: IntArray, count: int) -> npt.NDArray[np.int64]:

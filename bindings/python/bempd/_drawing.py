@@ -113,7 +113,8 @@ def paint(axes: Any, found: list[Body], colours: Optional[ColourScale], magnific
         elif mesh:
             axes.plot(*points[body.nodes].T, ".", color=MARK, markersize=3, zorder=5)
         outline: Any = free_sides(cells) if body.is_lattice else body.outline
-        axes.add_collection(LineCollection([points[line] for line in outline], colors=BODY_EDGE, linewidths=0.8, zorder=4))
+        lines = [points[line] for line in outline]
+        axes.add_collection(LineCollection(lines, colors=BODY_EDGE, linewidths=0.8, zorder=4))
     return mapped
 
 
@@ -141,7 +142,8 @@ def paint_cells(axes: Any, points: Any, cells: Any, colours: ColourScale, values
 
 def draw_lattice(axes: Any, points: Any, cells: Any) -> None:
     """Lattice cells with the material points."""
-    axes.add_collection(PolyCollection(points[cells], facecolors="none", edgecolors="#aab0b8", linewidths=0.3, zorder=2))
+    axes.add_collection(PolyCollection(points[cells], facecolors="none", edgecolors="#aab0b8", linewidths=0.3,
+                                       zorder=2))
     axes.plot(*points.T, ".", color=CURVE, markersize=1.5, zorder=3)
 
 
@@ -150,6 +152,7 @@ def add_colour_bar(axes: Any, mapped: Any, label: str) -> None:
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     width, height = right - left, high - low
     place = axes.inset_axes([1 + 0.02 * max(width, height) / width, 0, 0.025 * max(width, height) / width, 1])
-    bar = axes.figure.colorbar(mapped, cax=place, label=label, ticks=MaxNLocator(max(3, int(7 * min(1, 2 * height / width)))))
+    ticks = MaxNLocator(max(3, int(7 * min(1, 2 * height / width))))
+    bar = axes.figure.colorbar(mapped, cax=place, label=label, ticks=ticks)
     bar.outline.set_linewidth(0.5)
     place.tick_params(labelsize=8, width=0.7)

@@ -34,8 +34,8 @@ class Handle:
                              "from a callback or another thread only request_cancel() is allowed")
         try:
             if changes and self._views:
-                raise OrderError(f"{name}: {len(self._views)} array(s) made by view_field() still look at the model's fields; "
-                                 "drop them before the model changes, or use field()")
+                raise OrderError(f"{name}: {len(self._views)} array(s) made by view_field() still look at the model's "
+                                 "fields; drop them before the model changes, or use field()")
             self.raised.clear()
             status = invoke(name, self.pointer, *arguments)
             if self.raised:

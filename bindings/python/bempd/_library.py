@@ -85,6 +85,8 @@ def invoke(name: str, *arguments: Any) -> int:
 
 
 def _converts(wanted: Any, value: Any) -> bool:
+    if value is None:  # means no initial value in ffi.new()
+        return False
     try:
         ffi.new(ffi.getctype(wanted, "*"), value)
     except (TypeError, OverflowError):

@@ -13,6 +13,7 @@ from .callbacks import BoundaryFunction, boundary_callback
 from .errors import OrderError
 
 COMPONENTS = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y, "both": lib.BEMPD_BOTH}
+ONE_COMPONENT = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y}
 PLANES = {"stress": lib.BEMPD_PLANE_STRESS, "strain": lib.BEMPD_PLANE_STRAIN}
 WHOLE_EDGE = (0.0, 1.0)
 
@@ -117,7 +118,7 @@ class Scene:
         the support."""
         count, *values = arguments.samples("prescribe_edge", constant, proportional)
         return self._added("bempd_prescribe_edge", region, edge, *arguments.fraction_pair("prescribe_edge: part", part),
-                           arguments.choice("prescribe_edge: component", component, COMPONENTS), count, *values)
+                           arguments.choice("prescribe_edge: component", component, ONE_COMPONENT), count, *values)
 
     def prescribe_edge_function(self, region: int, edge: int, function: BoundaryFunction, component: str = "both", *,
                                 part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -133,14 +134,15 @@ class Scene:
                         constant: float = 0.0) -> int:
         """Prescribe the displacement [m] of the node or material point at a place; returns the id of the support."""
         return self._added("bempd_prescribe_point", *arguments.place("prescribe_point: point", point),
-                           arguments.choice("prescribe_point: component", component, COMPONENTS), constant, proportional)
+                           arguments.choice("prescribe_point: component", component, ONE_COMPONENT), constant,
+                           proportional)
 
     def add_traction(self, region: int, edge: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Add a traction [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
         count, *values = arguments.samples("add_traction", constant, proportional)
         return self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
-                           arguments.choice("add_traction: component", component, COMPONENTS), count, *values)
+                           arguments.choice("add_traction: component", component, ONE_COMPONENT), count, *values)
 
     def add_traction_function(self, region: int, edge: int, function: BoundaryFunction, *,
                               part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -161,7 +163,8 @@ class Scene:
                         constant: float = 0.0) -> int:
         """Add a force [N] on the node or material point at a place; returns the id of the load."""
         return self._added("bempd_add_point_force", *arguments.place("add_point_force: point", point),
-                           arguments.choice("add_point_force: component", component, COMPONENTS), constant, proportional)
+                           arguments.choice("add_point_force: component", component, ONE_COMPONENT), constant,
+                           proportional)
 
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:

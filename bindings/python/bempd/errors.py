@@ -65,7 +65,8 @@ class InternalError(Error, RuntimeError):
 
 _BY_STATUS: dict[str, type[Error]] = {
     kind.status: kind
-    for kind in (ArgumentError, OrderError, UnsolvableError, ConvergenceError, CancelledError, OutOfMemoryError, FileError)
+    for kind in (ArgumentError, OrderError, UnsolvableError, ConvergenceError, CancelledError, OutOfMemoryError,
+                 FileError)
 }
 
 

@@ -107,7 +107,8 @@ class Model(Scene, Results):
         check(invoke("bempd_request_cancel", self._open().pointer))
 
     def prepare(self) -> None:
-        """Check the scene and build its operators; nothing can be added afterwards. The first step does it otherwise."""
+        """Check the scene and build its operators; nothing can be added afterwards. The first step does it if you do
+        not."""
         self._open().call("bempd_prepare")
 
     def step(self, load_factor: float) -> StepReport:
@@ -145,7 +146,8 @@ class Model(Scene, Results):
     def restore(self, state: State) -> None:
         """Come back to a saved state; loads and supports keep their present values."""
         if not isinstance(state, State):
-            raise ArgumentError(f"restore: state is a {type(state).__name__}; give what save() or State.from_bytes() made")
+            kind = type(state).__name__
+            raise ArgumentError(f"restore: state is a {kind}; give what save() or State.from_bytes() made")
         self._open().call("bempd_state_restore", state.pointer, changes=True)
 
     def plot(self, quantity: str = "damage", **options: Any) -> Any:

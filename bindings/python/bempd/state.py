@@ -32,7 +32,8 @@ class State:
             size = memoryview(data).nbytes
             buffer = ffi.from_buffer("uint8_t[]", data)
         except (TypeError, ValueError, BufferError):
-            raise ArgumentError(f"State.from_bytes: data is a {type(data).__name__}; give what to_bytes() made") from None
+            kind = type(data).__name__
+            raise ArgumentError(f"State.from_bytes: data is a {kind}; give what to_bytes() made") from None
         created = ffi.new("bempd_state **")
         call("bempd_state_from_bytes", size, buffer, created)
         return cls(created[0])

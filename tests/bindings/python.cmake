@@ -1,0 +1,38 @@
+# The Python package: what it promises, its types, the code in its documentation, and the wheel.
+# An ordinary interpreter cannot load a library with sanitizers.
+if(NOT Python3_FOUND OR CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  return()
+endif()
+execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import cffi, matplotlib, mypy, numpy, PIL, pytest"
+                RESULT_VARIABLE python_lacks_modules ERROR_VARIABLE python_message)
+if(python_lacks_modules)
+  message(STATUS "Tests of the Python package are left out: ${python_message}")
+  return()
+endif()
+
+set(python_package "${PROJECT_SOURCE_DIR}/bindings/python")
+set(python_work "${CMAKE_CURRENT_BINARY_DIR}/python")
+file(MAKE_DIRECTORY "${python_work}")
+
+function(bempd_add_python_test name)
+  add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" ${ARGN} WORKING_DIRECTORY "${python_work}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 600
+    ENVIRONMENT "PYTHONPATH=${python_package};BEMPD_LIBRARY=$<TARGET_FILE:bempd>;PYTHONDONTWRITEBYTECODE=1;MPLBACKEND=Agg")
+endfunction()
+
+bempd_add_python_test(bindings.python -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/python")
+bempd_add_python_test(bindings.python_documentation -m pytest -q -p no:cacheprovider --doctest-modules
+                      --doctest-glob=README.md "${python_package}/bempd" "${python_package}/README.md")
+bempd_add_python_test(bindings.python_types -m mypy --config-file "${python_package}/pyproject.toml"
+                      --cache-dir "${python_work}/mypy" "${python_package}/bempd")
+set_tests_properties(bindings.python_types PROPERTIES LABELS delivery)
+
+# The same program in C and in Python prints the same line.
+if(TARGET example_first_crack)
+  bempd_add_python_test(bindings.python_prints_what_c_prints "${CMAKE_CURRENT_SOURCE_DIR}/python_prints_the_same.py"
+                        $<TARGET_FILE:example_first_crack> "${PROJECT_SOURCE_DIR}/examples/first_crack/main.py")
+endif()
+
+bempd_add_python_test(package.python_wheel "${CMAKE_CURRENT_SOURCE_DIR}/python_wheel.py" "${PROJECT_SOURCE_DIR}"
+                      "${python_work}/wheel")
+set_tests_properties(package.python_wheel PROPERTIES LABELS delivery)

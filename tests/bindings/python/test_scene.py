@@ -1,0 +1,136 @@
+"""What is added arrives, in whatever form it was given."""
+
+import bempd
+import numpy as np
+import pytest
+from bempd import rectangle
+from conftest import make_plate
+
+
+def tip(model, plate):
+    model.step(1)
+    return model.evaluate([(2, 0.5)]).displacement[0]
+
+
+def test_the_plate_stretches_as_hooke_says(plate):
+    plate.model.add_traction(plate.plate, 2, "x", 2e8)
+    ux, uy = tip(plate.model, plate.plate)
+    assert ux == pytest.approx(2e8 / 2e11 * 2, rel=1e-10)
+    assert uy == pytest.approx(-0.3 * 2e8 / 2e11 * 0.5, rel=1e-9)
+    assert plate.model.reaction(plate.held[0])[0] == pytest.approx(-2e8, rel=1e-9)
+
+
+def test_constant_and_proportional_parts(plate):
+    load = plate.model.add_traction(plate.plate, 2, "x", 1e8, constant=[1e8, 1e8, 1e8])
+    assert tip(plate.model, plate.plate)[0] == pytest.approx(2e-3, rel=1e-9)
+    plate.model.set_load_values(load, [2e8, 2e8, 2e8])
+    plate.model.step(1)
+    assert plate.model.evaluate([(2, 0.5)]).displacement[0, 0] == pytest.approx(2e-3, rel=1e-9)
+    with pytest.raises(bempd.ArgumentError, match="bempd_set_load_values: "):
+        plate.model.set_load_values(load, [1, 2])
+
+
+def test_a_support_gets_new_values():
+    scene = make_plate()
+    pulled = scene.model.prescribe_edge(scene.plate, 2, "x", constant=1e-3)
+    scene.model.step(0)
+    assert scene.model.reaction(pulled)[0] == pytest.approx(1e8, rel=1e-9)
+    scene.model.set_support_values(pulled, constant=3e-3)
+    scene.model.step(0)
+    assert scene.model.reaction(pulled)[0] == pytest.approx(3e8, rel=1e-9)
+
+
+def test_functions_are_the_same_as_values():
+    by_values, by_function, by_pairs = make_plate(), make_plate(), make_plate()
+    by_values.model.add_traction(by_values.plate, 2, "y", [0, 1e7])
+    by_function.model.add_traction_function(by_function.plate, 2, lambda x, y: (0, 1e7 * y))
+    by_pairs.model.add_traction_function(by_pairs.plate, 2, lambda x, y: ((0, 1e7 * y), (0, 0)))
+    expected = tip(by_values.model, by_values.plate)
+    for scene in (by_function, by_pairs):
+        np.testing.assert_allclose(tip(scene.model, scene.plate), expected, rtol=1e-12)
+
+
+def test_displacements_by_function_and_at_points():
+    scene = make_plate()
+    scene.model.prescribe_edge_function(scene.plate, 2, lambda x, y: np.array([1e-3, 0]), "x", part=(0, 1))
+    ux, _ = tip(scene.model, scene.plate)
+    assert ux == pytest.approx(1e-3, rel=1e-9)
+    other = make_plate()
+    point = other.model.prescribe_point((2, 1), "x", 1e-3)
+    other.model.add_point_force((2, 0), "y", 5.0, constant=1.0)
+    other.model.step(1)
+    assert other.model.evaluate([(2, 1)]).displacement[0, 0] == pytest.approx(1e-3)
+    assert other.model.reaction(other.held[1])[1] == pytest.approx(-6, rel=1e-6)
+    assert other.model.reaction(point)[0] == pytest.approx(-other.model.reaction(other.held[0])[0], rel=1e-6)
+
+
+VERTICES = [(0, 0), (2, 0), (2, 1), (0, 1)]
+
+
+@pytest.mark.parametrize("vertices", [
+    VERTICES,
+    tuple(VERTICES),
+    np.array(VERTICES, dtype=np.int8),
+    np.array(VERTICES, dtype=np.float32),
+    np.array(VERTICES, dtype=">f8"),
+    np.array(VERTICES, dtype=np.longdouble),
+    np.asfortranarray(np.array(VERTICES, dtype=float)),
+    np.repeat(np.array(VERTICES, dtype=float), 2, axis=0)[::2],
+    np.array(VERTICES[::-1], dtype=float)[::-1],
+    memoryview(np.array(VERTICES, dtype=float)),
+], ids=["list", "tuple", "int8", "float32", "big endian", "long double", "Fortran order", "strided", "reversed",
+        "memoryview"])
+def test_arrays_of_any_type_and_order_mean_the_same(vertices):
+    model = bempd.Model()
+    region = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=0), vertices, 0.5)
+    model.fix_edge(region, 4)
+    corners = model.field(region, "position")[model.elements(region)[:, 0]]
+    for vertex in VERTICES:
+        assert (corners == vertex).all(axis=1).any()
+
+
+def test_holes_edges_and_meshes():
+    model = bempd.Model()
+    region = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=0, plane="strain"),
+                                  rectangle(0, 0, 3, 3), 1.0)
+    assert model.region_count == 1 and model.edge_count(region) == 4
+    assert model.add_hole(region, [(1, 1), (1, 2), (2, 2), (2, 1)]) == 5
+    assert model.edge_count(region) == 8
+    model.set_edge_mesh(region, 1, 0.5, grading=1.5)
+    model.fix_edge(region, 4)
+    assert len(model.elements(region)) == 3 * 3 + 6 + 4
+    assert model.elements(region).shape[1] == 3 and model.node_count(region) == len(model.field(region, "position"))
+
+
+def test_options_are_a_mapping(plate):
+    options = plate.model.options
+    assert options["pd.horizon_ratio"] == 4 and isinstance(options["pd.horizon_ratio"], int)
+    options["pd.horizon_ratio"] = 3
+    options.update({"scheme": "paper", "stepping.tie_band": 0})
+    assert plate.model.options["pd.horizon_ratio"] == 3 and options["scheme"] == "paper"
+    del options["scheme"]
+    assert options["scheme"] == "symmetric"
+    assert set(options) == set(bempd.describe_options()) and len(options) == len(list(options))
+    info = options.describe("stepping.tie_band")
+    assert (info.default, info.minimum, info.maximum, info.choices, info.unit) == (0.001, 0, 0.5, (), "-")
+    assert options.describe("scheme").choices == ("symmetric", "paper") and info.summary
+    assert bempd.Model(options={"threads": 1}).options["threads"] == 1
+
+
+def test_wrong_options_are_explained(plate):
+    options = plate.model.options
+    for use in (lambda: options["pd.horizon"], lambda: options.describe("pd.horizon")):
+        with pytest.raises(KeyError, match="^bempd_get_option: .*'pd.horizon'; near names are pd.horizon_ratio"):
+            use()
+    with pytest.raises(bempd.UnknownOptionError):
+        options["pd.horizon"] = 3
+    assert "pd.horizon" not in options and options.get("pd.horizon", 7) == 7
+    with pytest.raises(bempd.ArgumentError, match="bempd_set_option: option pd.horizon_ratio is 99") as caught:
+        options["pd.horizon_ratio"] = 99
+    assert not isinstance(caught.value, KeyError)
+    with pytest.raises(bempd.ArgumentError, match="symmetric | paper"):
+        options["scheme"] = "fast"
+    with pytest.raises(bempd.ArgumentError, match="takes a word"):
+        options["scheme"] = 3
+    with pytest.raises(bempd.ArgumentError, match="option threads is None"):
+        options["threads"] = None

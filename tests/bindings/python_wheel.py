@@ -1,0 +1,43 @@
+"""python_wheel.py SOURCE_TREE WORK_FOLDER: a wheel with the library that BEMPD_LIBRARY names works where nothing else is.
+
+The package is built without network, installed into a fresh environment, and a program runs there in an empty folder.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import zipfile
+
+source_tree, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+shutil.rmtree(work, ignore_errors=True)
+empty = work / "empty folder"
+empty.mkdir(parents=True)
+
+# A copy, since setuptools leaves files in the folder that it builds.
+package = shutil.copytree(source_tree / "bindings" / "python", work / "package",
+                          ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
+pip = ["-m", "pip", "--disable-pip-version-check", "--quiet"]
+subprocess.run([sys.executable, *pip, "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", work, package],
+               check=True, cwd=empty)
+wheels = list(work.glob("*.whl"))
+assert len(wheels) == 1, wheels
+assert wheels[0].name.startswith("bempd-") and "-py3-none-linux_" in wheels[0].name, wheels[0].name
+names = zipfile.ZipFile(wheels[0]).namelist()
+for name in ("bempd/libbempd.so.0", "bempd/py.typed", "bempd/_cdef.py", "bempd/plot.py"):
+    assert name in names, (name, names)
+
+# From here on nothing points to the source or build tree.
+environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "BEMPD_LIBRARY")}
+subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", work / "venv"], check=True, env=environment)
+python = work / "venv" / "bin" / "python"
+subprocess.run([python, *pip, "install", "--no-deps", "--no-index", wheels[0]], check=True, cwd=empty, env=environment)
+shutil.rmtree(package)
+program = (source_tree / "examples" / "first_crack" / "main.py").read_text(encoding="utf-8")
+program += "\nimport bempd\nprint(bempd.library_path)\n"
+printed = subprocess.run([python, "-c", program], check=True, cwd=empty, env=environment, capture_output=True, text=True)
+line, library = printed.stdout.splitlines()
+print(line, library, sep="\n")
+assert line.startswith("in two at ")
+assert pathlib.Path(library).is_relative_to(work / "venv"), library
