@@ -9,10 +9,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 list_examples() {
-  local program folder
-  for program in examples/*/main.c; do
-    [ -f "$program" ] || continue
-    folder=$(dirname "$program")
+  local folder
+  for folder in $(dirname examples/*/main.{c,f90} | sort -u); do
     printf '%-24s %s\n' "$(basename "$folder")" "$(head -n 1 "$folder/README.md" 2>/dev/null | sed 's/^#* *//')"
   done
 }
@@ -29,19 +27,21 @@ if [ "$1" = paper-tables ]; then
   set -- tension shear stretching centre_crack mixed_mode_crack two_edge_cracks
 fi
 targets=()
+packages=()
 for name in "$@"; do
-  if [[ ! $name =~ ^[a-z0-9_]+$ || ! -f examples/$name/main.c ]]; then
+  if [[ ! $name =~ ^[a-z0-9_]+$ || ! ( -f examples/$name/main.c || -f examples/$name/main.f90 ) ]]; then
     echo "error: there is no example '$name'; there are:" >&2
     list_examples >&2
     exit 2
   fi
   targets+=("example_$name")
+  [ -f "examples/$name/main.c" ] || packages=(gfortran)
 done
 
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ libeigen3-dev libsuitesparse-dev libopenblas-dev \
-  python3 python3-numpy python3-matplotlib python3-meshio
+  python3 python3-numpy python3-matplotlib python3-meshio "${packages[@]}"
 
 cmake --preset release -Wno-dev >/dev/null
 cmake --build --preset release -j "$(nproc)" --target "${targets[@]}"

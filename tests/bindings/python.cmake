@@ -29,10 +29,3 @@ set_tests_properties(bindings.python_types PROPERTIES LABELS delivery)
 
 # The same program in C and in Python prints the same line.
 if(TARGET example_first_crack)
-  bempd_add_python_test(bindings.python_prints_what_c_prints "${CMAKE_CURRENT_SOURCE_DIR}/python_prints_the_same.py"
-                        $<TARGET_FILE:example_first_crack> "${PROJECT_SOURCE_DIR}/examples/first_crack/main.py")
-endif()
-
-bempd_add_python_test(package.python_wheel "${CMAKE_CURRENT_SOURCE_DIR}/python_wheel.py" "${PROJECT_SOURCE_DIR}"
-                      "${python_work}/wheel")
-set_tests_properties(package.python_wheel PROPERTIES LABELS delivery)
