@@ -46,7 +46,7 @@ std::vector<char> shared_points(const Scene& scene, const Discretization& d, con
   }
   for (const Contact& contact : d.arrangement.contacts) {
     if (contact.region != part.region - 1) continue;
-    const Segment edge = scene.region(part.region).edge(contact.edge + 1);
+    const Edge edge = scene.region(part.region).edge(contact.edge + 1);
     const std::vector<int> points = part.points_along(edge.at(contact.from), edge.at(contact.to));
     if (!d.formulation.paper && scene.region(contact.other_region + 1).has_own_mesh(contact.other_edge + 1)) {
       shared[points.front()] = shared[points.back()] = 1;
