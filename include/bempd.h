@@ -186,6 +186,7 @@ BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_materi
  *  Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions
  * become interfaces and are bonded; there the elements follow the peridynamic lattice unless bempd_set_edge_mesh() is
  * called for the edge, or the finer of two boundary meshes.
+ * Towards places where stress is singular elements become smaller by themselves (option bem.grading).
  *  @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
  *  @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  *  @param[in] element_length longest element on any edge [m], > 0

@@ -3,6 +3,7 @@
 
 #include "error.hpp"
 #include "model/boundary_part.hpp"
+#include "model/corner_grading.hpp"
 
 namespace bempd::model {
 
@@ -126,6 +127,35 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
+// Components of the displacement that supports hold on a piece of an edge.
+Held held_on(const Scene& scene, int region, const PanelSource& source) {
+  if (source.border != Border::free) return Held::interface;
+  const double middle = 0.5 * (source.from + source.to);
+  int components = 0;
+  for (const Condition& support : scene.supports()) {
+    const auto* part = std::get_if<EdgePart>(&support.place);
+    if (!part || part->region != region || part->edge != source.edge) continue;
+    if (part->from <= middle && middle <= part->to) components |= support.components;
+  }
+  constexpr int both = 3;
+  return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
+}
+
+// Smaller elements towards singular places, where the host has not chosen the elements.
+void grade_corners(const Scene& scene, int region, BoundaryPanels& panels) {
+  std::size_t first = 0;
+  for (auto& loop : panels.loops) {
+    std::vector<BoundaryPiece> pieces;
+    for (std::size_t p = 0; p < loop.size(); ++p)
+      pieces.push_back({loop[p].arc(), held_on(scene, region, panels.sources[first + p])});
+    const std::vector<SingularEnds> singular = singular_ends(pieces);
+    for (std::size_t p = 0; p < loop.size(); ++p)
+      if (pieces[p].held != Held::interface && !scene.region(region).has_own_mesh(panels.sources[first + p].edge))
+        loop[p].stations = refined_towards(singular[p], loop[p].stations);
+    first += loop.size();
+  }
+}
+
 }  // namespace
 
 BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, const Formulation& formulation,
@@ -158,6 +188,7 @@ BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, co
       }
     }
   }
+  if (formulation.grade_corners) grade_corners(scene, region_id, result);
   return result;
 }
 

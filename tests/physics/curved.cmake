@@ -1,0 +1,1 @@
+bempd_add_engine_test(curved_patch_test curved_patch_test.cpp)
