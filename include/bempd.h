@@ -181,11 +181,12 @@ BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_materi
 
 /* ----------------------------------------------------------------------------------------------- Regions and cracks */
 
-/** @brief Add a region treated by boundary elements: a polygon with straight edges.
+/** @brief Add a region treated by boundary elements: a polygon, its edges straight at first.
  *
  *  Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions
  * become interfaces and are bonded; there the elements follow the peridynamic lattice unless bempd_set_edge_mesh() is
  * called for the edge, or the finer of two boundary meshes.
+ * Towards places where stress is singular elements become smaller by themselves (option bem.grading).
  *  @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
  *  @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  *  @param[in] element_length longest element on any edge [m], > 0
@@ -212,6 +213,32 @@ BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material,
  *  @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
                                       int32_t* first_edge);
+
+/** @brief Cut a circular hole into a BEM region. Its edges are four quarter circles: the first begins at the place with
+ *  the largest x, and they run clockwise.
+ *  @param[in] model the model @param[in] region id of a BEM region @param[in] x centre [m] @param[in] y centre [m]
+ *  @param[in] radius radius [m], > 0
+ *  @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
+BEMPD_API bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,
+                                               int32_t* first_edge);
+
+/** @brief Make an edge of a BEM region the circular arc through a place between its ends.
+ *
+ *  Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give both
+ *  edges a place on the same arc. Peridynamic regions and interfaces with them have straight edges only.
+ *  @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ *  @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
+BEMPD_API bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y);
+
+/** @brief Make a row of edges of a BEM region a smooth curve through their vertices.
+ *
+ *  Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one where that is enough.
+ *  The tangent at a vertex is that of the circle through it and its two neighbours in the row, so vertices on a circle
+ *  give that circle. All edges of a loop make a closed curve without a corner.
+ *  @param[in] model the model @param[in] region id of a BEM region @param[in] first_edge first edge of the row
+ *  @param[in] last_edge last edge of the row, > first_edge, on the same loop @return status @since 0.1 */
+BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region, int32_t first_edge,
+                                              int32_t last_edge);
 
 /** @brief Choose the elements of one edge of a BEM region.
  *

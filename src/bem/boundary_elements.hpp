@@ -3,43 +3,11 @@
 #include <array>
 #include <vector>
 
+#include "bem/element_geometry.hpp"
 #include "bem/quadrature.hpp"
 #include "geometry/boundary_mesh.hpp"
 
 namespace bempd::bem {
-
-// Quadratic shape functions of the nodes (start, mid, end) on -1 <= xi <= 1.
-inline std::array<double, 3> shape(double xi) { return {0.5 * xi * (xi - 1), 1 - xi * xi, 0.5 * xi * (xi + 1)}; }
-inline std::array<double, 3> shape_derivative(double xi) { return {xi - 0.5, -2 * xi, xi + 0.5}; }
-// (N(xi) - N(from)) / (xi - from), without cancellation.
-inline std::array<double, 3> shape_difference_quotient(double xi, double from) {
-  const double s = xi + from;
-  return {0.5 * (s - 1), -s, 0.5 * (s + 1)};
-}
-
-// x(xi) = c0 + c1 xi + c2 xi^2; straight when c2 vanishes.
-struct ElementGeometry {
-  Point c0, c1, c2;
-
-  Point at(double xi) const { return c0 + xi * (c1 + xi * c2); }
-  Point derivative(double xi) const { return c1 + (2 * xi) * c2; }
-  // (x(xi) - x(from)) / (xi - from), without cancellation.
-  Point difference_quotient(double xi, double from) const { return c1 + (xi + from) * c2; }
-  bool straight() const { return c2.squaredNorm() <= 1e-24 * c1.squaredNorm(); }
-};
-
-// Outward normal times the Jacobian |dx/dxi|: the body lies on the left.
-inline Point scaled_normal(const Point& derivative) { return {derivative.y(), -derivative.x()}; }
-
-// Part of an element within -1 <= xi <= 1, in either direction.
-struct Interval {
-  double from = -1, to = 1;
-  double mid() const { return 0.5 * (from + to); }
-  double at(double s) const { return from + s * (to - from); }
-};
-
-// Size of the ellipse around the interval in which the Jacobian is analytic; infinite for a straight element.
-double jacobian_ellipse(const ElementGeometry& element, const Interval& interval);
 
 // Quadrature points of one interval, as structure of arrays for the vector unit.
 struct ElementPoints {

@@ -88,7 +88,7 @@ class Assembler {
       }
     }
     // A constant displacement has no traction, so T may act on u - u(x) everywhere: the free term is never needed.
-    const auto value = shape(home_xi);
+    const auto value = boundary_.elements[home_element].shape(home_xi);
     for (int b = 0; b < 3; ++b)
       double_layer_transpose.block<2, 2>(2 * mesh_.elements[home_element].nodes[b], 2 * point) -= value[b] * constant;
     return evaluations;

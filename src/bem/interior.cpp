@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bem/kelvin_solution.hpp"
+#include "bem/smoothness.hpp"
 
 namespace bempd::bem {
 
@@ -13,9 +14,24 @@ constexpr double tolerance = 1e-14;
 // Closer than this part of the element's length is "on the boundary": differences of positions carry no more digits.
 constexpr double on_boundary = 1e-10;
 
+// By the angle seen from the centre; beyond the ends the nearer one.
+double nearest_on_arc(const ElementGeometry& arc, const Point& x) {
+  const double root = std::sin(0.5 * arc.basis.half_angle());
+  const Point to_centre = arc.c2 / (2 * root * root), r = x - arc.c0 - to_centre;
+  double xi = std::atan2(cross(-to_centre, r), -to_centre.dot(r)) / arc.basis.half_angle();
+  if (std::abs(xi) > 1) return (arc.at(-1) - x).squaredNorm() < (arc.at(1) - x).squaredNorm() ? -1.0 : 1.0;
+  // A flat arc's centre is known to few digits.
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    const Point distance = arc.at(xi) - x, dx = arc.derivative(xi);
+    xi = std::clamp(xi - distance.dot(dx) / dx.squaredNorm(), -1.0, 1.0);
+  }
+  return xi;
+}
+
 // Nearest parameter of one element: Newton's method on the distance from the best of a few samples.
 double nearest_parameter(const ElementGeometry& element, const Point& x) {
   if (element.straight()) return std::clamp(element.c1.dot(x - element.c0) / element.c1.squaredNorm(), -1.0, 1.0);
+  if (!element.basis.powers()) return nearest_on_arc(element, x);
   constexpr int samples = 9;
   double best = -1, best_distance = (element.at(-1) - x).squaredNorm();
   for (int i = 1; i < samples; ++i) {
@@ -35,9 +51,6 @@ double nearest_parameter(const ElementGeometry& element, const Point& x) {
 }
 
 }  // namespace
-
-InteriorEvaluator::Quadratic::Quadratic(const Point& start, const Point& mid, const Point& end)
-    : a0(mid), a1(0.5 * (end - start)), a2(0.5 * ((start - mid) + (end - mid))) {}
 
 struct InteriorEvaluator::Nearest {
   int element = 0;
@@ -62,12 +75,13 @@ InteriorEvaluator::InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasti
     const auto value = [](const Eigen::VectorXd& field, int node, double scale) -> Point {
       return field.segment<2>(2 * node) / scale;
     };
-    const auto quadratic = [&](const Eigen::VectorXd& field, const std::array<int, 3>& nodes, double scale) {
-      return Quadratic(value(field, nodes[0], scale), value(field, nodes[1], scale), value(field, nodes[2], scale));
+    const auto along_element = [&](const Eigen::VectorXd& field, const std::array<int, 3>& nodes, double scale) {
+      return element_through(value(field, nodes[0], scale), value(field, nodes[1], scale),
+                             value(field, nodes[2], scale), e.sweep);
     };
-    displacement_.push_back(quadratic(displacements, e.nodes, boundary_.length));
+    displacement_.push_back(along_element(displacements, e.nodes, boundary_.length));
     end_nodes_.push_back({e.nodes[0], e.nodes[2]});
-    traction_.push_back(quadratic(tractions, e.traction_nodes, shear_modulus_));
+    traction_.push_back(along_element(tractions, e.traction_nodes, shear_modulus_));
   }
 }
 
@@ -75,7 +89,7 @@ InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
   Nearest best;
   for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e) {
     const ElementGeometry& element = boundary_.elements[e];
-    const double reach = element.c1.norm() + element.c2.norm();
+    const double reach = element.c1.norm() + element.c2.norm();  // of all its points from the middle
     if ((element.c0 - x).norm() - reach > best.distance) continue;
     const double xi = nearest_parameter(element, x), distance = (element.at(xi) - x).norm();
     if (distance < best.distance) best = {e, xi, distance};
@@ -109,11 +123,12 @@ InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& 
 // square of the distance.
 Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, const LinearField& field) const {
   const ElementGeometry& element = boundary_.elements[e];
-  const Quadratic& displacement = displacement_[e];
-  // On the nearest element value and slope are matched: only the second order of the quadratics is left.
+  const ElementGeometry& displacement = displacement_[e];
+  // On the nearest element value and slope are matched: only the second order of the element's functions is left.
   const auto on_nearest = [&](double parameter) -> Point {
-    const double d = parameter - nearest.xi;
-    return d * d * (displacement_[nearest.element].a2 - field.gradient * boundary_.elements[nearest.element].c2);
+    const ElementBasis& basis = boundary_.elements[nearest.element].basis;
+    return basis.second_order(parameter, nearest.xi) *
+           (displacement_[nearest.element].c2 - field.gradient * boundary_.elements[nearest.element].c2);
   };
   if (e == nearest.element) return on_nearest(xi);
   // On its neighbours: from the common end on.
@@ -132,10 +147,11 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
   const ElementGeometry& element = boundary_.elements[e];
   const Point from = element.at(interval.from), mid = element.at(interval.mid()), to = element.at(interval.to);
   const double half = 0.5 * ((mid - from).norm() + (to - mid).norm());
-  const double ellipse =
-      std::min(ellipse_size(((x - from).norm() + (x - to).norm()) / half), jacobian_ellipse(element, interval));
+  const double ellipse = element.straight() ? ellipse_size(((x - from).norm() + (x - to).norm()) / half)
+                                            : singularities_from(element, x).ellipse(interval);
   // The stress kernels are one order more singular.
-  const int needed = gauss_points_needed(ellipse, tolerance) + 1;
+  const int needed =
+      std::max(gauss_points_needed(ellipse, tolerance) + 1, shape_points_needed(element, interval, tolerance));
   constexpr int max_depth = 60;
   if (needed > max_regular_points && depth < max_depth) {
     integrate(e, {interval.from, interval.mid()}, x, nearest, field, with_stress, depth + 1, sums);
@@ -145,7 +161,7 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
 
   const KelvinSolution kelvin{nu_};
   const GaussRule& rule = gauss_rule(std::min(needed, max_regular_points));
-  const Quadratic& traction = traction_[e];
+  const ElementGeometry& traction = traction_[e];
   const double length = interval.to - interval.from;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double xi = interval.at(rule.points[q]), weight = rule.weights[q] * length;

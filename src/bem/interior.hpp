@@ -32,15 +32,6 @@ class InteriorEvaluator {
   struct LinearField;
   struct Sums;
 
-  // Quadratic a0 + a1 xi + a2 xi^2 through three nodal values.
-  struct Quadratic {
-    Point a0, a1, a2;
-    Quadratic(const Point& start, const Point& mid, const Point& end);
-    Point at(double xi) const { return a0 + xi * (a1 + xi * a2); }
-    Point derivative(double xi) const { return a1 + (2 * xi) * a2; }
-    Point difference_quotient(double xi, double from) const { return a1 + (xi + from) * a2; }
-  };
-
   Nearest nearest(const Point& x) const;
   LinearField matching_field(const Nearest& nearest) const;
   Point remainder(int element, double xi, const Nearest& nearest, const LinearField& field) const;
@@ -50,7 +41,7 @@ class InteriorEvaluator {
 
   ScaledBoundary boundary_;
   double nu_, shear_modulus_;
-  std::vector<Quadratic> displacement_, traction_;  // per element, scaled
+  std::vector<ElementGeometry> displacement_, traction_;  // per element, scaled: values instead of places
   std::vector<std::array<int, 2>> end_nodes_;
 };
 

@@ -3,7 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "bem/smoothness.hpp"
 
 namespace bempd::bem {
 
@@ -133,7 +136,13 @@ void add_weakly_singular(const ElementPoints& outer, const InnerIntegrals& inner
 // Analyticity of the kernels along one interval, seen from the other one: r vanishes at the complex parameter where
 // the straight line through the interval meets the other point, whose distances to the ends of the interval are real
 // distances in the plane.
-double pair_ellipse(const std::array<Point, 3>& self, const std::array<Point, 3>& other) {
+double pair_ellipse(const ElementGeometry& element, const Interval& interval, const std::array<Point, 3>& self,
+                    const std::array<Point, 3>& other) {
+  if (!element.straight()) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Point& y : other) smallest = std::min(smallest, singularities_from(element, y).ellipse(interval));
+    return smallest;
+  }
   const double half = 0.5 * ((self[1] - self[0]).norm() + (self[2] - self[1]).norm());
   double closest = 1e300;
   for (const Point& y : other) closest = std::min(closest, (y - self[0]).norm() + (y - self[2]).norm());
@@ -162,10 +171,12 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
 void PairIntegrator::apart(const Side& outer, const Side& inner, PairPart part, int depth, PairMoments& moments) const {
   const ElementGeometry &a = elements_[outer.element], &b = elements_[inner.element];
   const auto outer_sample = sample(a, outer.interval), inner_sample = sample(b, inner.interval);
-  const double outer_ellipse = std::min(pair_ellipse(outer_sample, inner_sample), jacobian_ellipse(a, outer.interval));
-  const double inner_ellipse = std::min(pair_ellipse(inner_sample, outer_sample), jacobian_ellipse(b, inner.interval));
-  const int outer_rule = regular_rule(gauss_points_needed(outer_ellipse, tolerance_));
-  const int inner_rule = regular_rule(gauss_points_needed(inner_ellipse, tolerance_));
+  const double outer_ellipse = pair_ellipse(a, outer.interval, outer_sample, inner_sample);
+  const double inner_ellipse = pair_ellipse(b, inner.interval, inner_sample, outer_sample);
+  const int outer_rule = regular_rule(
+      std::max(gauss_points_needed(outer_ellipse, tolerance_), shape_points_needed(a, outer.interval, tolerance_)));
+  const int inner_rule = regular_rule(
+      std::max(gauss_points_needed(inner_ellipse, tolerance_), shape_points_needed(b, inner.interval, tolerance_)));
 
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1, max_depth = 60;
   if ((outer_rule > largest || inner_rule > largest) && depth < max_depth) {

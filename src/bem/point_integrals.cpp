@@ -3,59 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <complex>
-#include <limits>
+
+#include "bem/smoothness.hpp"
 
 namespace bempd::bem {
 
 namespace {
 
-using Complex = std::complex<double>;
 constexpr int max_depth = 60;
-
-Complex as_complex(const Point& p) { return {p.x(), p.y()}; }
-
-// Complex parameters at which an integrand is not analytic: where |x(xi) - x|^2 vanishes, which are the roots of
-// c0 - x + c1 xi + c2 xi^2 read as complex numbers and their conjugates, and where the Jacobian does.
-struct Singularities {
-  std::array<Complex, 3> at;
-  int count = 0;
-
-  void add(Complex xi) { at[count++] = xi; }
-
-  // Size of the ellipse around the interval in which the integrand is analytic.
-  double ellipse(const Interval& interval) const {
-    double closest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < count; ++i)
-      closest = std::min(closest, std::abs(at[i] - interval.from) + std::abs(at[i] - interval.to));
-    return ellipse_size(2 * closest / std::abs(interval.to - interval.from));
-  }
-};
-
-Singularities singularities_from(const ElementGeometry& element, const Point& x) {
-  const Complex c0 = as_complex(element.c0 - x), c1 = as_complex(element.c1), c2 = as_complex(element.c2);
-  Singularities s;
-  if (element.straight()) {
-    s.add(-c0 / c1);
-    return s;
-  }
-  const Complex root = std::sqrt(c1 * c1 - 4.0 * c2 * c0);
-  const Complex larger = std::abs(c1 + root) > std::abs(c1 - root) ? c1 + root : c1 - root;
-  s.add(-larger / (2.0 * c2));
-  if (larger != 0.0) s.add(-2.0 * c0 / larger);
-  s.add(-c1 / (2.0 * c2));
-  return s;
-}
-
-// Those that are left when r is divided by xi - xi0.
-Singularities singularities_of_chord(const ElementGeometry& element, double xi0) {
-  Singularities s;
-  if (element.straight()) return s;
-  const Complex ratio = as_complex(element.c1) / as_complex(element.c2);
-  s.add(-ratio - xi0);
-  s.add(-0.5 * ratio);
-  return s;
-}
 
 void add_apart(const ElementPoints& y, const Point& x, PointMoments& moments) {
   ElementPoints::Values ln, cosine, sine, along, across;
@@ -94,7 +49,8 @@ class OwnElement {
   // `part.from` is xi0. Product rules are exact to half the degree of Gauss's rule.
   void add_singular(const Interval& part, int depth = 0) {
     constexpr int polynomial_degree = 2;
-    const int needed = gauss_points_needed(std::sqrt(chord_.ellipse(part)), tolerance_) + polynomial_degree;
+    const int needed = std::max(gauss_points_needed(std::sqrt(chord_.ellipse(part)), tolerance_) + polynomial_degree,
+                                2 * shape_points_needed(element_, part, tolerance_));
     if (needed > max_gauss_points && depth < max_depth) {
       add_singular({part.from, part.mid()}, depth + 1);
       add_regular({part.mid(), part.to}, depth + 1);
@@ -112,7 +68,8 @@ class OwnElement {
   void add_regular(const Interval& part, int depth) {
     Singularities all = chord_;
     all.add(xi0_);
-    const int needed = gauss_points_needed(all.ellipse(part), tolerance_) + 1;
+    const int needed = std::max(gauss_points_needed(all.ellipse(part), tolerance_) + 1,
+                                shape_points_needed(element_, part, tolerance_));
     if (needed > max_gauss_points && depth < max_depth) {
       add_regular({part.from, part.mid()}, depth + 1);
       add_regular({part.mid(), part.to}, depth + 1);
@@ -134,7 +91,7 @@ class OwnElement {
     const double cosine = 0.5 * (chord.x() * chord.x() - chord.y() * chord.y()) * inverse;
     const double sine = chord.x() * chord.y() * inverse;
     const double along = chord.dot(normal) * inverse, across = cross(normal, chord) * inverse;
-    const auto value = shape(xi), difference = shape_difference_quotient(xi, xi0_);
+    const auto value = element_.shape(xi), difference = element_.shape_difference_quotient(xi, xi0_);
     const double weak[3] = {log_weight + weight * 0.5 * std::log(square), weight * cosine, weight * sine};
     const double strong[4] = {along, across, along * cosine, along * sine};
     for (int b = 0; b < 3; ++b) {
@@ -164,7 +121,8 @@ PointMoments PointIntegrator::apart(int element, const Point& x) const {
   const Singularities singularities = singularities_from(elements_[element], x);
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1;
   const auto add = [&](const auto& self, const Interval& interval, int depth) -> void {
-    const int rule = regular_rule(gauss_points_needed(singularities.ellipse(interval), tolerance_) + 1);
+    const int rule = regular_rule(std::max(gauss_points_needed(singularities.ellipse(interval), tolerance_) + 1,
+                                           shape_points_needed(elements_[element], interval, tolerance_)));
     if (rule > largest && depth < max_depth) {
       self(self, {interval.from, interval.mid()}, depth + 1);
       self(self, {interval.mid(), interval.to}, depth + 1);

@@ -21,7 +21,7 @@ struct PointMoments {
 };
 
 // Integrates over elements, each with the relative error `tolerance`. Points apart: Gauss rules, halving the element
-// where it is too long for the distance. Points on the element: in r = (xi - xi0) chord the chord is a polynomial that
+// where it is too long for the distance. Points on the element: in r = (xi - xi0) chord the chord is smooth and
 // does not vanish; what is left of ln r is the smooth ln|chord| and ln|xi - xi0|, which a product rule integrates, and
 // the 1 / r of the double layer cancels against N(y) - N(x), so that no principal value is needed.
 class PointIntegrator {

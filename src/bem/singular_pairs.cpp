@@ -1,5 +1,5 @@
 // Pairs of elements that share a point, or are the same. Coordinates are chosen in which r = radius * chord, where the
-// chord is a polynomial that does not vanish: Duffy's coordinates around a common end, the distance of the parameters
+// chord is smooth and does not vanish: Duffy's coordinates around a common end, the distance of the parameters
 // inside one element. What is left of ln r is the smooth ln|chord| and ln(radius), which a product rule integrates;
 // the 1 / r of the double layer cancels against N(y) - N(x), which vanishes with the radius.
 
@@ -14,16 +14,17 @@ namespace {
 
 // Pair of parameters with everything the kernels need there.
 struct PointPair {
-  double outer_xi, inner_xi;
-  Point outer_derivative, inner_derivative;  // dx/dxi
-  Point chord;                               // r / radius
-  double weight, log_weight;                 // log_weight integrates ln(radius)
-  std::array<double, 6> difference;          // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
+  const ElementGeometry &outer, &inner;
+  double outer_xi = 0, inner_xi = 0;
+  Point outer_derivative{}, inner_derivative{};  // dx/dxi
+  Point chord{};                                 // r / radius
+  double weight = 0, log_weight = 0;             // log_weight integrates ln(radius)
+  std::array<double, 6> difference{};            // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
 };
 
 void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMoments& moments) {
-  const auto outer_shape = shape(p.outer_xi), inner_shape = shape(p.inner_xi);
-  const auto outer_slope = shape_derivative(p.outer_xi), inner_slope = shape_derivative(p.inner_xi);
+  const auto outer_shape = p.outer.shape(p.outer_xi), inner_shape = p.inner.shape(p.inner_xi);
+  const auto outer_slope = p.outer.shape_derivative(p.outer_xi), inner_slope = p.inner.shape_derivative(p.inner_xi);
   const double jacobians = p.outer_derivative.norm() * p.inner_derivative.norm();
   const double kernels[3] = {p.log_weight + p.weight * 0.5 * std::log(p.chord.squaredNorm()), p.weight * cosine,
                              p.weight * sine};
@@ -45,7 +46,7 @@ void add_point(const PointPair& p, bool weak, PairMoments& moments) {
   const Point normal = scaled_normal(p.inner_derivative);
   const double along = p.chord.dot(normal) * inverse, across = cross(normal, p.chord) * inverse;
   const double kernels[4] = {along, across, along * cosine, along * sine};
-  const auto outer_shape = shape(p.outer_xi);
+  const auto outer_shape = p.outer.shape(p.outer_xi);
   const double weight = p.weight * p.outer_derivative.norm();
   for (int c = 0; c < 4; ++c)
     for (int a = 0; a < 3; ++a)
@@ -53,8 +54,9 @@ void add_point(const PointPair& p, bool weak, PairMoments& moments) {
         moments.double_layer[c][a][b] += weight * kernels[c] * outer_shape[a] * p.difference[b];
 }
 
-// Polynomials of straight elements reach degree five in the radius; curved ones need more, and Jacobians are roots.
-int radial_points(bool straight) { return straight ? 6 : 14; }
+// Polynomials of straight elements reach degree five in the radius; curved ones need more, having sines or Jacobians
+// that are roots.
+int radial_points(bool straight) { return straight ? 6 : 18; }
 
 // Angular variable w on [0, 1]: the chord vanishes at one complex w, so intervals shrink towards it.
 struct AngularRule {
@@ -105,7 +107,7 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, PairPart par
       const double t_over_radius = inner_is_nearer ? angular.points[j] : 1;
       for (std::size_t i = 0; i < radial.points.size(); ++i) {
         const double radius = radial.points[i];
-        PointPair p;
+        PointPair p{a, b};
         p.outer_xi = a0 + a_length * s_over_radius * radius;
         p.inner_xi = b0 + b_length * t_over_radius * radius;
         p.outer_derivative = a.derivative(p.outer_xi);
@@ -116,8 +118,8 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, PairPart par
         p.weight = radial.weights[i] * area;
         p.log_weight = radial.log_weights[i] * area;
         // N_b is one and the same at the common point, so its value there drops out of the difference.
-        const auto inner_part = shape_difference_quotient(p.inner_xi, b0);
-        const auto outer_part = shape_difference_quotient(p.outer_xi, a0);
+        const auto inner_part = b.shape_difference_quotient(p.inner_xi, b0);
+        const auto outer_part = a.shape_difference_quotient(p.outer_xi, a0);
         for (int k = 0; k < 3; ++k) {
           p.difference[k] = b_length * t_over_radius * inner_part[k];
           p.difference[3 + k] = -a_length * s_over_radius * outer_part[k];
@@ -140,7 +142,7 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
       const double lower = -1 + 2 * along.points[j] * (1 - s), upper = lower + 2 * s;
       const double area = 4 * (1 - s) * along.weights[j];
       for (const bool outer_is_lower : {true, false}) {
-        PointPair p;
+        PointPair p{geometry, geometry};
         p.outer_xi = outer_is_lower ? lower : upper;
         p.inner_xi = outer_is_lower ? upper : lower;
         p.outer_derivative = geometry.derivative(p.outer_xi);
@@ -149,7 +151,7 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
         p.chord = geometry.difference_quotient(upper, lower);
         p.weight = radial.weights[i] * area;
         p.log_weight = radial.log_weights[i] * area + p.weight * log_two;
-        const auto difference = shape_difference_quotient(p.inner_xi, p.outer_xi);
+        const auto difference = geometry.shape_difference_quotient(p.inner_xi, p.outer_xi);
         for (int k = 0; k < 3; ++k) {
           p.difference[k] = difference[k];
           p.difference[3 + k] = 0;

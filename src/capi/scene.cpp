@@ -64,6 +64,23 @@ bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_c
   });
 }
 
+bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,
+                                     int32_t* first_edge) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const int edge = m.editable_scene().add_circular_hole(region, {x, y}, radius);
+    if (first_edge) *first_edge = edge;
+  });
+}
+
+bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y) {
+  return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().set_edge_arc(region, edge, {x, y}); });
+}
+
+bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region, int32_t first_edge, int32_t last_edge) {
+  return with_model(model, __func__,
+                    [&](model::Model& m) { m.editable_scene().set_edges_smooth(region, first_edge, last_edge); });
+}
+
 bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                  double grading) {
   return with_model(model, __func__, [&](model::Model& m) {

@@ -13,13 +13,14 @@ namespace {
 using Fractions = std::vector<double>;
 
 struct Body {
-  std::vector<Segment> edges;
+  std::vector<Edge> edges;
+  std::vector<Box> edge_boxes;
   Box box;
 };
 
 // Exactly 0 or 1 when the place is an end of the edge. Twice the tolerance, since two places that were each matched to
 // a third one may be that far apart.
-double snap_to_ends(const Segment& edge, double fraction, double tolerance) {
+double snap_to_ends(const Edge& edge, double fraction, double tolerance) {
   const double reach = 2 * tolerance / edge.length();
   if (fraction <= reach) return 0;
   return fraction >= 1 - reach ? 1 : fraction;
@@ -32,7 +33,7 @@ double snap_to(const Fractions& candidates, double fraction) {
 }
 
 // Sorted, without the ends, places closer than twice the tolerance made one.
-Fractions distinct_inner(const Segment& edge, Fractions fractions, double tolerance) {
+Fractions distinct_inner(const Edge& edge, Fractions fractions, double tolerance) {
   std::sort(fractions.begin(), fractions.end());
   const double reach = 2 * tolerance / edge.length();
   Fractions kept;
@@ -46,7 +47,8 @@ class Arranger {
   explicit Arranger(const std::vector<Outline>& regions) {
     Box all;
     for (const Outline& outline : regions) {
-      bodies_.push_back({edges_of(outline), bounding_box(outline)});
+      bodies_.push_back({edges_of(outline), {}, bounding_box(outline)});
+      for (const Edge& edge : bodies_.back().edges) bodies_.back().edge_boxes.push_back(bounding_box(edge));
       all.extend(bodies_.back().box);
       result_.breakpoints.emplace_back(bodies_.back().edges.size());
     }
@@ -60,7 +62,7 @@ class Arranger {
         if (may_meet(bodies_[a].box, bodies_[b].box)) compare(a, b);
     finish_breakpoints();
     finish_contacts();
-    std::vector<std::vector<Segment>> boundaries;
+    std::vector<std::vector<Edge>> boundaries;
     for (Body& body : bodies_) boundaries.push_back(std::move(body.edges));
     result_.hinges = find_hinges(boundaries, result_.contacts, tolerance_);
     return std::move(result_);
@@ -72,21 +74,20 @@ class Arranger {
     return Box(a.min() - margin, a.max() + margin).intersects(b);
   }
 
-  static Box box_of(const Segment& s) { return Box(s.start.cwiseMin(s.end), s.start.cwiseMax(s.end)); }
-
   void compare(int a, int b) {
     const auto &edges_a = bodies_[a].edges, &edges_b = bodies_[b].edges;
     std::vector<Fractions> splits_a(edges_a.size()), splits_b(edges_b.size());
     for (std::size_t i = 0; i < edges_a.size(); ++i)
       for (std::size_t j = 0; j < edges_b.size(); ++j)
-        if (may_meet(box_of(edges_a[i]), box_of(edges_b[j]))) split(edges_a[i], edges_b[j], splits_a[i], splits_b[j]);
+        if (may_meet(bodies_[a].edge_boxes[i], bodies_[b].edge_boxes[j]))
+          split(edges_a[i], edges_b[j], splits_a[i], splits_b[j]);
     classify(a, b, splits_a, true);
     classify(b, a, splits_b, false);
   }
 
-  void split(const Segment& a, const Segment& b, Fractions& on_a, Fractions& on_b) const {
+  void split(const Edge& a, const Edge& b, Fractions& on_a, Fractions& on_b) const {
     bool touching = false;
-    const auto touch = [&](const Segment& edge, const Point& vertex, Fractions& on_edge) {
+    const auto touch = [&](const Edge& edge, const Point& vertex, Fractions& on_edge) {
       const double fraction = closest_fraction(edge, vertex);
       if ((edge.at(fraction) - vertex).norm() > tolerance_) return;
       touching = true;
@@ -97,10 +98,13 @@ class Arranger {
     touch(b, a.start, on_b);
     touch(b, a.end, on_b);
     // A crossing next to a touching vertex is the same place, or rounding on a shared piece.
-    if (touching) return;
-    if (const auto crossing = proper_crossing(a, b)) {
-      on_a.push_back(crossing->fraction_a);
-      on_b.push_back(crossing->fraction_b);
+    if (touching && a.straight() && b.straight()) return;
+    for (const Crossing& c : meeting_points(a, b)) {
+      // Circles that are the same up to rounding seem to cross anywhere.
+      constexpr double same_direction = 1e-6;
+      if (touching && std::abs(cross(a.tangent(c.fraction_a), b.tangent(c.fraction_b))) < same_direction) continue;
+      on_a.push_back(snap_to_ends(a, c.fraction_a, tolerance_));
+      on_b.push_back(snap_to_ends(b, c.fraction_b, tolerance_));
     }
   }
 
@@ -108,7 +112,7 @@ class Arranger {
   // are found from one side only and entered for both, so that the two sides cannot disagree.
   void classify(int a, int b, const std::vector<Fractions>& splits, bool enter_contacts) {
     for (std::size_t k = 0; k < splits.size(); ++k) {
-      const Segment& edge = bodies_[a].edges[k];
+      const Edge& edge = bodies_[a].edges[k];
       Fractions stations = distinct_inner(edge, splits[k], tolerance_);
       auto& breakpoints = result_.breakpoints[a][k];
       breakpoints.insert(breakpoints.end(), stations.begin(), stations.end());
@@ -120,16 +124,17 @@ class Arranger {
   }
 
   void classify_piece(int a, int edge, double from, double to, int b, bool enter_contacts) {
-    const Segment& whole = bodies_[a].edges[edge];
+    const Edge& whole = bodies_[a].edges[edge];
     const Point middle = whole.at(0.5 * (from + to));
     const Location location = locate(bodies_[b].edges, middle, tolerance_);
     if (location == Location::outside) return;
     if (location == Location::inside) return note_overlap(a, b, middle);
     const Segment piece{whole.at(from), whole.at(to)};
-    const int partner = coincident_edge(piece, middle, bodies_[b].edges);
+    const Point direction = whole.tangent(0.5 * (from + to));
+    const int partner = coincident_edge(piece, middle, direction, bodies_[b].edges);
     if (partner < 0) return;
-    const Segment& other = bodies_[b].edges[partner];
-    if (piece.direction().dot(other.direction()) > 0) return note_overlap(a, b, middle);
+    const Edge& other = bodies_[b].edges[partner];
+    if (direction.dot(other.tangent(closest_fraction(other, middle))) > 0) return note_overlap(a, b, middle);
     if (!enter_contacts) return;
     const double other_from = snap_to_ends(other, closest_fraction(other, piece.start), tolerance_);
     const double other_to = snap_to_ends(other, closest_fraction(other, piece.end), tolerance_);
@@ -137,15 +142,15 @@ class Arranger {
   }
 
   // The edge that the piece lies on, or -1; next to a corner the more parallel of the two.
-  int coincident_edge(const Segment& piece, const Point& middle, const std::vector<Segment>& edges) const {
+  int coincident_edge(const Segment& piece, const Point& middle, const Point& direction,
+                      const std::vector<Edge>& edges) const {
     int best = -1;
     double best_alignment = 0;
-    const Point direction = piece.direction().normalized();
     for (std::size_t j = 0; j < edges.size(); ++j) {
-      const Segment& edge = edges[j];
+      const Edge& edge = edges[j];
       if (distance(edge, middle) > tolerance_) continue;
       if (distance(edge, piece.start) > 3 * tolerance_ || distance(edge, piece.end) > 3 * tolerance_) continue;
-      const double alignment = std::abs(direction.dot(edge.direction().normalized()));
+      const double alignment = std::abs(direction.dot(edge.tangent(closest_fraction(edge, middle))));
       if (alignment > best_alignment) {
         best = static_cast<int>(j);
         best_alignment = alignment;

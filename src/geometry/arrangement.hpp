@@ -7,7 +7,7 @@
 
 namespace bempd {
 
-// Straight piece that two regions share, body on either side. Fractions run along each edge from its start; the edges
+// Piece of an edge that two regions share, body on either side. Fractions run along each edge from its start; the edges
 // run against each other, so from < to and other_from > other_to, and other_from belongs to the same place as from.
 struct Contact {
   int region, edge;

@@ -8,7 +8,13 @@ namespace bempd {
 namespace {
 
 Point point_at(const Panel& panel, double fraction) {
+  if (panel.sweep != 0) return panel.arc().at(fraction);
   return fraction >= 1 ? panel.end : Point(panel.start + fraction * (panel.end - panel.start));
+}
+
+Point middle_of(const Panel& panel, double from, double to) {
+  if (panel.sweep != 0) return point_at(panel, 0.5 * (from + to));
+  return 0.5 * (point_at(panel, from) + point_at(panel, to));
 }
 
 void add_loop(const std::vector<Panel>& panels, int first_panel, BoundaryMesh& mesh) {
@@ -22,10 +28,11 @@ void add_loop(const std::vector<Panel>& panels, int first_panel, BoundaryMesh& m
       const double from = panel.stations[e], to = panel.stations[e + 1];
       const int node = static_cast<int>(mesh.nodes.size());
       mesh.nodes.push_back(point_at(panel, from));
-      mesh.nodes.push_back(0.5 * (point_at(panel, from) + point_at(panel, to)));
+      mesh.nodes.push_back(middle_of(panel, from, to));
       mesh.elements.push_back({{node, node + 1, closes ? first_node : node + 2},
                                {traction, traction + 1, traction + 2},
-                               first_panel + static_cast<int>(p)});
+                               first_panel + static_cast<int>(p),
+                               (to - from) * panel.sweep});
       traction += 2;
     }
     mesh.traction_node_count = traction + 1;
@@ -48,9 +55,10 @@ BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops, CornerT
   return mesh;
 }
 
-std::vector<double> element_stations(double length, double target, double grading) {
+std::vector<double> element_stations(double length, double target, double grading, double sweep) {
   // A count that is a whole number up to rounding must not gain an element.
-  const int count = std::max(1, static_cast<int>(std::ceil(length / target * (1 - 1e-9))));
+  const double turns = std::abs(sweep) / largest_element_sweep;
+  const int count = std::max(1, static_cast<int>(std::ceil(std::max(length / target, turns) * (1 - 1e-9))));
   std::vector<double> stations(count + 1, 0.0);
   for (int i = 0; i < count; ++i) {
     const int from_end = std::min(i, count - 1 - i);

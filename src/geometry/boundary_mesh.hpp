@@ -3,22 +3,26 @@
 #include <array>
 #include <vector>
 
-#include "geometry/point.hpp"
+#include "geometry/arc.hpp"
 
 namespace bempd {
 
-// Quadratic element: nodes are (start, mid, end) in the direction that has the body on its left.
+// Element with three nodes (start, mid, end) in the direction that has the body on its left.
 struct BoundaryElement {
   std::array<int, 3> nodes;           // displacement nodes
   std::array<int, 3> traction_nodes;  // traction nodes; neighbours share one inside a panel
   int panel = 0;                      // index of the panel it came from
+  double sweep = 0;                   // angle by which the tangent turns along it; 0 if it is straight
 };
 
-// Straight piece of a boundary between two places where the traction may jump: corners, ends of loads, supports and
-// interfaces. `stations` are the element ends as fractions of the length, 0 = first < ... < last = 1.
+// Straight piece or circular arc of a boundary between two places where the traction may jump: corners, ends of loads,
+// supports and interfaces. `stations` are the element ends as fractions of the length, 0 = first < ... < last = 1.
 struct Panel {
   Point start, end;
   std::vector<double> stations;
+  double sweep = 0;  // angle by which the tangent turns along it, counter-clockwise positive
+
+  Arc arc() const { return {start, end, sweep}; }
 };
 
 // Tractions at a node between two panels: one of each panel, so that they may jump there, or one in common.
@@ -37,8 +41,11 @@ struct BoundaryMesh {
 BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops,
                            CornerTractions corner_tractions = CornerTractions::two);
 
-// Element ends for a straight piece of the given length: `count = ceil(length / target)` equal elements when
+// Largest angle by which an element may turn: eight elements for a full circle.
+inline constexpr double largest_element_sweep = 0.7853981633974483;  // pi / 4
+
+// Element ends for a piece of the given length and sweep: `count = ceil(length / target)` equal elements when
 // `grading` is 1; otherwise neighbours' lengths differ by the factor `grading` >= 1, growing from both ends.
-std::vector<double> element_stations(double length, double target, double grading = 1.0);
+std::vector<double> element_stations(double length, double target, double grading = 1.0, double sweep = 0.0);
 
 }  // namespace bempd

@@ -9,32 +9,36 @@ namespace {
 
 class HingeFinder {
  public:
-  HingeFinder(const std::vector<std::vector<Segment>>& boundaries, const std::vector<Contact>& contacts,
-              double tolerance)
+  HingeFinder(const std::vector<std::vector<Edge>>& boundaries, const std::vector<Contact>& contacts, double tolerance)
       : boundaries_(boundaries), tolerance_(tolerance) {
     for (const auto& edges : boundaries) {
       Box box;
-      for (const Segment& edge : edges) box.extend(edge.start);
+      for (const Edge& edge : edges) box.extend(bounding_box(edge));
       boxes_.push_back(box);
     }
     for (const Contact& c : contacts) {
       if (c.region > c.other_region) continue;
-      const Segment& edge = boundaries[c.region][c.edge];
-      links_.push_back({c.region, c.other_region, {edge.at(c.from), edge.at(c.to)}});
+      links_.push_back({c.region, c.other_region, &boundaries[c.region][c.edge], c.from, c.to});
     }
   }
 
   // Two bodies that touch in a single point do so in a vertex of at least one of them.
   std::vector<PointTouch> run() {
     for (const auto& edges : boundaries_)
-      for (const Segment& edge : edges) examine(edge.start);
+      for (const Edge& edge : edges) examine(edge.start);
     return std::move(hinges_);
   }
 
  private:
   struct Link {
     int a, b;
-    Segment piece;
+    const Edge* edge;
+    double from, to;
+
+    double distance_to(const Point& p) const {
+      const double fraction = std::clamp(closest_fraction(*edge, p), from, to);
+      return (edge->at(fraction) - p).norm();
+    }
   };
 
   void examine(const Point& p) {
@@ -50,7 +54,7 @@ class HingeFinder {
     std::vector<int> present;
     for (std::size_t r = 0; r < boundaries_.size(); ++r) {
       if (boxes_[r].isEmpty() || boxes_[r].exteriorDistance(p) > tolerance_) continue;
-      const auto at_p = [&](const Segment& edge) { return distance(edge, p) <= tolerance_; };
+      const auto at_p = [&](const Edge& edge) { return distance(edge, p) <= tolerance_; };
       if (std::any_of(boundaries_[r].begin(), boundaries_[r].end(), at_p)) present.push_back(static_cast<int>(r));
     }
     return present;
@@ -61,7 +65,7 @@ class HingeFinder {
     for (int r : present) label[r] = r;
     for (const Link& link : links_) {
       // Wider than for presence: the ends of a piece are themselves only known to the tolerance.
-      if (!label.count(link.a) || !label.count(link.b) || distance(link.piece, p) > 3 * tolerance_) continue;
+      if (!label.count(link.a) || !label.count(link.b) || link.distance_to(p) > 3 * tolerance_) continue;
       const int from = label[link.b], to = label[link.a];
       for (auto& entry : label)
         if (entry.second == from) entry.second = to;
@@ -74,7 +78,7 @@ class HingeFinder {
     return groups;
   }
 
-  const std::vector<std::vector<Segment>>& boundaries_;
+  const std::vector<std::vector<Edge>>& boundaries_;
   double tolerance_;
   std::vector<Box> boxes_;
   std::vector<Link> links_;
@@ -83,7 +87,7 @@ class HingeFinder {
 
 }  // namespace
 
-std::vector<PointTouch> find_hinges(const std::vector<std::vector<Segment>>& boundaries,
+std::vector<PointTouch> find_hinges(const std::vector<std::vector<Edge>>& boundaries,
                                     const std::vector<Contact>& contacts, double tolerance) {
   return HingeFinder(boundaries, contacts, tolerance).run();
 }

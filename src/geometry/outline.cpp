@@ -2,14 +2,27 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace bempd {
 
-std::vector<Segment> edges_of(const Outline& outline) {
-  std::vector<Segment> edges;
+Edge Outline::edge(int number) const {
+  if (const auto found = curved.find(number); found != curved.end()) return found->second;
+  std::size_t k = static_cast<std::size_t>(number);
+  for (const auto& loop : loops) {
+    if (k < loop.size()) return {loop[k], loop[(k + 1) % loop.size()]};
+    k -= loop.size();
+  }
+  assert(false);
+  return {Point::Zero(), Point::Zero()};
+}
+
+std::vector<Edge> edges_of(const Outline& outline) {
+  std::vector<Edge> edges;
   for (const auto& loop : outline.loops)
     for (std::size_t k = 0; k < loop.size(); ++k) edges.push_back({loop[k], loop[(k + 1) % loop.size()]});
+  for (const auto& [number, edge] : outline.curved) edges[static_cast<std::size_t>(number)] = edge;
   return edges;
 }
 
@@ -17,6 +30,7 @@ Box bounding_box(const Outline& outline) {
   Box box;
   for (const auto& loop : outline.loops)
     for (const Point& vertex : loop) box.extend(vertex);
+  for (const auto& [number, edge] : outline.curved) box.extend(bounding_box(edge));
   return box;
 }
 
@@ -26,27 +40,29 @@ double geometric_tolerance(const Box& box) {
   return std::max(1e-9 * box.diagonal().norm(), 4 * std::numeric_limits<double>::epsilon() * largest);
 }
 
-double signed_area(const std::vector<Point>& loop) {
+double signed_area(const std::vector<Edge>& loop) {
   // Measured from the first vertex: no cancellation far from the origin.
   double twice = 0;
-  for (std::size_t k = 1; k + 1 < loop.size(); ++k) twice += cross(loop[k] - loop[0], loop[k + 1] - loop[0]);
+  const Point origin = loop.front().start;
+  for (const Edge& edge : loop)
+    for (int k = 0; k < edge.piece_count(); ++k) {
+      const Arc& arc = edge.piece(k);
+      twice += cross(arc.start - origin, arc.end - origin);
+      if (arc.straight()) continue;
+      const double radius = (arc.start - arc.centre()).norm();
+      twice += radius * radius * (arc.sweep - std::sin(arc.sweep));
+    }
   return 0.5 * twice;
 }
 
-double area(const Outline& outline) {
-  double sum = 0;
-  for (const auto& loop : outline.loops) sum += signed_area(loop);
-  return sum;
-}
+double area(const Outline& outline) { return signed_area(edges_of(outline)); }
 
-Location locate(const std::vector<Segment>& boundary, const Point& p, double tolerance) {
+Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance) {
   bool inside = false;
-  for (const Segment& edge : boundary) {
+  for (const Edge& edge : boundary) {
     if (distance(edge, p) <= tolerance) return Location::on_boundary;
-    // Even-odd rule along the ray to the right; an edge owns its lower end only, so a vertex counts once.
-    const bool upward = edge.end.y() > p.y();
-    if ((edge.start.y() > p.y()) == upward) continue;
-    if ((cross(edge.direction(), p - edge.start) > 0) == upward) inside = !inside;
+    // Even-odd rule: a vertex counts once.
+    if (ray_crosses(edge, p)) inside = !inside;
   }
   return inside ? Location::inside : Location::outside;
 }
@@ -56,8 +72,9 @@ Location locate(const Outline& outline, const Point& p, double tolerance) {
 }
 
 Point some_interior_point(const Outline& outline) {
-  const std::vector<Segment> edges = edges_of(outline);
-  assert(!edges.empty());
+  std::vector<Segment> edges;
+  for (const Edge& edge : edges_of(outline)) edges.push_back({edge.start, edge.end});
+  assert(!edges.empty() && outline.curved.empty());
   const auto longest = std::max_element(edges.begin(), edges.end(), [](const Segment& a, const Segment& b) {
     return a.direction().squaredNorm() < b.direction().squaredNorm();
   });

@@ -1,24 +1,25 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <map>
 #include <vector>
 
+#include "geometry/edge.hpp"
 #include "geometry/point.hpp"
-#include "geometry/segment.hpp"
 
 namespace bempd {
 
-// Body bounded by closed loops of straight edges: loops[0] is the outer loop, counter-clockwise; the others are holes,
+// Body bounded by closed loops of edges: loops[0] is the outer loop, counter-clockwise; the others are holes,
 // clockwise, so that every edge has the body on its left. Vertices and edges are numbered through all loops and edge k
 // starts at vertex k.
 struct Outline {
   std::vector<std::vector<Point>> loops;
+  std::map<int, Edge> curved{};  // edges that are not straight, by number from 0
+
+  Edge edge(int number) const;
 };
 
-using Box = Eigen::AlignedBox2d;
-
 // Edges in their numbering through all loops.
-std::vector<Segment> edges_of(const Outline& outline);
+std::vector<Edge> edges_of(const Outline& outline);
 
 Box bounding_box(const Outline& outline);
 
@@ -27,7 +28,7 @@ Box bounding_box(const Outline& outline);
 double geometric_tolerance(const Box& box);
 
 // Positive for a counter-clockwise loop.
-double signed_area(const std::vector<Point>& loop);
+double signed_area(const std::vector<Edge>& loop);
 
 // Area of the body, holes taken out.
 double area(const Outline& outline);
@@ -35,10 +36,10 @@ double area(const Outline& outline);
 enum class Location { inside, on_boundary, outside };
 
 // `boundary` holds all edges of one body in any order.
-Location locate(const std::vector<Segment>& boundary, const Point& p, double tolerance);
+Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance);
 Location locate(const Outline& outline, const Point& p, double tolerance);
 
-// A point well inside a sound outline, at half the width that the body has across its longest edge.
+// A point well inside a sound outline of straight edges, at half the width that the body has across its longest edge.
 Point some_interior_point(const Outline& outline);
 
 }  // namespace bempd

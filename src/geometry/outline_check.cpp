@@ -14,21 +14,24 @@ struct Loop {
   int number;
   int first_edge;
   const std::vector<Point>& vertices;
+  std::vector<Edge> edges;
+  std::vector<Box> boxes;
 
   int size() const { return static_cast<int>(vertices.size()); }
-  Segment edge(int k) const { return {vertices[k], vertices[(k + 1) % vertices.size()]}; }
+  const Edge& edge(int k) const { return edges[static_cast<std::size_t>(k)]; }
 };
 
 OutlineCheck defect_in(const Loop& loop, OutlineDefect defect, int edge_a, int edge_b, const Point& where) {
   return {defect, loop.number, loop.first_edge + edge_a, edge_b < 0 ? -1 : loop.first_edge + edge_b, where};
 }
 
-bool far_apart(const Segment& a, const Segment& b, double tolerance) {
-  for (int i = 0; i < 2; ++i) {
-    if (std::max(a.start[i], a.end[i]) + tolerance < std::min(b.start[i], b.end[i])) return true;
-    if (std::max(b.start[i], b.end[i]) + tolerance < std::min(a.start[i], a.end[i])) return true;
-  }
-  return false;
+// A place where edge i of one loop and edge j of another one touch.
+std::optional<Point> contact(const Loop& a, int i, const Loop& b, int j, double tolerance) {
+  const Point margin = Point::Constant(tolerance);
+  const Box& box = b.boxes[static_cast<std::size_t>(j)];
+  if (!a.boxes[static_cast<std::size_t>(i)].intersects(Box(box.min() - margin, box.max() + margin)))
+    return std::nullopt;
+  return find_contact(a.edge(i), b.edge(j), tolerance);
 }
 
 OutlineCheck check_vertices(const Loop& loop) {
@@ -49,12 +52,21 @@ OutlineCheck check_lengths(const Loop& loop, double tolerance) {
   return {};
 }
 
-// Consecutive edges always meet in one vertex; they may not meet again.
+// Consecutive edges always meet in one vertex; they may not meet again, nor turn back there.
 OutlineCheck check_spike(const Loop& loop, int k, double tolerance) {
   const int next = (k + 1) % loop.size();
-  const Segment a = loop.edge(k), b = loop.edge(next);
+  const Edge &a = loop.edge(k), &b = loop.edge(next);
   if (distance(a, b.end) <= tolerance || distance(b, a.start) <= tolerance)
     return defect_in(loop, OutlineDefect::spike, k, next, b.start);
+  if (a.straight() && b.straight()) return {};
+  constexpr double smallest_angle = 1e-6;
+  const Point along = a.tangent(1), on = b.tangent(0);
+  if (along.dot(on) < 0 && std::abs(cross(along, on)) < smallest_angle)
+    return defect_in(loop, OutlineDefect::spike, k, next, b.start);
+  for (const Crossing& crossing : meeting_points(a, b)) {
+    const Point where = a.at(crossing.fraction_a);
+    if ((where - b.start).norm() > 10 * tolerance) return defect_in(loop, OutlineDefect::self_crossing, k, next, where);
+  }
   return {};
 }
 
@@ -64,25 +76,23 @@ OutlineCheck check_self_crossing(const Loop& loop, double tolerance) {
   for (int a = 0; a < loop.size(); ++a) {
     for (int b = a + 2; b < loop.size(); ++b) {
       if (a == 0 && b == loop.size() - 1) continue;
-      if (far_apart(loop.edge(a), loop.edge(b), tolerance)) continue;
-      const Approach approach = closest_approach(loop.edge(a), loop.edge(b));
-      if (approach.distance <= tolerance) return defect_in(loop, OutlineDefect::self_crossing, a, b, approach.where);
+      if (const auto where = contact(loop, a, loop, b, tolerance))
+        return defect_in(loop, OutlineDefect::self_crossing, a, b, *where);
     }
   }
   return {};
 }
 
 OutlineCheck check_orientation(const Loop& loop) {
-  if ((signed_area(loop.vertices) > 0) == (loop.number == 0)) return {};
+  if ((signed_area(loop.edges) > 0) == (loop.number == 0)) return {};
   return {OutlineDefect::wrong_orientation, loop.number, -1, -1, loop.vertices[0]};
 }
 
 OutlineCheck check_contact(const Loop& a, const Loop& b, OutlineDefect defect, double tolerance) {
   for (int i = 0; i < a.size(); ++i) {
     for (int j = 0; j < b.size(); ++j) {
-      if (far_apart(a.edge(i), b.edge(j), tolerance)) continue;
-      const Approach approach = closest_approach(a.edge(i), b.edge(j));
-      if (approach.distance <= tolerance) return {defect, b.number, a.first_edge + i, b.first_edge + j, approach.where};
+      if (const auto where = contact(a, i, b, j, tolerance))
+        return {defect, b.number, a.first_edge + i, b.first_edge + j, *where};
     }
   }
   return {};
@@ -90,7 +100,7 @@ OutlineCheck check_contact(const Loop& a, const Loop& b, OutlineDefect defect, d
 
 // Only for loops that do not meet: then one vertex decides for all.
 bool lies_within(const Loop& inner, const Loop& outer) {
-  return locate(Outline{{outer.vertices}}, inner.vertices[0], 0) == Location::inside;
+  return locate(outer.edges, inner.vertices[0], 0) == Location::inside;
 }
 
 OutlineCheck check_hole(const std::vector<Loop>& loops, std::size_t hole, double tolerance) {
@@ -112,19 +122,28 @@ std::vector<Loop> number_loops(const Outline& outline) {
   std::vector<Loop> loops;
   int first_edge = 0;
   for (const auto& vertices : outline.loops) {
-    loops.push_back({static_cast<int>(loops.size()), first_edge, vertices});
+    loops.push_back({static_cast<int>(loops.size()), first_edge, vertices, {}, {}});
     first_edge += static_cast<int>(vertices.size());
   }
   return loops;
 }
 
+void add_edges(const Outline& outline, std::vector<Loop>& loops) {
+  const std::vector<Edge> edges = edges_of(outline);
+  for (Loop& loop : loops) {
+    loop.edges.assign(edges.begin() + loop.first_edge, edges.begin() + loop.first_edge + loop.size());
+    for (const Edge& edge : loop.edges) loop.boxes.push_back(bounding_box(edge));
+  }
+}
+
 }  // namespace
 
 OutlineCheck check_outline(const Outline& outline) {
-  const std::vector<Loop> loops = number_loops(outline);
+  std::vector<Loop> loops = number_loops(outline);
   if (loops.empty()) return {OutlineDefect::too_few_vertices, 0, -1, -1, Point::Zero()};
   for (const Loop& loop : loops)
     if (const OutlineCheck check = check_vertices(loop); !check.sound()) return check;
+  add_edges(outline, loops);
   const double tolerance = geometric_tolerance(bounding_box(outline));
   for (const Loop& loop : loops) {
     if (const OutlineCheck check = check_lengths(loop, tolerance); !check.sound()) return check;

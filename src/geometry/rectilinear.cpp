@@ -27,14 +27,14 @@ bool usable_spacing(double spacing, const Box& box, double tolerance) {
 // All lengths that the lattice must divide: edges, and the position of holes.
 std::vector<double> lengths_of(const Outline& outline) {
   std::vector<double> lengths;
-  for (const Segment& edge : edges_of(outline)) lengths.push_back(edge.direction().cwiseAbs().maxCoeff());
+  for (const Edge& edge : edges_of(outline)) lengths.push_back(edge.direction().cwiseAbs().maxCoeff());
   for (const auto& loop : outline.loops)
     for (int i = 0; i < 2; ++i) lengths.push_back(std::abs(loop[0][i] - outline.loops[0][0][i]));
   return lengths;
 }
 
 LatticeFit find_misfit(const Outline& outline, const Frame& frame) {
-  const std::vector<Segment> edges = edges_of(outline);
+  const std::vector<Edge> edges = edges_of(outline);
   LatticeFit fit;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const Point size = edges[k].direction().cwiseAbs();

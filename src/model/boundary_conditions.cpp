@@ -22,7 +22,7 @@ struct PartNode {
 // Nodes of a part of an edge, with its ends.
 std::vector<PartNode> nodes_on(const Scene& scene, const Discretization& d, const EdgePart& part) {
   const Region& region = scene.region(part.region);
-  const Segment edge = region.edge(part.edge);
+  const Edge edge = region.edge(part.edge);
   const double slack = 10 * d.tolerance / edge.length();
   std::vector<PartNode> found;
   const auto add = [&](int node, const Point& position) {
@@ -135,7 +135,7 @@ void require_free_edge(const Discretization& d, int load, const EdgePart& part, 
 void apply_traction(const Scene& scene, const Discretization& d, int load, const EdgePart& part, Affine& force) {
   const Condition& condition = scene.loads()[load];
   const Region& region = scene.region(part.region);
-  const Segment edge = region.edge(part.edge);
+  const Edge edge = region.edge(part.edge);
   const double thickness = scene.material(region.material).elasticity.thickness;
   require_free_edge(d, load, part, edge.length());
   for (int column = 0; column < 2; ++column) {

@@ -3,6 +3,7 @@
 
 #include "error.hpp"
 #include "model/boundary_part.hpp"
+#include "model/corner_grading.hpp"
 
 namespace bempd::model {
 
@@ -27,15 +28,15 @@ Border border_of(const Scene& scene, const Contact* contact) {
 // Fractions of an edge where supports or loads begin, end or act on a point.
 std::vector<double> condition_breaks(const Scene& scene, int region, int edge, double tolerance) {
   std::vector<double> breaks;
-  const Segment segment = scene.region(region).edge(edge);
+  const Edge whole = scene.region(region).edge(edge);
   const auto collect = [&](const std::vector<Condition>& conditions) {
     for (const Condition& condition : conditions) {
       if (const auto* part = std::get_if<EdgePart>(&condition.place)) {
         if (part->region != region || part->edge != edge) continue;
         breaks.push_back(part->from);
         breaks.push_back(part->to);
-      } else if (const Point& p = std::get<Point>(condition.place); distance(segment, p) <= tolerance) {
-        breaks.push_back(closest_fraction(segment, p));
+      } else if (const Point& p = std::get<Point>(condition.place); distance(whole, p) <= tolerance) {
+        breaks.push_back(closest_fraction(whole, p));
       }
     }
   };
@@ -48,6 +49,7 @@ std::vector<double> condition_breaks(const Scene& scene, int region, int edge, d
 std::vector<double> own_breaks(const Scene& scene, const Arrangement& arrangement, double tolerance, int region,
                                int edge) {
   std::vector<double> breaks = arrangement.breakpoints[region - 1][edge - 1];
+  breaks.push_back(scene.region(region).edge(edge).joint());
   for (double fraction : condition_breaks(scene, region, edge, tolerance)) {
     // On a lattice interface the elements follow the lattice.
     if (border_of(scene, contact_at(arrangement, region, edge, fraction)) != Border::peridynamics) {
@@ -87,8 +89,7 @@ EdgeMesh mesh_of(const Region& region, int edge) {
   return found != region.edge_mesh.end() ? found->second : EdgeMesh{region.element_length, 1.0};
 }
 
-void require_lattice_ends(const Scene& scene, int region, const Contact& contact, const Segment& piece,
-                          double tolerance) {
+void require_lattice_ends(const Scene& scene, int region, const Contact& contact, const Arc& piece, double tolerance) {
   const Region& lattice = scene.region(contact.other_region + 1);
   const double spacing = lattice.lattice.spacing;
   for (const Point& end : {piece.start, piece.end}) {
@@ -103,7 +104,7 @@ void require_lattice_ends(const Scene& scene, int region, const Contact& contact
 }
 
 // Element ends on lattice points; in scheme `paper` every node is one, but for the last of an odd number of spacings.
-std::vector<double> lattice_stations(const Scene& scene, const Contact& contact, const Segment& piece,
+std::vector<double> lattice_stations(const Scene& scene, const Contact& contact, const Arc& piece,
                                      const Formulation& formulation) {
   const double spacing = scene.region(contact.other_region + 1).lattice.spacing;
   const int count = static_cast<int>(std::lround(piece.length() / spacing)), step = formulation.paper ? 2 : 1;
@@ -114,7 +115,8 @@ std::vector<double> lattice_stations(const Scene& scene, const Contact& contact,
 }
 
 // Both sides of an interface must come to the same elements: the finer wish counts, seen from the lower region number.
-std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact, double length) {
+std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
+                                    const Arc& piece) {
   const int other = contact.other_region + 1;
   const EdgeMesh ours = mesh_of(scene.region(region), edge);
   const EdgeMesh theirs = mesh_of(scene.region(other), contact.other_edge + 1);
@@ -122,7 +124,36 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   const EdgeMesh& first = lower ? ours : theirs;
   const EdgeMesh& second = lower ? theirs : ours;
   const EdgeMesh& mesh = second.element_length < first.element_length ? second : first;
-  return element_stations(length, mesh.element_length, mesh.grading);
+  return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
+}
+
+// Components of the displacement that supports hold on a piece of an edge.
+Held held_on(const Scene& scene, int region, const PanelSource& source) {
+  if (source.border != Border::free) return Held::interface;
+  const double middle = 0.5 * (source.from + source.to);
+  int components = 0;
+  for (const Condition& support : scene.supports()) {
+    const auto* part = std::get_if<EdgePart>(&support.place);
+    if (!part || part->region != region || part->edge != source.edge) continue;
+    if (part->from <= middle && middle <= part->to) components |= support.components;
+  }
+  constexpr int both = 3;
+  return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
+}
+
+// Smaller elements towards singular places, where the host has not chosen the elements.
+void grade_corners(const Scene& scene, int region, BoundaryPanels& panels) {
+  std::size_t first = 0;
+  for (auto& loop : panels.loops) {
+    std::vector<BoundaryPiece> pieces;
+    for (std::size_t p = 0; p < loop.size(); ++p)
+      pieces.push_back({loop[p].arc(), held_on(scene, region, panels.sources[first + p])});
+    const std::vector<SingularEnds> singular = singular_ends(pieces);
+    for (std::size_t p = 0; p < loop.size(); ++p)
+      if (pieces[p].held != Held::interface && !scene.region(region).has_own_mesh(panels.sources[first + p].edge))
+        loop[p].stations = refined_towards(singular[p], loop[p].stations);
+    first += loop.size();
+  }
 }
 
 }  // namespace
@@ -136,26 +167,28 @@ BoundaryPanels mesh_edges(const Scene& scene, const Arrangement& arrangement, co
     result.loops.emplace_back();
     for (std::size_t k = 0; k < loop.size(); ++k) {
       ++edge;
-      const Segment segment = region.edge(edge);
+      const Edge whole = region.edge(edge);
       const std::vector<double> breaks = all_breaks(scene, arrangement, tolerance, region_id, edge);
       for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-        const Segment piece{segment.at(breaks[b]), segment.at(breaks[b + 1])};
+        const Arc piece = whole.part(breaks[b], breaks[b + 1]);
         const Contact* contact = contact_at(arrangement, region_id, edge, 0.5 * (breaks[b] + breaks[b + 1]));
         const Border border = border_of(scene, contact);
         const EdgeMesh mesh = mesh_of(region, edge);
         const bool follows = border == Border::peridynamics && !region.has_own_mesh(edge);
         const bool tied = border == Border::peridynamics && !follows && !formulation.paper;
         if (border == Border::peridynamics) require_lattice_ends(scene, region_id, *contact, piece, tolerance);
-        std::vector<double> stations = follows ? lattice_stations(scene, *contact, piece, formulation)
-                                       : border == Border::boundary_elements
-                                           ? shared_stations(scene, region_id, edge, *contact, piece.length())
-                                           : element_stations(piece.length(), mesh.element_length, mesh.grading);
-        result.loops.back().push_back({piece.start, piece.end, std::move(stations)});
+        std::vector<double> stations =
+            follows ? lattice_stations(scene, *contact, piece, formulation)
+            : border == Border::boundary_elements
+                ? shared_stations(scene, region_id, edge, *contact, piece)
+                : element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
+        result.loops.back().push_back({piece.start, piece.end, std::move(stations), piece.sweep});
         result.sources.push_back(
             {edge, breaks[b], breaks[b + 1], border, contact ? contact->other_region + 1 : 0, tied});
       }
     }
   }
+  if (formulation.grade_corners) grade_corners(scene, region_id, result);
   return result;
 }
 

@@ -71,7 +71,8 @@ Eigen::MatrixXd pointwise_stiffness(const BoundaryPart& part, const Scene& scene
     for (const BoundaryElement& element : part.mesh.elements) {
       const PanelSource& panel = part.panels[element.panel];
       if ((panel.border == Border::peridynamics) != at_interface) continue;
-      const double length = (part.mesh.nodes[element.nodes[2]] - part.mesh.nodes[element.nodes[0]]).norm();
+      const double length =
+          Arc{part.mesh.nodes[element.nodes[0]], part.mesh.nodes[element.nodes[2]], element.sweep}.length();
       for (int a = 0; a < 3; ++a) {
         auto rows = stiffness.middleRows<2>(2 * element.nodes[a]);
         const auto traction = tractions.middleRows<2>(2 * element.traction_nodes[a]);

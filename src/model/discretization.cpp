@@ -11,6 +11,23 @@ namespace bempd::model {
 
 namespace {
 
+// An arc above an edge of a lattice leaves a gap, or overlaps: what was meant is an interface, and those are straight.
+void require_straight_interfaces(const Scene& scene, double tolerance) {
+  for (std::size_t r = 0; r < scene.regions().size(); ++r) {
+    for (const auto& [number, edge] : scene.regions()[r].outline.curved) {
+      for (std::size_t other = 0; other < scene.regions().size(); ++other) {
+        if (scene.regions()[other].kind != RegionKind::peridynamics) continue;
+        const Outline& lattice = scene.regions()[other].outline;
+        const auto touches = [&](const Point& p) { return locate(lattice, p, tolerance) == Location::on_boundary; };
+        const bool above = touches(edge.start) && touches(edge.end) && touches(Segment{edge.start, edge.end}.at(0.5));
+        require(!above, "edge ", number + 1, " of region ", r + 1,
+                " is curved, and its chord lies on the boundary of the peridynamic region ", other + 1,
+                "; interfaces with peridynamic regions must be straight");
+      }
+    }
+  }
+}
+
 void require_compatible(const Scene& scene, const Arrangement& arrangement, const Formulation& formulation) {
   if (const auto& overlap = arrangement.overlap) {
     require(false, "regions ", overlap->region_a + 1, " and ", overlap->region_b + 1, " overlap near (",
@@ -46,7 +63,7 @@ std::vector<char> shared_points(const Scene& scene, const Discretization& d, con
   }
   for (const Contact& contact : d.arrangement.contacts) {
     if (contact.region != part.region - 1) continue;
-    const Segment edge = scene.region(part.region).edge(contact.edge + 1);
+    const Edge edge = scene.region(part.region).edge(contact.edge + 1);
     const std::vector<int> points = part.points_along(edge.at(contact.from), edge.at(contact.to));
     if (!d.formulation.paper && scene.region(contact.other_region + 1).has_own_mesh(contact.other_edge + 1)) {
       shared[points.front()] = shared[points.back()] = 1;
@@ -141,6 +158,7 @@ Discretization discretize(const Scene& scene, const Options& options) {
   const Box box = scene.bounding_box();
   d.tolerance = geometric_tolerance(box);
   d.arrangement = arrange(outlines);
+  require_straight_interfaces(scene, d.tolerance);
   require_compatible(scene, d.arrangement, d.formulation);
 
   const int region_count = static_cast<int>(scene.regions().size());

@@ -14,6 +14,8 @@ struct Formulation {
   // Interface rows are t = -b dx of every node and its point (Eqs. 26, 27); else the balance of nodal forces.
   bool pointwise_traction = false;
   CornerTractions corner_tractions = CornerTractions::two;
+  // Elements become smaller towards places where stress is singular; never in scheme `paper`.
+  bool grade_corners = false;
   bool printed_critical_stretch = false;  // Eq. 15 as printed; else the exact constant
 
   static Formulation from(const Options& options);

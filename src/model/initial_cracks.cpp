@@ -13,8 +13,9 @@ namespace {
 std::vector<double> crossings(const Scene& scene, const Segment& segment, double tolerance) {
   std::vector<double> fractions{0.0, 1.0};
   for (const Region& region : scene.regions()) {
-    for (const Segment& edge : edges_of(region.outline)) {
-      if (const auto crossing = proper_crossing(segment, edge)) fractions.push_back(crossing->fraction_a);
+    for (const Edge& edge : edges_of(region.outline)) {
+      for (const Crossing& crossing : meeting_points(Edge(segment.start, segment.end), edge))
+        fractions.push_back(crossing.fraction_a);
       if (distance(segment, edge.start) <= tolerance) fractions.push_back(closest_fraction(segment, edge.start));
     }
   }

@@ -87,6 +87,11 @@ const std::vector<OptionDescription>& option_descriptions() {
       number_option("bem.quadrature_tolerance",
                     "Relative error of the boundary integrals of a pair of elements; a looser one is faster.", 1e-14,
                     1e-15, 1e-3, false),
+      text_option("bem.grading",
+                  "Boundary elements near places where stress is singular: auto, smaller and smaller towards "
+                  "re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(); none. Scheme paper "
+                  "has none.",
+                  "auto | none", "auto"),
       text_option(
           "stepping.mode",
           "How bonds break: event, the most stretched first at the load factor they reach, until none is "

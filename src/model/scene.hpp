@@ -44,7 +44,7 @@ struct Region {
   LatticeOutline lattice;
 
   int edge_count() const;
-  Segment edge(int number) const;
+  Edge edge(int number) const { return outline.edge(number - 1); }
   // The host has chosen this edge's elements; on a lattice interface they need not match the lattice then.
   bool has_own_mesh(int edge) const { return edge_mesh.count(edge) > 0; }
 };
@@ -90,7 +90,12 @@ class Scene {
   int add_boundary_region(int material, const std::vector<Point>& vertices, double element_length);
   int add_lattice_region(int material, const std::vector<Point>& vertices, double spacing, int horizon_ratio);
   int add_hole(int region, const std::vector<Point>& vertices);  // number of its first edge
+  int add_circular_hole(int region, const Point& centre, double radius);
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
+  // The edge becomes the arc through a place between its ends.
+  void set_edge_arc(int region, int edge, const Point& between);
+  // A row of edges of one loop becomes a smooth curve through their vertices.
+  void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);
   int add_support(Condition condition);
   int add_load(Condition condition);
@@ -110,6 +115,7 @@ class Scene {
 
  private:
   Region& mutable_region(int id);
+  Region& region_with_edge(int id, int edge, const char* purpose);
   void check_condition(const Condition& condition, bool is_support) const;
 
   std::vector<Material> materials_;

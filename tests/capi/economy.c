@@ -12,6 +12,7 @@ static void boundary_scene_has_no_lattice_and_no_sparse_factor(void) {
   bempd_model* model = bem_block();
   const double one = 1.0;
   bempd_statistics s;
+  CHECK_OK(model, bempd_set_option_text(model, "bem.grading", "none"));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &one, NULL));
   CHECK_OK(model, bempd_step(model, 1.0, NULL));

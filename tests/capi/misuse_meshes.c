@@ -50,11 +50,53 @@ static void lattice_edges_have_no_elements(void) {
 static void edges_get_the_elements_asked_for(void) {
   bempd_model* model = bem_block();
   int64_t elements = 0;
+  CHECK_OK(model, bempd_set_option_text(model, "bem.grading", "none"));
   CHECK_OK(model, bempd_set_edge_mesh(model, 1, 1, 3.0, 1.0));
   CHECK_OK(model, bempd_set_edge_mesh(model, 1, 3, 1.0, 1.5));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_element_count(model, 1, &elements));
   CHECK(elements == 4 + 4 + 10 + 4);
+  bempd_model_free(model);
+}
+
+/* Five more elements at each end of an edge where stress is singular, unless the host has chosen the edge's elements.
+ */
+static int64_t elements_with_held_edge(int32_t component, const char* scheme, int edge_is_chosen) {
+  bempd_model* model = bem_block();
+  int64_t elements = 0;
+  CHECK_OK(model, bempd_set_option_text(model, "scheme", scheme));
+  if (edge_is_chosen) CHECK_OK(model, bempd_set_edge_mesh(model, 1, 1, 2.0, 1.0));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, component, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 2, BEMPD_X, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 10.0, 4.0, BEMPD_Y, NULL));
+  CHECK_OK(model, bempd_element_count(model, 1, &elements));
+  bempd_model_free(model);
+  return elements;
+}
+
+static void elements_become_smaller_towards_clamped_corners(void) {
+  CHECK(elements_with_held_edge(BEMPD_X, "symmetric", 0) == 18);
+  CHECK(elements_with_held_edge(BEMPD_BOTH, "symmetric", 0) == 18 + 4 * 5);
+  CHECK(elements_with_held_edge(BEMPD_BOTH, "symmetric", 1) == 18 + 3 * 5);
+  CHECK(elements_with_held_edge(BEMPD_BOTH, "paper", 0) == 18);
+}
+
+static void elements_become_smaller_towards_reentrant_corners_and_ends_of_supports(void) {
+  static const double corner[] = {0.0, 0.0, 4.0, 0.0, 4.0, 2.0, 2.0, 2.0, 2.0, 4.0, 0.0, 4.0};
+  bempd_model* model = new_model();
+  const int32_t material = add_sound_material(model);
+  int64_t elements = 0;
+  CHECK_OK(model, bempd_add_bem_region(model, material, 6, corner, 1.0, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 6, BEMPD_X, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 0.0, 2.0, BEMPD_Y, NULL));
+  CHECK_OK(model, bempd_element_count(model, 1, &elements));
+  CHECK(elements == 16 + 2 * 5);
+  bempd_model_free(model);
+  model = bem_block();
+  CHECK_OK(model, bempd_prescribe_edge(model, 1, 1, 0.0, 0.4, BEMPD_Y, 1, NULL, NULL, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 0.0, 0.0, BEMPD_X, NULL));
+  CHECK_OK(model, bempd_element_count(model, 1, &elements));
+  CHECK(elements == 18 + 2 * 5);
   bempd_model_free(model);
 }
 
@@ -64,5 +106,7 @@ int main(void) {
   grading_has_limits();
   lattice_edges_have_no_elements();
   edges_get_the_elements_asked_for();
+  elements_become_smaller_towards_clamped_corners();
+  elements_become_smaller_towards_reentrant_corners_and_ends_of_supports();
   return check_finish();
 }

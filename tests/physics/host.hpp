@@ -80,6 +80,7 @@ class Model {
       throw std::runtime_error(std::string(bempd_status_name(status)) + ": " + bempd_last_error(get()));
   }
 
+  void set(const char* option, const char* word) { check(bempd_set_option_text(get(), option, word)); }
   void set(const char* option, double value) { check(bempd_set_option(get(), option, value)); }
 
   int32_t add(const bempd_material& material) {
@@ -101,6 +102,22 @@ class Model {
     int32_t first_edge = 0;
     check(bempd_add_hole(get(), region, count(outline), data(outline), &first_edge));
     return first_edge;
+  }
+  int32_t circular_hole(int32_t region, Vector centre, double radius) {
+    int32_t first_edge = 0;
+    check(bempd_add_circular_hole(get(), region, centre[0], centre[1], radius, &first_edge));
+    return first_edge;
+  }
+  // A disk of four quarter circles, the first from the place with the largest x, counter-clockwise.
+  int32_t disk(int32_t material, Vector centre, double radius, double element_length) {
+    const double x = centre[0], y = centre[1], h = radius * std::sqrt(0.5);
+    const int32_t region =
+        bem(material, {{x + radius, y}, {x, y + radius}, {x - radius, y}, {x, y - radius}}, element_length);
+    check(bempd_set_edge_arc(get(), region, 1, x + h, y + h));
+    check(bempd_set_edge_arc(get(), region, 2, x - h, y + h));
+    check(bempd_set_edge_arc(get(), region, 3, x - h, y - h));
+    check(bempd_set_edge_arc(get(), region, 4, x + h, y - h));
+    return region;
   }
   void crack(const Outline& points) { check(bempd_add_crack(get(), count(points), data(points), nullptr)); }
   void mesh(int32_t region, int32_t edge, double element_length, double grading) {

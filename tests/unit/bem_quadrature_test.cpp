@@ -49,11 +49,32 @@ TEST(GaussRule, point_count_estimate_bounds_the_error_near_a_pole) {
 }
 
 TEST(ElementGeometry, difference_quotients_have_no_cancellation) {
-  const ElementGeometry element{{0.3, 0.1}, {0.5, 0.2}, {0.05, -0.1}};
-  const double from = 0.7, d = 1e-9;
-  EXPECT_NEAR((element.difference_quotient(from + d, from) - element.derivative(from + d / 2)).norm(), 0, 1e-15);
-  const auto quotient = shape_difference_quotient(-0.4, 0.9), a = shape(-0.4), b = shape(0.9);
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(quotient[k], (a[k] - b[k]) / (-0.4 - 0.9), 1e-15);
+  for (const double half_angle : {0.0, 1e-7, 0.4, -1.1}) {
+    const ElementGeometry element{{0.3, 0.1}, {0.5, 0.2}, {0.05, -0.1}, ElementBasis(half_angle)};
+    const double from = 0.7, d = 1e-9;
+    EXPECT_NEAR((element.difference_quotient(from + d, from) - element.derivative(from + d / 2)).norm(), 0, 4e-15);
+    const auto quotient = element.shape_difference_quotient(-0.4, 0.9), a = element.shape(-0.4), b = element.shape(0.9);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(quotient[k], (a[k] - b[k]) / (-0.4 - 0.9), 1e-15);
+  }
+}
+
+TEST(ElementGeometry, arc_elements_lie_on_the_circle_and_represent_linear_fields_and_rotated_normals) {
+  for (const double sweep : {1e-6, 0.1, -0.78, 2.5}) {
+    const Arc arc{{0.2, 0.1}, {0.5, 0.3}, sweep};
+    const ElementGeometry element = element_through(arc.start, arc.at(0.5), arc.end, sweep);
+    for (const double xi : {-1.0, -0.77, 0.0, 0.31, 1.0}) {
+      EXPECT_NEAR((element.at(xi) - arc.at(0.5 * (1 + xi))).norm(), 0, 2e-16);
+      EXPECT_NEAR(element.derivative(xi).norm(), 0.5 * arc.length(), 1e-15);
+      const auto shape = element.shape(xi);
+      Point place = Point::Zero(), tangent = Point::Zero();
+      for (int k = 0; k < 3; ++k) {
+        place += shape[k] * element.at(k - 1);
+        tangent += shape[k] * arc.tangent(0.5 * k);
+      }
+      EXPECT_NEAR((place - element.at(xi)).norm(), 0, 2e-16);
+      EXPECT_NEAR((tangent - arc.tangent(0.5 * (1 + xi))).norm(), 0, 1e-15);
+    }
+  }
 }
 
 // Integral of ln|x - y| over [0, 1] x [c, c + 1]; in extended precision, since large terms cancel.
@@ -89,8 +110,13 @@ TEST(PairIntegrator, logarithm_agrees_with_closed_form_for_equal_touching_near_a
 TEST(PairIntegrator, touching_elements_agree_with_their_halves) {
   // A corner of 60 degrees between lengths 1 and 1/3, and a curved neighbour.
   const Point tip{0.5, std::sqrt(0.75)};
-  for (const double bulge : {0.0, 0.04}) {
-    const std::vector<ElementGeometry> elements{{{0.5, bulge}, {0.5, 0}, {0, -bulge}},  // ends in (1, 0)
+  const auto bulging = [](double bulge, double sweep) {  // ends in (1, 0)
+    return element_through({0, 0}, {0.5, bulge}, {1, 0}, sweep);
+  };
+  const auto arc = [&](double bulge) { return bulging(bulge, -4 * std::atan(2 * bulge)); };
+  for (const ElementGeometry& first : {bulging(0, 0), bulging(0.04, 0), arc(0.04), arc(0.0999), arc(-0.0999)}) {
+    const double bulge = first.c0.y();
+    const std::vector<ElementGeometry> elements{first,
                                                 {Point(1, 0) - tip / 6, -tip / 6, {0, 0}},
                                                 {Point(1, 0) - tip / 12, -tip / 12, {0, 0}},
                                                 {Point(1, 0) - tip / 4, -tip / 12, {0, 0}}};

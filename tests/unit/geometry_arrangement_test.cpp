@@ -36,7 +36,7 @@ void expect_consistent(const Arrangement& arrangement, const std::vector<Outline
   for (const Contact& c : arrangement.contacts) {
     EXPECT_LT(c.from, c.to);
     EXPECT_GT(c.other_from, c.other_to);
-    const Segment own = edges_of(regions[c.region])[c.edge], other = edges_of(regions[c.other_region])[c.other_edge];
+    const Edge own = edges_of(regions[c.region])[c.edge], other = edges_of(regions[c.other_region])[c.other_edge];
     EXPECT_LT((own.at(c.from) - other.at(c.other_from)).norm(), tolerance);
     EXPECT_LT((own.at(c.to) - other.at(c.other_to)).norm(), tolerance);
     EXPECT_TRUE(is_known(c.region, c.edge, c.from) && is_known(c.region, c.edge, c.to));

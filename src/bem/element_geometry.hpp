@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "geometry/point.hpp"
+
+namespace bempd::bem {
+
+// An odd and an even function of -1 <= xi <= 1, both 1 at xi = 1, that span with the constants what elements can
+// represent: xi and xi^2 on straight elements. On circular arcs of half angle alpha
+//   sin(alpha xi) / sin(alpha)  and  (1 - cos(alpha xi)) / (1 - cos(alpha)):
+// then x and y are among the functions on the exact arc, and so are linear displacements, rigid rotations and the
+// tractions of constant stress. Both tend to the powers as alpha tends to zero.
+class ElementBasis {
+ public:
+  explicit ElementBasis(double half_angle = 0)
+      : alpha_(half_angle),
+        odd_scale_(half_angle == 0 ? 1 : 1 / std::sin(half_angle)),
+        even_scale_(half_angle == 0 ? 1 : 1 / std::sin(0.5 * half_angle)) {}
+
+  double half_angle() const { return alpha_; }
+  bool powers() const { return alpha_ == 0; }
+
+  double odd(double xi) const { return powers() ? xi : std::sin(alpha_ * xi) * odd_scale_; }
+  double even(double xi) const {
+    if (powers()) return xi * xi;
+    const double root = std::sin(0.5 * alpha_ * xi) * even_scale_;
+    return root * root;
+  }
+  double odd_slope(double xi) const { return powers() ? 1 : alpha_ * std::cos(alpha_ * xi) * odd_scale_; }
+  double even_slope(double xi) const {
+    return powers() ? 2 * xi : 0.5 * alpha_ * std::sin(alpha_ * xi) * even_scale_ * even_scale_;
+  }
+  // (f(xi) - f(from)) / (xi - from), without cancellation.
+  double odd_quotient(double xi, double from) const {
+    if (powers()) return 1;
+    return alpha_ * odd_scale_ * std::cos(0.5 * alpha_ * (xi + from)) * sinc(0.5 * alpha_ * (xi - from));
+  }
+  double even_quotient(double xi, double from) const {
+    if (powers()) return xi + from;
+    const double scale = 0.5 * alpha_ * even_scale_ * even_scale_;
+    return scale * std::sin(0.5 * alpha_ * (xi + from)) * sinc(0.5 * alpha_ * (xi - from));
+  }
+
+  // even(xi) - even(from) - (odd(xi) - odd(from)) even'(from) / odd'(from), without cancellation.
+  double second_order(double xi, double from) const {
+    const double d = xi - from;
+    return powers() ? d * d : even(d) / std::cos(alpha_ * from);
+  }
+
+ private:
+  static double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
+
+  double alpha_, odd_scale_, even_scale_;
+};
+
+// x(xi) = c0 + c1 odd(xi) + c2 even(xi); straight when c2 vanishes.
+struct ElementGeometry {
+  Point c0, c1, c2;
+  ElementBasis basis{};
+
+  Point at(double xi) const { return c0 + basis.odd(xi) * c1 + basis.even(xi) * c2; }
+  Point derivative(double xi) const { return basis.odd_slope(xi) * c1 + basis.even_slope(xi) * c2; }
+  // (x(xi) - x(from)) / (xi - from), without cancellation.
+  Point difference_quotient(double xi, double from) const {
+    return basis.odd_quotient(xi, from) * c1 + basis.even_quotient(xi, from) * c2;
+  }
+  bool straight() const { return c2.squaredNorm() <= 1e-24 * c1.squaredNorm(); }
+
+  // Shape functions of the nodes (start, mid, end).
+  std::array<double, 3> shape(double xi) const { return nodal(basis.odd(xi), basis.even(xi), 1); }
+  std::array<double, 3> shape_derivative(double xi) const {
+    return nodal(basis.odd_slope(xi), basis.even_slope(xi), 0);
+  }
+  std::array<double, 3> shape_difference_quotient(double xi, double from) const {
+    return nodal(basis.odd_quotient(xi, from), basis.even_quotient(xi, from), 0);
+  }
+
+ private:
+  static std::array<double, 3> nodal(double odd, double even, double one) {
+    return {0.5 * (even - odd), one - even, 0.5 * (even + odd)};
+  }
+};
+
+// Element through its nodes; `sweep` is the angle by which the tangent turns along an arc, 0 for a parabola or a
+// straight element.
+ElementGeometry element_through(const Point& start, const Point& mid, const Point& end, double sweep);
+
+// Outward normal times the Jacobian |dx/dxi|: the body lies on the left.
+inline Point scaled_normal(const Point& derivative) { return {derivative.y(), -derivative.x()}; }
+
+// Part of an element within -1 <= xi <= 1, in either direction.
+struct Interval {
+  double from = -1, to = 1;
+  double mid() const { return 0.5 * (from + to); }
+  double at(double s) const { return from + s * (to - from); }
+};
+
+}  // namespace bempd::bem

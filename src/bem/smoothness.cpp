@@ -1,0 +1,88 @@
+#include "bem/smoothness.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "bem/quadrature.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+Complex as_complex(const Point& p) { return {p.x(), p.y()}; }
+
+// Roots of the quadratic c0 + c1 xi + c2 xi^2.
+void add_roots(const Complex& c0, const Complex& c1, const Complex& c2, Singularities& s) {
+  const Complex root = std::sqrt(c1 * c1 - 4.0 * c2 * c0);
+  const Complex larger = std::abs(c1 + root) > std::abs(c1 - root) ? c1 + root : c1 - root;
+  s.add(-larger / (2.0 * c2));
+  if (larger != 0.0) s.add(-2.0 * c0 / larger);
+}
+
+// On the circle x = centre + (mid - centre) exp(i alpha xi); read as complex numbers it passes through every point.
+void add_angles(const ElementGeometry& arc, const Point& x, Singularities& s) {
+  const double alpha = arc.basis.half_angle(), root = std::sin(0.5 * alpha);
+  const Point to_centre = arc.c2 / (2 * root * root);
+  const Complex ratio = as_complex(x - arc.c0 - to_centre) / as_complex(-to_centre);
+  if (ratio == 0.0) return;
+  const Complex xi = Complex(0, -1) * std::log(ratio) / alpha;
+  s.add(xi);
+  // The next turn is as far as the first one for points across the circle.
+  s.add(xi - std::copysign(2 * std::numbers::pi / std::abs(alpha), xi.real()));
+}
+
+}  // namespace
+
+double Singularities::ellipse(const Interval& interval) const {
+  double closest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count_; ++i)
+    closest = std::min(closest, std::abs(at_[i] - interval.from) + std::abs(at_[i] - interval.to));
+  return ellipse_size(2 * closest / std::abs(interval.to - interval.from));
+}
+
+Singularities singularities_from(const ElementGeometry& element, const Point& x) {
+  Singularities s;
+  const Complex c0 = as_complex(element.c0 - x), c1 = as_complex(element.c1), c2 = as_complex(element.c2);
+  if (element.straight()) {
+    s.add(-c0 / c1);
+  } else if (element.basis.powers()) {
+    add_roots(c0, c1, c2, s);
+  } else {
+    add_angles(element, x, s);
+  }
+  return s;
+}
+
+Singularities singularities_of_chord(const ElementGeometry& element, double xi0) {
+  Singularities s;
+  if (element.straight()) return s;
+  if (element.basis.powers()) {
+    s.add(-as_complex(element.c1) / as_complex(element.c2) - xi0);
+    return s;
+  }
+  const double turn = 2 * std::numbers::pi / std::abs(element.basis.half_angle());
+  s.add(xi0 - turn);
+  s.add(xi0 + turn);
+  return s;
+}
+
+int shape_points_needed(const ElementGeometry& element, const Interval& interval, double tolerance) {
+  if (element.straight()) return 1;
+  if (element.basis.powers()) {
+    // The Jacobian's square is dx/dxi . dx/dxi, which vanishes where c1 + 2 c2 xi does, read as complex numbers.
+    Singularities s;
+    s.add(-as_complex(element.c1) / (2.0 * as_complex(element.c2)));
+    return gauss_points_needed(s.ellipse(interval), tolerance);
+  }
+  // Sines and cosines of up to some four times the angle: the error of n points falls like (e angle / 4 n)^(2 n).
+  const double angle = 4 * std::abs(element.basis.half_angle()) * 0.5 * std::abs(interval.to - interval.from);
+  int points = 1;
+  while (points < max_gauss_points && std::pow(std::numbers::e * angle / (4 * points), 2 * points) > tolerance)
+    ++points;
+  return points;
+}
+
+}  // namespace bempd::bem

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include "bem/element_geometry.hpp"
+
+namespace bempd::bem {
+
+// Complex parameters at which an integrand over an element is not analytic.
+class Singularities {
+ public:
+  void add(std::complex<double> xi) { at_[count_++] = xi; }
+
+  // Size of the ellipse around the interval in which the integrand is analytic; infinite without singularities.
+  double ellipse(const Interval& interval) const;
+
+ private:
+  std::array<std::complex<double>, 4> at_;
+  int count_ = 0;
+};
+
+// Where the distance from the point x vanishes.
+Singularities singularities_from(const ElementGeometry& element, const Point& x);
+
+// Those that are left when the distance from the element's own point xi0 is divided by |xi - xi0|.
+Singularities singularities_of_chord(const ElementGeometry& element, double xi0);
+
+// Points that Gauss's rule needs on account of the element's own functions: Jacobian, and products of shape functions.
+int shape_points_needed(const ElementGeometry& element, const Interval& interval, double tolerance);
+
+}  // namespace bempd::bem

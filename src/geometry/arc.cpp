@@ -1,0 +1,184 @@
+#include "geometry/arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bempd {
+
+namespace {
+
+Point rotated(const Point& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Point left_of(const Point& v) { return {-v.y(), v.x()}; }
+
+// Fractions of an arc, also beyond its ends, for a point of its circle; the one nearest to the arc's middle.
+double fraction_on_circle(const Arc& arc, const Point& p) {
+  const Point centre = arc.centre(), middle = arc.at(0.5) - centre, r = p - centre;
+  return 0.5 + std::atan2(cross(middle, r), middle.dot(r)) / arc.sweep;
+}
+
+double fraction_on_line(const Arc& line, const Point& p) {
+  const Point d = line.end - line.start;
+  return (p - line.start).dot(d) / d.squaredNorm();
+}
+
+double fraction_beyond_ends(const Arc& arc, const Point& p) {
+  return arc.straight() ? fraction_on_line(arc, p) : fraction_on_circle(arc, p);
+}
+
+// Points that the circle of `arc` has in common with the line or circle of `other`: foot on the line of symmetry plus
+// and minus half the common chord. A miss by rounding counts as touching.
+std::vector<Point> common_points(const Arc& arc, const Arc& other) {
+  const Point centre = arc.centre();
+  const double radius = (arc.start - centre).norm();
+  Point foot, along;
+  double square;
+  if (other.straight()) {
+    along = (other.end - other.start).normalized();
+    foot = other.start + (centre - other.start).dot(along) * along;
+    square = radius * radius - (foot - centre).squaredNorm();
+  } else {
+    const Point between = other.centre() - centre;
+    const double distance = between.norm(), other_radius = (other.start - other.centre()).norm();
+    if (!(distance > 1e-12 * radius)) return {};
+    const double reach = 0.5 * (distance + (radius - other_radius) * (radius + other_radius) / distance);
+    along = left_of(between / distance);
+    foot = centre + reach * between / distance;
+    square = radius * radius - reach * reach;
+  }
+  if (square < -1e-12 * radius * radius) return {};
+  const double half = std::sqrt(std::max(square, 0.0));
+  return {foot - half * along, foot + half * along};
+}
+
+// Lower bound of the distance: that of the chords less what the arcs bulge out of them.
+struct Piece {
+  Arc arc;
+  double reach() const { return std::abs(arc.sagitta()); }
+};
+
+std::optional<Point> search_contact(const Piece& a, const Piece& b, double tolerance, int depth) {
+  const Approach approach = closest_approach(a.arc.chord(), b.arc.chord());
+  if (approach.distance > a.reach() + b.reach() + tolerance) return std::nullopt;
+  constexpr int max_depth = 80;
+  if (a.reach() + b.reach() <= 0.01 * tolerance || depth == max_depth) {
+    if (approach.distance <= tolerance) return approach.where;
+    return std::nullopt;
+  }
+  const bool halve_a = a.reach() >= b.reach();
+  const Arc& wider = halve_a ? a.arc : b.arc;
+  for (const Piece& half : {Piece{wider.part(0, 0.5)}, Piece{wider.part(0.5, 1)}})
+    if (const auto found =
+            halve_a ? search_contact(half, b, tolerance, depth + 1) : search_contact(a, half, tolerance, depth + 1))
+      return found;
+  return std::nullopt;
+}
+
+}  // namespace
+
+double Arc::length() const {
+  const double chord_length = (end - start).norm(), half = 0.5 * sweep;
+  return straight() ? chord_length : chord_length * half / std::sin(half);
+}
+
+Point Arc::at(double fraction) const {
+  if (straight()) return chord().at(fraction);
+  // From the nearer end, so that both ends are met exactly.
+  const auto from = [this](const Point& origin, const Point& towards, double turning, double part) -> Point {
+    const double ratio = std::sin(0.5 * part * turning) / std::sin(0.5 * turning);
+    return origin + ratio * rotated(towards - origin, -0.5 * (1 - part) * turning);
+  };
+  return fraction < 0.5 ? from(start, end, sweep, fraction) : from(end, start, -sweep, 1 - fraction);
+}
+
+Point Arc::tangent(double fraction) const { return rotated((end - start).normalized(), (fraction - 0.5) * sweep); }
+
+Arc Arc::part(double from, double to) const { return {at(from), at(to), (to - from) * sweep}; }
+
+double Arc::sagitta() const { return 0.5 * (end - start).norm() * std::tan(0.25 * sweep); }
+
+Point Arc::centre() const {
+  const Point d = end - start;
+  return 0.5 * (start + end) + 0.5 / std::tan(0.5 * sweep) * left_of(d);
+}
+
+std::optional<Arc> arc_through(const Point& start, const Point& between, const Point& end) {
+  const Point a = between - start, b = end - between;
+  const double turning = cross(a, b), along = a.dot(b);
+  // Half the arc's sweep is the angle by which the polyline turns at the place between.
+  const double half = std::atan2(turning, along);
+  constexpr double straight_enough = 1e-12;
+  if (!(a.squaredNorm() > 0 && b.squaredNorm() > 0)) return std::nullopt;
+  if (std::numbers::pi - std::abs(half) < 1e-6) return std::nullopt;
+  return Arc{start, end, std::abs(half) < straight_enough ? 0.0 : 2 * half};
+}
+
+double closest_fraction(const Arc& arc, const Point& p) {
+  if (arc.straight()) return closest_fraction(arc.chord(), p);
+  const double length = arc.length(), curvature = arc.sweep / length;
+  constexpr double nearly_straight = 1e-3;
+  double fraction =
+      std::abs(arc.sweep) < nearly_straight ? fraction_on_line({arc.start, arc.end}, p) : fraction_on_circle(arc, p);
+  if (fraction <= 0 || fraction >= 1) {
+    // The circle's nearest place is off the arc: one of its ends is the closest.
+    const double to_start = (p - arc.start).squaredNorm(), to_end = (p - arc.end).squaredNorm();
+    if (std::abs(arc.sweep) >= nearly_straight) return to_start <= to_end ? 0.0 : 1.0;
+    fraction = std::clamp(fraction, 0.0, 1.0);
+  }
+  // The centre of a flat arc is far away and known to few digits: Newton's method from there.
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const Point r = p - arc.at(fraction), t = arc.tangent(fraction);
+    const double stretch = 1 - curvature * cross(t, r);
+    if (!(stretch > 0.1)) break;
+    fraction = std::clamp(fraction + r.dot(t) / (stretch * length), 0.0, 1.0);
+  }
+  return fraction;
+}
+
+bool in_circular_segment(const Arc& arc, const Point& p) {
+  if (arc.straight()) return false;
+  const Point d = arc.end - arc.start;
+  const double left = cross(d, p - arc.start);
+  if ((arc.sweep > 0) == (left > 0)) return false;
+  // Within the circle: the theorem of inscribed angles, without the centre.
+  return (p - arc.start).dot(p - arc.end) < left / std::tan(0.5 * arc.sweep);
+}
+
+std::vector<Crossing> meeting_points(const Arc& a, const Arc& b) {
+  std::vector<Crossing> found;
+  if (a.straight() && b.straight()) {
+    if (const auto crossing = proper_crossing(a.chord(), b.chord())) found.push_back(*crossing);
+    return found;
+  }
+  for (const Point& p : a.straight() ? common_points(b, a) : common_points(a, b)) {
+    const Crossing crossing{fraction_beyond_ends(a, p), fraction_beyond_ends(b, p)};
+    const auto within = [](double fraction) { return fraction >= 0 && fraction <= 1; };
+    if (within(crossing.fraction_a) && within(crossing.fraction_b)) found.push_back(crossing);
+  }
+  return found;
+}
+
+std::optional<Point> find_contact(const Arc& a, const Arc& b, double tolerance) {
+  return search_contact({a}, {b}, tolerance, 0);
+}
+
+std::array<Arc, 2> biarc(const Point& start, const Point& start_tangent, const Point& end, const Point& end_tangent) {
+  // With the joint start + d t0 + d (towards): |end - start - d (t0 + t1)| = 2 d.
+  const Point v = end - start, t = start_tangent + end_tangent;
+  const double a = 2 * (1 - start_tangent.dot(end_tangent)), b = 2 * v.dot(t), c = -v.squaredNorm();
+  const double d = -2 * c / (b + std::sqrt(b * b - 4 * a * c));
+  const Point joint = 0.5 * (start + end + d * (start_tangent - end_tangent));
+  const auto turning = [](const Point& tangent, const Point& chord) {
+    const double half = std::atan2(cross(tangent, chord), tangent.dot(chord));
+    constexpr double straight_enough = 1e-12;
+    return std::abs(half) < straight_enough ? 0.0 : 2 * half;
+  };
+  return {Arc{start, joint, turning(start_tangent, joint - start)},
+          Arc{joint, end, -turning(-end_tangent, joint - end)}};
+}
+
+}  // namespace bempd

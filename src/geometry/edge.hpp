@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geometry/arc.hpp"
+
+namespace bempd {
+
+using Box = Eigen::AlignedBox2d;
+
+// Edge of an outline: a straight piece, a circular arc, or two arcs with a common tangent at their joint. Fractions are
+// parts of the length.
+class Edge {
+ public:
+  Edge(const Point& from, const Point& to) : Edge(Arc{from, to, 0}) {}
+  explicit Edge(const Arc& arc) : start(arc.start), end(arc.end), pieces_{arc, arc}, joint_(1) {}
+  explicit Edge(const std::array<Arc, 2>& arcs);
+
+  bool straight() const { return piece_count() == 1 && pieces_[0].straight(); }
+  int piece_count() const { return joint_ < 1 ? 2 : 1; }
+  const Arc& piece(int k) const { return pieces_[k]; }
+  // Fraction where the two arcs join; 1 if there is only one.
+  double joint() const { return joint_; }
+
+  Point direction() const { return end - start; }
+  double length() const;
+  Point at(double fraction) const;
+  Point tangent(double fraction) const;
+  // Part within one arc.
+  Arc part(double from, double to) const;
+
+  Point start, end;
+
+ private:
+  // The arc at a fraction, which becomes a fraction of that arc.
+  const Arc& piece_at(double& fraction) const;
+
+  std::array<Arc, 2> pieces_;
+  double joint_;
+};
+
+Box bounding_box(const Edge& edge);
+double closest_fraction(const Edge& edge, const Point& p);
+double distance(const Edge& edge, const Point& p);
+std::vector<Crossing> meeting_points(const Edge& a, const Edge& b);
+std::optional<Point> find_contact(const Edge& a, const Edge& b, double tolerance);
+
+// Whether the ray to the right of `p` crosses the edge an odd number of times; an edge owns its lower end only.
+bool ray_crosses(const Edge& edge, const Point& p);
+
+}  // namespace bempd

@@ -1,0 +1,182 @@
+// Rings and disks under pressure (Lame; Timoshenko and Goodier, Theory of Elasticity, section 28), bonded bars.
+// Elements on arcs represent radial displacements and tractions, so the closed forms come back to rounding at every
+// mesh.
+#include <gtest/gtest.h>
+
+#include "host.hpp"
+
+namespace {
+
+using namespace host;
+constexpr const char* source = "Lame";
+
+// sigma_rr = a - b / r^2, sigma_tt = a + b / r^2.
+struct Lame {
+  double a, b, young, poisson;  // plane strain
+
+  double displacement(double r) const { return (1 + poisson) / young * ((1 - 2 * poisson) * a * r + b / r); }
+  Vector displacement(Vector at) const {
+    const double r = std::hypot(at[0], at[1]), u = displacement(r);
+    return {u * at[0] / r, u * at[1] / r};
+  }
+  std::array<double, 3> stress(Vector at) const {
+    const double r2 = at[0] * at[0] + at[1] * at[1], rr = a - b / r2, tt = a + b / r2;
+    return {(rr * at[0] * at[0] + tt * at[1] * at[1]) / r2, (rr * at[1] * at[1] + tt * at[0] * at[0]) / r2,
+            (rr - tt) * at[0] * at[1] / r2};
+  }
+};
+
+struct Errors {
+  double displacement, stress, near;
+};
+
+// Largest errors on a region's nodes over the largest values there; `near`: stress a millionth of an element inside.
+Errors errors_of(Model& model, int32_t region, const Lame& exact, std::vector<double> radii, double inset) {
+  const std::vector<Vector> places = model.vectors(region, BEMPD_POSITION),
+                            u = model.vectors(region, BEMPD_DISPLACEMENT);
+  const std::vector<double> stress = model.field(region, BEMPD_STRESS);
+  Errors errors{0, 0, 0};
+  double largest_u = 0, largest_stress = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vector wanted = exact.displacement(places[i]);
+    const auto wanted_stress = exact.stress(places[i]);
+    largest_u = std::max(largest_u, std::hypot(wanted[0], wanted[1]));
+    errors.displacement = std::max(errors.displacement, std::hypot(u[i][0] - wanted[0], u[i][1] - wanted[1]));
+    for (std::size_t c = 0; c < 3; ++c) {
+      largest_stress = std::max(largest_stress, std::abs(wanted_stress[c]));
+      errors.stress = std::max(errors.stress, std::abs(stress[3 * i + c] - wanted_stress[c]));
+    }
+  }
+  for (const double radius : radii)
+    for (double angle = 0.001; angle < 6.28; angle += 0.3) {
+      const Vector at{(radius + inset) * std::cos(angle), (radius + inset) * std::sin(angle)};
+      const auto found = model.evaluate(at).stress, wanted = exact.stress(at);
+      for (std::size_t c = 0; c < 3; ++c) errors.near = std::max(errors.near, std::abs(found[c] - wanted[c]));
+      inset = -inset;
+    }
+  return {errors.displacement / largest_u, errors.stress / largest_stress, errors.near / largest_stress};
+}
+
+// Inner radius 1 with unit pressure, outer radius 2: free, or clamped.
+Errors ring_errors(const char* scheme, double poisson, bool clamped, double element_length) {
+  Model model;
+  model.set("scheme", scheme);
+  const int32_t region = model.disk(model.add(material(1000, poisson, BEMPD_PLANE_STRAIN)), {0, 0}, 2, element_length);
+  const int32_t first = model.circular_hole(region, {0, 0}, 1);
+  for (int32_t k = 0; k < 4; ++k) model.traction(region, first + k, [](double x, double y) { return Vector{x, y}; });
+  if (clamped) {
+    for (int32_t edge = 1; edge <= 4; ++edge) model.fix(region, edge, BEMPD_BOTH);
+  } else {
+    model.fix_point({2, 0}, BEMPD_Y);
+    model.fix_point({-2, 0}, BEMPD_Y);
+    model.fix_point({0, 2}, BEMPD_X);
+  }
+  model.step(1);
+  const double a = clamped ? -1 / (1 + 4 * (1 - 2 * poisson)) : 1.0 / 3;
+  const Lame exact{a, clamped ? -4 * (1 - 2 * poisson) * a : 4 * a, 1000, poisson};
+  return errors_of(model, region, exact, {1.0000005, 1.9999995}, 0);
+}
+
+TEST(Lame, ring_is_exact_at_every_mesh_in_both_schemes) {
+  for (const char* scheme : {"symmetric", "paper"})
+    for (const double length : {2.0, 0.8, 0.2}) {
+      const Errors e = ring_errors(scheme, 0.3, false, length);
+      std::printf(
+          "ring, scheme %-9s elements of %.1f: reference 0 (%s), u off by %.1e, stress by %.1e, 5e-7 inside %.1e\n",
+          scheme, length, source, e.displacement, e.stress, e.near);
+      EXPECT_LE(e.displacement, 1e-12);
+      EXPECT_LE(e.stress, 1e-11);
+      EXPECT_LE(e.near, 1e-10);
+    }
+}
+
+// Towards incompressibility 1 / (1 - 2 nu) of the digits are lost, and no more.
+TEST(Lame, ring_is_exact_for_every_poisson_ratio) {
+  for (const bool clamped : {false, true})
+    for (const double poisson : {-0.9, -0.5, 0.0, 0.3, 0.49, 0.4999, 0.499999, 0.4999999}) {
+      const Errors e = ring_errors("symmetric", poisson, clamped, 0.5);
+      std::printf("%s ring, nu %.7f: reference 0 (%s), u off by %.1e, stress by %.1e, 5e-7 inside %.1e\n",
+                  clamped ? "clamped" : "free", poisson, source, e.displacement, e.stress, e.near);
+      const double lost = 1e-14 / (1 - 2 * poisson);
+      EXPECT_LE(e.displacement, 1e-12 + lost);
+      EXPECT_LE(e.stress, 1e-11 + lost);
+      EXPECT_LE(e.near, 1e-10 + lost);
+    }
+}
+
+// Disk of another material, shrunk into a ring under outer pressure: both fields are Lame's.
+TEST(Lame, disk_bonded_into_a_ring_is_exact) {
+  Model model;
+  const double young[] = {3000, 1000}, poisson[] = {0.2, 0.4};  // disk, ring
+  const int32_t inner = model.add(material(young[0], poisson[0], BEMPD_PLANE_STRAIN));
+  const int32_t outer = model.add(material(young[1], poisson[1], BEMPD_PLANE_STRAIN));
+  const int32_t ring = model.disk(outer, {0, 0}, 2, 0.6);
+  model.circular_hole(ring, {0, 0}, 1);
+  const int32_t disk = model.disk(inner, {0, 0}, 1, 0.4);
+  for (int32_t edge = 1; edge <= 4; ++edge)
+    model.traction(ring, edge, [](double x, double y) { return Vector{x / 2, y / 2}; });
+  model.fix_point({2, 0}, BEMPD_Y);
+  model.fix_point({-2, 0}, BEMPD_Y);
+  model.fix_point({0, 2}, BEMPD_X);
+  model.step(1);
+  // Unit tension at r = 2, equal sigma_rr = p and equal u at r = 1.
+  const double c0 = (1 + poisson[0]) * (1 - 2 * poisson[0]) / young[0], e1 = (1 + poisson[1]) / young[1];
+  // a - b / 4 = 1, p = a - b, c0 p = e1 ((1 - 2 nu) a + b).
+  const double k = 1 - 2 * poisson[1];
+  const double b = (e1 * k - c0) / (-0.75 * c0 - e1 * (0.25 * k + 1)), a = 1 + b / 4, p = a - b;
+  const Errors in_ring = errors_of(model, ring, {a, b, young[1], poisson[1]}, {1.5}, 0.499999);
+  const Errors in_disk = errors_of(model, disk, {p, 0, young[0], poisson[0]}, {0.5}, 0.499999);
+  report("radial displacement of the interface", model.evaluate({1, 0}).displacement[0], c0 * p, source);
+  std::printf("ring: u off by %.1e, stress by %.1e, near %.1e; disk: %.1e, %.1e, %.1e (reference 0, %s)\n",
+              in_ring.displacement, in_ring.stress, in_ring.near, in_disk.displacement, in_disk.stress, in_disk.near,
+              source);
+  for (const Errors& e : {in_ring, in_disk}) {
+    EXPECT_LE(e.displacement, 1e-12);
+    EXPECT_LE(e.stress, 1e-11);
+    EXPECT_LE(e.near, 1e-10);
+  }
+}
+
+// Two bars in a row between frictionless walls: the strain along them is stress over E (1 - nu) / ((1 + nu) (1 - 2
+// nu)).
+TEST(Bar, of_two_materials_between_walls_stretches_like_two_springs) {
+  Model model;
+  const double young[] = {100, 900}, poisson[] = {0.45, -0.3};
+  double stretch = 0;
+  for (int k = 0; k < 2; ++k) {
+    const int32_t id = model.add(material(young[k], poisson[k], BEMPD_PLANE_STRAIN));
+    const int32_t bar = model.bem(id, rectangle(2.0 * k, 0, 2.0 * k + 2, 1), 0.4 + 0.1 * k);
+    for (const int32_t edge : {1, 3}) model.fix(bar, edge, BEMPD_Y);
+    const double nu = poisson[k];
+    stretch += 2 / (young[k] * (1 - nu) / ((1 + nu) * (1 - 2 * nu)));
+  }
+  model.fix(1, 4, BEMPD_X);
+  model.traction(2, 2, 0, 1, BEMPD_X, 0, 1);
+  model.step(1);
+  EXPECT_LE(std::abs(report("end of the bar", model.evaluate({4, 0.3}).displacement[0], stretch, "springs in a row")),
+            1e-12 * stretch);
+  EXPECT_LE(std::abs(report("stress at the joint", model.evaluate({2, 0.5}).stress[0], 1, "equilibrium")), 1e-10);
+}
+
+// A row of edges through places on a circle is that circle.
+TEST(SmoothRow, through_points_of_a_circle_is_the_circle) {
+  Model model;
+  Outline vertices;
+  for (const double angle : {0.0, 0.5, 1.4, 2.0, 2.9, 3.7, 4.4, 5.6})
+    vertices.push_back({2 * std::cos(angle), 2 * std::sin(angle)});
+  const int32_t region = model.bem(model.add(material(1000, 0.3, BEMPD_PLANE_STRAIN)), vertices, 0.6);
+  model.check(bempd_set_edges_smooth(model.get(), region, 1, 8));
+  const int32_t first = model.circular_hole(region, {0, 0}, 1);
+  for (int32_t k = 0; k < 4; ++k) model.traction(region, first + k, [](double x, double y) { return Vector{x, y}; });
+  model.fix_point({1, 0}, BEMPD_Y);
+  model.fix_point({-1, 0}, BEMPD_Y);
+  model.fix_point({0, 1}, BEMPD_X);
+  model.step(1);
+  const Errors e = errors_of(model, region, {1.0 / 3, 4.0 / 3, 1000, 0.3}, {1.5}, 0.499999);
+  std::printf("ring with smooth outer row: reference 0 (%s), u off by %.1e, stress by %.1e\n", source, e.displacement,
+              e.stress);
+  EXPECT_LE(e.displacement, 1e-12);
+  EXPECT_LE(e.stress, 1e-11);
+}
+
+}  // namespace
