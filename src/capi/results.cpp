@@ -132,7 +132,7 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       for (const auto& part : p->discretization.lattices) s.material_points += part.point_count();
       s.bonds = static_cast<int64_t>(p->system->bonds().size());
       s.cut_bonds = static_cast<int64_t>(p->cut_bonds.size());
-      s.broken_bonds = p->evolution->state().broken_bonds;
+      s.broken_bonds = p->evolution->progress().broken_bonds;
       s.sparse_unknowns = c.sparse_unknowns;
       s.factor_nonzeros = c.factor_nonzeros;
       s.dense_factorizations = c.dense_factorizations;
@@ -159,16 +159,16 @@ bempd_status bempd_history_entry_init(bempd_history_entry* entry, int64_t struct
 bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
   return with_model(model, __func__, [&](model::Model& m) {
     const model::PreparedScene* p = m.prepared_or_null();
-    out(count, "count") = p ? static_cast<int64_t>(p->evolution->state().history.size()) : 0;
+    out(count, "count") = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
   });
 }
 
 bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
   return with_model(model, __func__, [&](model::Model& m) {
     const model::PreparedScene* p = m.prepared_or_null();
-    const auto count = p ? static_cast<int64_t>(p->evolution->state().history.size()) : 0;
+    const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
     require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
-    const fracture::HistoryEntry& h = p->evolution->state().history[static_cast<std::size_t>(index)];
+    const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
     write_struct(entry,
                  {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
                   h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},

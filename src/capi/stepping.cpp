@@ -28,7 +28,7 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.total_broken_bonds = state.broken_bonds;
   r.fragments = state.fragments;
   r.load_factor = state.load_factor;
-  r.stored_energy = 0.5 * state.total_displacement.dot(state.total_force);
+  r.stored_energy = state.history.empty() ? 0.0 : state.history.back().stored_energy;
   r.released_energy = state.released_energy;
   r.work = state.work;
   r.energy_balance_error = state.worst_energy_balance_error;
@@ -46,7 +46,7 @@ bempd_status advance(bempd_model* handle, const char* function, const char* targ
     require_finite(target, target_name);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
     const model::StepResult result = m.advance(target, goal);
-    if (report) write_struct(report, report_of(result, m.prepared().evolution->state()), "report");
+    if (report) write_struct(report, report_of(result, m.prepared().evolution->progress()), "report");
   });
 }
 

@@ -86,6 +86,14 @@ void CondensedOperator::recover(Affine& displacement) const {
   }
 }
 
+void CondensedOperator::condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const {
+  if (private_.empty()) return;
+  const Eigen::VectorXd own = weights(private_);
+  constant += own.transpose() * private_load_;
+  weights(private_).setZero();
+  if (!shared_.empty()) weights(shared_) -= (transfer_.transpose() * own).eval();
+}
+
 void CondensedOperator::add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const {
   const Eigen::VectorXd values = stiffness_ * displacement(all_);
   force(all_) += values;

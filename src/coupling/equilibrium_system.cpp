@@ -166,6 +166,13 @@ void EquilibriumSystem::keep_last(std::vector<int> nodes) {
   forget_factor();
 }
 
+bool EquilibriumSystem::factor_keeps(const std::vector<int>& nodes) const {
+  if (!has_factor_ || !factor_is_current_ || !factor_is_untouched_) return false;
+  std::vector<char> kept(node_count_, 0);
+  for (int node : kept_nodes_) kept[node] = 1;
+  return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return kept[n] != 0; });
+}
+
 void EquilibriumSystem::choose_order() {
   if (!graph_) return;
   std::vector<char> member(node_count_, 0);
@@ -307,6 +314,13 @@ void EquilibriumSystem::restore(std::vector<char> intact, std::vector<HoldingSpr
   for (std::size_t b = 0; b < bonds_.size(); ++b) active_stiffness_[b] = intact_[b] ? bonds_.stiffness[b] : 0.0;
   forget_factor();
   condense();  // internal forces of a restored displacement are asked for without a solution
+}
+
+void EquilibriumSystem::set_parted(std::span<const int> bonds, bool parted) {
+  for (int b : bonds) {
+    intact_[b] = parted ? 0 : 1;
+    active_stiffness_[b] = parted ? 0.0 : bonds_.stiffness[b];
+  }
 }
 
 void EquilibriumSystem::forget_factor() { has_factor_ = false; }

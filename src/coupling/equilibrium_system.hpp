@@ -13,7 +13,7 @@
 #include "coupling/stiffness_assembly.hpp"
 #include "geometry/point.hpp"
 #include "linalg/nested_dissection.hpp"
-#include "linalg/sparse_factorization.hpp"
+#include "linalg/sparse_cholesky.hpp"
 
 namespace bempd::coupling {
 
@@ -66,15 +66,22 @@ class EquilibriumSystem {
   // Forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
   void set_load(Affine force, Affine prescribed);
   const Affine& force() const { return force_; }
+  const Affine& prescribed() const { return prescribed_; }
 
   // Breaking takes two calls, so that the parts it frees can be found in between and held before the matrix loses
   // their resistance: mark the bonds, then change the matrix (rank-one changes of the factor where there is one).
   void mark_broken(std::span<const int> bonds);
   void commit_break(std::span<const int> bonds, std::span<const HoldingSpring> springs);
 
+  // Takes bonds out or puts them back without touching the factor, which then belongs to another matrix.
+  void set_parted(std::span<const int> bonds, bool parted);
+
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<char> intact, std::vector<HoldingSpring> springs);
   void forget_factor();
+
+  // True if the factor is that of the present matrix, with these nodes' unknowns last.
+  bool factor_keeps(const std::vector<int>& nodes) const;
 
   // Throws Error (unsolvable) if something can move freely.
   Affine solve();
@@ -97,6 +104,8 @@ class EquilibriumSystem {
   const SolverCounters& counters() const { return counters_; }
 
  private:
+  friend class Condensation;
+
   void classify(const std::vector<DenseOperator>& operators, const std::vector<char>& prescribed_dofs);
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void condense();
@@ -116,6 +125,7 @@ class EquilibriumSystem {
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
   std::unique_ptr<linalg::SparseFactorization> make_factorization() const;
+  const linalg::SparseCholesky& cholesky() const { return static_cast<const linalg::SparseCholesky&>(*factor_); }
 
   int node_count_;
   bool symmetric_ = true;

@@ -1,5 +1,6 @@
 #include "fracture/connectivity.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace bempd::fracture {
@@ -66,6 +67,36 @@ std::vector<std::vector<int>> Connectivity::pieces() const {
     result[index[root]].push_back(node);
   }
   return result;
+}
+
+bool Connectivity::are_joined(int node, int other) const {
+  const coupling::BondSet& bonds = system_.bonds();
+  visited_.resize(system_.node_count(), 0);
+  ++search_;
+  std::vector<int> open{node};
+  visited_[node] = search_;
+  std::vector<char> body_seen(system_.dense_bodies().size(), 0);
+  const auto visit = [&](int next) {
+    if (visited_[next] == search_) return;
+    visited_[next] = search_;
+    open.push_back(next);
+  };
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const int at = open[k];
+    if (at == other) return true;
+    for (int i = offset_[at]; i < offset_[at + 1]; ++i) {
+      const int b = bond_at_[i];
+      if (system_.intact()[b]) visit(bonds.first[b] == at ? bonds.second[b] : bonds.first[b]);
+    }
+    if (!system_.in_dense_body(at)) continue;
+    for (std::size_t body = 0; body < body_seen.size(); ++body) {
+      const std::vector<int>& nodes = system_.dense_bodies()[body];
+      if (body_seen[body] || std::find(nodes.begin(), nodes.end(), at) == nodes.end()) continue;
+      body_seen[body] = 1;
+      for (int n : nodes) visit(n);
+    }
+  }
+  return false;
 }
 
 std::vector<int> Connectivity::intact_bonds_at(int node) const {

@@ -18,11 +18,16 @@ class Connectivity {
   // the pieces are still the same. False means: unknown.
   bool still_joined(const std::vector<int>& removed_bonds) const;
 
+  // True if a path of intact bonds and bodies that cannot break leads from one node to the other.
+  bool are_joined(int node, int other) const;
+
   // Intact bonds at a node.
   std::vector<int> intact_bonds_at(int node) const;
 
  private:
   const coupling::EquilibriumSystem& system_;
+  mutable std::vector<int> visited_;  // per node: the search that came by last
+  mutable int search_ = 0;
   std::vector<int> offset_, bond_at_;  // bonds of node n: bond_at_[offset_[n] .. offset_[n + 1])
 };
 

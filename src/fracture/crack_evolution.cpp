@@ -21,6 +21,9 @@ constexpr double separated_energy_ratio = 1e-10;
 constexpr double runaway_elongation = 1e8;
 constexpr int most_holds_per_event = 16;
 
+// Events in the whole body after which a window is tried again at the latest.
+constexpr int most_patience = 64;
+
 // Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
@@ -38,7 +41,8 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
     : system_(system),
       freed_parts_(system, positions),
       ratios_(system.bonds(), std::move(critical_stretch)),
-      reaction_dofs_(std::move(reaction_dofs)) {
+      reaction_dofs_(std::move(reaction_dofs)),
+      lookahead_(system, freed_parts_, ratios_, positions, reaction_dofs_) {
   const Eigen::Index dofs = 2 * system.node_count();
   force_ = prescribed_ = state_.displacement = Affine::Zero(dofs, 2);
   state_.total_displacement = state_.total_force = Eigen::VectorXd::Zero(dofs);
@@ -51,6 +55,7 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
 }
 
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
+  close_window();
   force_ = force;
   prescribed_ = prescribed;
   state_.in_equilibrium = false;
@@ -134,22 +139,25 @@ double CrackEvolution::residual() const {
 }
 
 void CrackEvolution::record(std::int64_t event, double stretch_ratio) {
-  const double stored = stored_energy();
-  state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
-  const double difference = std::abs(state_.work - stored - state_.released_energy);
-  const double error = state_.largest_work > 0 ? difference / state_.largest_work : difference;
-  state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, error);
-  state_.residual = residual();
-  state_.history.push_back({event, state_.broken_bonds, state_.load_factor, stretch_ratio, stored,
-                            state_.released_energy, state_.work, error, state_.residual});
+  append_history(event, stretch_ratio, stored_energy(), residual());
   for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
-    const Eigen::Vector2d force = reaction(s);
+    const Eigen::Vector2d force = present_reaction(s);
     state_.reactions.push_back(force.x());
     state_.reactions.push_back(force.y());
   }
 }
 
-Eigen::Vector2d CrackEvolution::reaction(std::size_t support) const {
+void CrackEvolution::append_history(std::int64_t event, double stretch_ratio, double stored, double residual) {
+  state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
+  const double difference = std::abs(state_.work - stored - state_.released_energy);
+  const double error = state_.largest_work > 0 ? difference / state_.largest_work : difference;
+  state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, error);
+  state_.residual = residual;
+  state_.history.push_back({event, state_.broken_bonds, state_.load_factor, stretch_ratio, stored,
+                            state_.released_energy, state_.work, error, state_.residual});
+}
+
+Eigen::Vector2d CrackEvolution::present_reaction(std::size_t support) const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int dof : reaction_dofs_[support]) {
     const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
@@ -205,6 +213,7 @@ bool CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std:
 }
 
 void CrackEvolution::perform_event(double load_factor, const SteppingOptions& options) {
+  whole_body_events_ = std::max(0, whole_body_events_ - 1);
   move_to(load_factor);
   const coupling::BondSet& bonds = system_.bonds();
   const Eigen::VectorXd before = state_.total_displacement;
@@ -296,19 +305,148 @@ std::optional<double> CrackEvolution::next_increment(double target, double incre
   }
 }
 
+void CrackEvolution::mark_start(std::optional<Start>& start) {
+  if (start) return;
+  start.emplace(Start{{}, state_.history.size(), state_.reactions.size(), -1});
+  if (!lookahead_.is_open()) {
+    start->state = without_history();
+    return;
+  }
+  // What depends on the position among the foreseen events is asked for only if it is needed.
+  EvolutionState large;
+  const auto set_aside = [&] {
+    large.displacement.swap(state_.displacement);
+    large.total_displacement.swap(state_.total_displacement);
+    large.total_force.swap(state_.total_force);
+    large.intact.swap(state_.intact);
+  };
+  set_aside();
+  start->state = without_history();
+  set_aside();
+  start->foreseen_position = lookahead_.position();
+}
+
+void CrackEvolution::complete(Start& start) {
+  if (start.foreseen_position < 0) return;
+  const int now = lookahead_.position();
+  lookahead_.return_to(start.foreseen_position);
+  start.state.displacement = lookahead_.displacement(start.foreseen_position);
+  start.state.total_displacement = evaluate(start.state.displacement, start.state.load_factor);
+  start.state.total_force = system_.internal_force(start.state.total_displacement);
+  start.state.intact = system_.intact();
+  start.foreseen_position = -1;
+  while (lookahead_.position() < now) lookahead_.take();
+}
+
+void CrackEvolution::return_to(Start start) {
+  start.state.history = std::move(state_.history);
+  start.state.reactions = std::move(state_.reactions);
+  start.state.history.resize(start.history_size);
+  start.state.reactions.resize(start.reactions_size);
+  if (start.foreseen_position < 0) {
+    restore(std::move(start.state));
+    return;
+  }
+  lookahead_.return_to(start.foreseen_position);
+  start.state.displacement = std::move(state_.displacement);
+  start.state.total_displacement = std::move(state_.total_displacement);
+  start.state.total_force = std::move(state_.total_force);
+  start.state.intact = system_.intact();
+  state_ = std::move(start.state);
+  fields_are_behind_ = true;
+}
+
+void CrackEvolution::catch_up() {
+  if (!fields_are_behind_) return;
+  state_.displacement = lookahead_.displacement(lookahead_.position());
+  {
+    const Stopwatch watch(seconds_search_);
+    ratios_.update(state_.displacement);
+  }
+  state_.total_displacement = evaluate(state_.displacement, state_.load_factor);
+  state_.total_force = system_.internal_force(state_.total_displacement);
+  state_.largest_force = std::max(state_.largest_force, state_.total_force.cwiseAbs().maxCoeff());
+  fields_are_behind_ = false;
+}
+
+void CrackEvolution::close_window() {
+  catch_up();
+  lookahead_.close();
+}
+
+void CrackEvolution::synchronize() {
+  catch_up();
+  lookahead_.forget();
+  whole_body_events_ = 0;
+  patience_ = 1;
+  system_.forget_factor();
+}
+
+void CrackEvolution::open_window(double target, const SteppingOptions& options) {
+  if (state_.separated || whole_body_events_ > 0) return;
+  const std::optional<double> next = next_event(target, options);
+  if (!next || *next > target) return;
+  const Lookahead::Options wanted{options.tie_band, options.max_breaks_per_solve, options.window_ahead,
+                                  separated_energy_ratio * state_.first_unit_energy};
+  events_at_opening_ = state_.events;
+  if (!lookahead_.open(state_, *next, wanted)) whole_body_events_ = patience_;
+}
+
+const ForeseenEvent* CrackEvolution::foreseen_event(double target, const SteppingOptions& options,
+                                                    std::optional<Start>& start) {
+  const bool possible = options.window && options.mode == SteppingMode::events && target >= state_.load_factor;
+  const Lookahead::Options& present = lookahead_.options();
+  const bool others = options.tie_band != present.tie_band || options.window_ahead != present.ahead ||
+                      options.max_breaks_per_solve != present.max_breaks_per_solve;
+  const auto leave = [&] {
+    if (start && lookahead_.is_open()) complete(*start);
+    close_window();
+  };
+  if (!possible || (lookahead_.is_open() && others)) leave();
+  if (!possible) return nullptr;
+  for (;;) {
+    if (!lookahead_.is_open()) open_window(target, options);
+    if (!lookahead_.is_open()) return nullptr;
+    const auto keep_start = [&] {
+      mark_start(start);
+      complete(*start);
+    };
+    if (const ForeseenEvent* event = lookahead_.next(state_.load_factor, keep_start)) return event;
+    // A window that found nothing to do is not tried again at once.
+    const bool was_useful = state_.events > events_at_opening_;
+    patience_ = was_useful ? 1 : std::min(2 * patience_, most_patience);
+    if (!was_useful) whole_body_events_ = patience_;
+    leave();
+  }
+}
+
+void CrackEvolution::perform_foreseen(const ForeseenEvent& event) {
+  lookahead_.take();
+  fields_are_behind_ = true;
+  state_.work += event.before.at(event.load_factor) - event.before.at(state_.load_factor) + event.work;
+  state_.load_factor = event.load_factor;
+  state_.released_energy += event.released;
+  ++state_.events;
+  state_.broken_bonds += static_cast<std::int64_t>(event.bonds.size());
+  for (int b : event.bonds) state_.intact[b] = 0;
+  if (0.5 * event.after.proportional < separated_energy_ratio * state_.first_unit_energy) state_.separated = true;
+  append_history(state_.events, event.ratio, event.after.at(event.load_factor), lookahead_.residual_bound());
+  state_.reactions.insert(state_.reactions.end(), event.reactions.begin(), event.reactions.end());
+}
+
 StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
                                    const std::function<void(const EvolutionState&)>& on_event) {
-  std::optional<EvolutionState> start;
+  std::optional<Start> start;
   const std::int64_t events_before = state_.events;
-  const std::size_t history_size = state_.history.size(), reactions_size = state_.reactions.size();
   try {
     if (!state_.in_equilibrium) {
-      start = without_history();
+      mark_start(start);
       find_equilibrium();
     }
     for (;;) {
       if (goal == Goal::separation && state_.separated) return StopReason::separated;
-      const std::optional<double> next = next_event(target, options);
+      const ForeseenEvent* foreseen = foreseen_event(target, options, start);
+      const std::optional<double> next = foreseen ? foreseen->load_factor : next_event(target, options);
       const bool beyond = next && (target >= state_.load_factor ? *next > target : *next < target);
       if (!next && goal != Goal::load_factor) {
         record(0, 0);
@@ -319,27 +457,30 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
         fail(Failure::convergence, options.max_events,
              " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
       }
-      if (!start) start = without_history();
-      perform_event(*next, options);
+      mark_start(start);
+      if (foreseen) {
+        perform_foreseen(*foreseen);
+      } else {
+        perform_event(*next, options);
+      }
       if (on_event) on_event(state_);
       if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
     }
+    catch_up();
     move_to(target);
     record(0, 0);
     return state_.separated ? StopReason::separated : StopReason::load_factor;
   } catch (...) {
-    if (start) {
-      state_.history.resize(history_size);
-      state_.reactions.resize(reactions_size);
-      start->history = std::move(state_.history);
-      start->reactions = std::move(state_.reactions);
-      restore(std::move(*start));
-    }
+    if (start) return_to(std::move(*start));
     throw;
   }
 }
 
 void CrackEvolution::restore(EvolutionState state) {
+  lookahead_.forget();
+  fields_are_behind_ = false;
+  whole_body_events_ = 0;
+  patience_ = 1;
   state_ = std::move(state);
   system_.restore(state_.intact, state_.springs);
   apply_load();

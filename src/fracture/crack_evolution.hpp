@@ -9,6 +9,7 @@
 #include "fracture/critical_events.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
+#include "fracture/lookahead.hpp"
 
 namespace bempd::fracture {
 
@@ -28,6 +29,8 @@ struct SteppingOptions {
   double tie_band = 1e-3;
   int max_breaks_per_solve = 0;  // 0: no limit
   std::int64_t max_events = 10'000'000;
+  bool window = true;       // compute events ahead in a window around what breaks, where that is possible
+  double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
 };
 
 enum class Goal { load_factor, next_event, separation };
@@ -52,18 +55,47 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
-  const EvolutionState& state() const { return state_; }
+  // Displacements and forces are brought up to date first.
+  const EvolutionState& state() {
+    catch_up();
+    return state_;
+  }
+  // The same without: numbers, bonds and history are right, displacements and forces may be those of an earlier event.
+  const EvolutionState& progress() const { return state_; }
   void restore(EvolutionState state);
   // From here on the run is the same, bit for bit, as one restored from a copy of the present state.
-  void synchronize() { system_.forget_factor(); }
+  void synchronize();
 
-  double stretch(std::size_t bond) const { return ratios_.stretch(bond, state_.load_factor); }
-  Eigen::Vector2d reaction(std::size_t support) const;
+  double stretch(std::size_t bond) {
+    catch_up();
+    return ratios_.stretch(bond, state_.load_factor);
+  }
+  Eigen::Vector2d reaction(std::size_t support) {
+    catch_up();
+    return present_reaction(support);
+  }
   double seconds_search() const { return seconds_search_; }
 
  private:
+  // Where a call began, to return to if it fails.
+  struct Start {
+    EvolutionState state;  // without history
+    std::size_t history_size, reactions_size;
+    int foreseen_position;  // < 0: displacements, forces and bonds are in `state`
+  };
+
   void hold_free_parts();  // those that initial cracks cut off, and those that new loads push
   EvolutionState without_history();
+  void mark_start(std::optional<Start>& start);
+  void complete(Start& start);
+  void return_to(Start start);
+
+  // Events computed ahead: null where the next event has to be looked for in the whole body.
+  const ForeseenEvent* foreseen_event(double target, const SteppingOptions& options, std::optional<Start>& start);
+  void perform_foreseen(const ForeseenEvent& event);
+  void open_window(double target, const SteppingOptions& options);
+  void close_window();
+  void catch_up();
   void move_to(double load_factor);
   // Load factor of the next event on the way to the target, empty if none is left in that direction. It may lie beyond
   // the target.
@@ -83,7 +115,9 @@ class CrackEvolution {
   double unit_energy() const;
   void note_separation();
   void record(std::int64_t event, double stretch_ratio);
+  void append_history(std::int64_t event, double stretch_ratio, double stored_energy, double residual);
   double residual() const;
+  Eigen::Vector2d present_reaction(std::size_t support) const;
 
   coupling::EquilibriumSystem& system_;
   FreedPartFinder freed_parts_;
@@ -92,6 +126,11 @@ class CrackEvolution {
   coupling::Affine force_, prescribed_;  // as the host gave them
   EvolutionState state_;
   double seconds_search_ = 0;
+  Lookahead lookahead_;
+  bool fields_are_behind_ = false;
+  std::int64_t events_at_opening_ = 0;
+  int whole_body_events_ = 0;  // before the next window is tried
+  int patience_ = 1;           // how many, doubled where a window finds nothing to do
 };
 
 }  // namespace bempd::fracture

@@ -15,19 +15,20 @@ constexpr double tie_rounding = 1e-9;
 
 }  // namespace
 
+double tie_limit(double band) { return (1 - band) * (1 - tie_rounding); }
+
 StretchRatios::StretchRatios(const coupling::BondSet& bonds, std::vector<double> critical_stretch)
-    : bonds_(bonds),
-      critical_stretch_(std::move(critical_stretch)),
-      constant_(bonds.size(), 0.0),
-      proportional_(bonds.size(), 0.0) {}
+    : AffineRatios{std::vector<double>(bonds.size(), 0.0), std::vector<double>(bonds.size(), 0.0)},
+      bonds_(bonds),
+      critical_stretch_(std::move(critical_stretch)) {}
 
 void StretchRatios::update(const coupling::Affine& displacement) {
-  const double* constant = displacement.col(0).data();
-  const double* proportional = displacement.col(1).data();
+  const double* at_zero = displacement.col(0).data();
+  const double* slope = displacement.col(1).data();
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     const double scale = 1 / (bonds_.length[b] * critical_stretch_[b]);
-    constant_[b] = bonds_.elongation(b, constant) * scale;
-    proportional_[b] = bonds_.elongation(b, proportional) * scale;
+    constant[b] = bonds_.elongation(b, at_zero) * scale;
+    proportional[b] = bonds_.elongation(b, slope) * scale;
   }
 }
 
@@ -35,16 +36,16 @@ double StretchRatios::stretch(std::size_t bond, double load_factor) const {
   return at(bond, load_factor) * critical_stretch_[bond];
 }
 
-std::optional<double> StretchRatios::next_break(const std::vector<char>& intact, double from, double to) const {
+std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, double from, double to) const {
   const double direction = to >= from ? 1 : -1;
   std::optional<double> next;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (!intact[b]) continue;
     const double ratio = at(b, from);
     if (ratio > 1 + excess_tolerance) return from;
-    const double slope = proportional_[b];
+    const double slope = proportional[b];
     if (!(slope * direction > 0)) continue;
-    double load_factor = (1 - constant_[b]) / slope;
+    double load_factor = (1 - constant[b]) / slope;
     if ((load_factor - from) * direction < 0) load_factor = from;  // reached already, up to rounding
     if (!next || (load_factor - *next) * direction < 0) next = load_factor;
   }
@@ -52,7 +53,7 @@ std::optional<double> StretchRatios::next_break(const std::vector<char>& intact,
   return next;
 }
 
-std::vector<int> StretchRatios::overstretched(const std::vector<char>& intact, double load_factor) const {
+std::vector<int> AffineRatios::overstretched(const std::vector<char>& intact, double load_factor) const {
   std::vector<int> chosen;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b] && at(b, load_factor) > 1 - excess_tolerance) chosen.push_back(static_cast<int>(b));
@@ -60,13 +61,13 @@ std::vector<int> StretchRatios::overstretched(const std::vector<char>& intact, d
   return chosen;
 }
 
-std::vector<int> StretchRatios::most_stretched(const std::vector<char>& intact, double load_factor, double band,
+std::vector<int> AffineRatios::most_stretched(const std::vector<char>& intact, double load_factor, double band,
                                                int limit) const {
   double largest = 0;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b]) largest = std::max(largest, at(b, load_factor));
   }
-  const double threshold = (1 - band) * (1 - tie_rounding) * largest;
+  const double threshold = tie_limit(band) * largest;
   std::vector<int> chosen;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b] && at(b, load_factor) >= threshold) chosen.push_back(static_cast<int>(b));

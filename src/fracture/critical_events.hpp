@@ -8,17 +8,11 @@
 
 namespace bempd::fracture {
 
-// Stretch of every bond over its critical stretch as an affine function of the load factor.
-class StretchRatios {
- public:
-  // An infinite critical stretch marks a bond that cannot break.
-  StretchRatios(const coupling::BondSet& bonds, std::vector<double> critical_stretch);
+// Stretch of bonds over their critical stretch as affine functions of the load factor.
+struct AffineRatios {
+  std::vector<double> constant, proportional;
 
-  void update(const coupling::Affine& displacement);
-
-  double at(std::size_t bond, double load_factor) const { return constant_[bond] + load_factor * proportional_[bond]; }
-  double stretch(std::size_t bond, double load_factor) const;
-  const std::vector<double>& critical_stretch() const { return critical_stretch_; }
+  double at(std::size_t bond, double load_factor) const { return constant[bond] + load_factor * proportional[bond]; }
 
   // Load factor of the next break on the way from `from` towards `to` (which may be infinite): `from` itself while a
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
@@ -30,11 +24,27 @@ class StretchRatios {
   // Intact bonds within the relative band of the largest ratio at this load factor, in bond order; at most
   // `limit` of them (0: all), the most stretched ones.
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit) const;
+};
+
+// Share of the largest ratio from which on bonds break together with it; wider than the band by the rounding in which
+// mirrored bonds differ.
+double tie_limit(double band);
+
+// The ratios of all bonds of a system.
+class StretchRatios : public AffineRatios {
+ public:
+  // An infinite critical stretch marks a bond that cannot break.
+  StretchRatios(const coupling::BondSet& bonds, std::vector<double> critical_stretch);
+
+  void update(const coupling::Affine& displacement);
+
+  double stretch(std::size_t bond, double load_factor) const;
+  const std::vector<double>& critical_stretch() const { return critical_stretch_; }
+  const coupling::BondSet& bonds() const { return bonds_; }
 
  private:
   const coupling::BondSet& bonds_;
   std::vector<double> critical_stretch_;
-  std::vector<double> constant_, proportional_;
 };
 
 }  // namespace bempd::fracture

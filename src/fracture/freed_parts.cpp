@@ -56,6 +56,18 @@ FreedParts FreedPartFinder::after_break(const std::vector<int>& removed_bonds,
   return found;
 }
 
+bool FreedPartFinder::frees_nothing(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const {
+  FreedParts found;
+  for (int b : removed_bonds) {
+    for (int node : {system_.bonds().first[b], system_.bonds().second[b]}) hold_loose_point(node, displacement, found);
+  }
+  if (!found.springs.empty() || !found.nodes_with_lost_loads.empty()) return false;
+  if (connectivity_.still_joined(removed_bonds)) return true;
+  return std::all_of(removed_bonds.begin(), removed_bonds.end(), [&](int b) {
+    return connectivity_.are_joined(system_.bonds().first[b], system_.bonds().second[b]);
+  });
+}
+
 void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {
   if (system_.in_dense_body(node)) return;
   Eigen::Matrix2d resistance = Eigen::Matrix2d::Zero();

@@ -30,6 +30,9 @@ class FreedPartFinder {
   // After these bonds were taken out of the system's intact bonds.
   FreedParts after_break(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
 
+  // True if after_break() would find nothing. Looks around the bonds only.
+  bool frees_nothing(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
+
   // A spring against the largest component of a motion that met no resistance.
   coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 

@@ -196,7 +196,7 @@ FieldSize Model::field_size(int region, Field which) {
 std::vector<BondState> Model::bond_states(int region) {
   const LatticePart* part = &lattice(region);
   std::vector<BondState> states(part->bonds().size());
-  const std::vector<char>& intact = prepared_->evolution->state().intact;
+  const std::vector<char>& intact = prepared_->evolution->progress().intact;
   for (std::size_t b = 0; b < states.size(); ++b) {
     states[b] = intact[part->first_bond + b] ? BondState::intact : BondState::broken;
   }

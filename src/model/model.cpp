@@ -90,10 +90,10 @@ const PreparedScene& Model::prepared() {
 void Model::ensure_equilibrium() {
   prepare();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
-  if (evolution.state().in_equilibrium) return;
+  if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
-  if (evolution.state().fragments > 0) {
-    log(1, text(evolution.state().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
+  if (evolution.progress().fragments > 0) {
+    log(1, text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
   }
 }
 
@@ -133,11 +133,13 @@ StepResult Model::advance(double target, fracture::Goal goal) {
                                                : fracture::SteppingMode::events,
                                            options_.number("stepping.increment"), options_.number("stepping.tie_band"),
                                            options_.whole_number("stepping.max_breaks_per_solve"),
-                                           static_cast<std::int64_t>(options_.number("stepping.max_events"))};
+                                           static_cast<std::int64_t>(options_.number("stepping.max_events")),
+                                           options_.text_value("stepping.solver") == "window",
+                                           options_.number("stepping.window_length")};
   const auto& counters = prepared_->system->counters();
   const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
-  const std::int64_t events = evolution.state().events, broken = evolution.state().broken_bonds;
-  const std::int64_t fragments = evolution.state().fragments;
+  const std::int64_t events = evolution.progress().events, broken = evolution.progress().broken_bonds;
+  const std::int64_t fragments = evolution.progress().fragments;
   StepResult result;
   {
     const Stopwatch watch(result.seconds_total);
@@ -150,21 +152,21 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
     });
   }
-  result.events = evolution.state().events - events;
-  result.broken_bonds = evolution.state().broken_bonds - broken;
+  result.events = evolution.progress().events - events;
+  result.broken_bonds = evolution.progress().broken_bonds - broken;
   result.seconds_solve = counters.seconds_solve - solve;
   result.seconds_update = counters.seconds_update - update;
   result.seconds_search = evolution.seconds_search() - search;
-  log(2, text("load factor ", evolution.state().load_factor, ": ", result.events, " events, ", result.broken_bonds,
+  log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,
               " bonds broken"));
-  if (evolution.state().fragments > fragments) {
-    log(1, text(evolution.state().fragments - fragments,
+  if (evolution.progress().fragments > fragments) {
+    log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));
   }
   return result;
 }
 
-double Model::load_factor() const { return prepared_ ? prepared_->evolution->state().load_factor : 0.0; }
+double Model::load_factor() const { return prepared_ ? prepared_->evolution->progress().load_factor : 0.0; }
 
 Eigen::Vector2d Model::reaction(int support) {
   scene_.support(support);

@@ -104,6 +104,14 @@ const std::vector<OptionDescription>& option_descriptions() {
       number_option("stepping.tie_band",
                     "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3,
                     0, 0.5, false),
+      text_option("stepping.solver",
+                  "How events are computed in scheme symmetric: window, ahead of time in a small part of the body around "
+                  "what breaks, with a proof for each that the whole body breaks in the same way; plain, one by one with "
+                  "a solution of the whole body each.",
+                  "plain | window", "window"),
+      number_option("stepping.window_length",
+                    "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose.", 0,
+                    0, 1e4, false),
       number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0, 1e9,
                     true),
       number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),

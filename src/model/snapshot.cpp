@@ -136,7 +136,7 @@ void Model::write_history(const std::string& path) const {
   }
   output::CsvTable table(columns);
   if (prepared_) {
-    const fracture::EvolutionState& state = prepared_->evolution->state();
+    const fracture::EvolutionState& state = prepared_->evolution->progress();
     for (std::size_t i = 0; i < state.history.size(); ++i) {
       const fracture::HistoryEntry& h = state.history[i];
       std::vector<output::CsvValue> row{h.event,         h.load_factor,          h.total_broken_bonds,

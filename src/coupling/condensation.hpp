@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/equilibrium_system.hpp"
+
+namespace bempd::coupling {
+
+// A linear function of all displacements, as one of the kept ones: value = constant + weights . displacement, for the
+// constant and the proportional part of the load.
+struct CondensedFunction {
+  Eigen::VectorXd weights;
+  Eigen::RowVector2d constant;
+};
+
+// The whole body, under its present loads, as the unknowns see it that its factorization keeps last: everything else is
+// eliminated. Uses the system's factor, which must stay as it is.
+class Condensation {
+ public:
+  // Factorizes if there is no factor of the present matrix yet.
+  explicit Condensation(EquilibriumSystem& system);
+
+  // Degrees of freedom kept, in the order of all vectors here.
+  const std::vector<int>& dofs() const { return dofs_; }
+
+  // Cholesky factor of the Schur complement, a lower triangle.
+  const Eigen::MatrixXd& factor() const { return factor_; }
+
+  // Columns are weights of all degrees of freedom (none on tied nodes).
+  std::vector<CondensedFunction> condense(const Eigen::MatrixXd& functions) const;
+
+  // Displacements of all nodes with bonds from columns of kept ones; `part` tells for each whether it belongs to the
+  // constant (0) or to the proportional (1) part of the load.
+  Eigen::MatrixXd expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const;
+
+  // Displacements of all nodes.
+  Affine displacement(const Affine& kept) const;
+
+ private:
+  EquilibriumSystem& system_;
+  std::vector<int> dofs_;
+  Eigen::MatrixXd factor_;
+  Affine eliminated_;  // L^-1 load
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,303 @@
+#include "fracture/lookahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bempd::fracture {
+
+namespace {
+
+// Unknowns that a window may have: its costs grow with their square per bond and their cube once.
+constexpr std::size_t most_unknowns = 2600;
+constexpr std::size_t most_hot_bonds = 1500;
+
+// Events computed at once: few at first, in case the host wants few, then up to this many.
+constexpr int first_events = 4, most_events_at_once = 256;
+
+// Worst residual with which computed events are taken; what is left is rounding.
+constexpr double acceptable_residual = 1e-11;
+
+}  // namespace
+
+using coupling::Affine;
+
+Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts,
+                     const StretchRatios& ratios, const std::vector<Point>& positions,
+                     const std::vector<std::vector<int>>& reaction_dofs)
+    : system_(system),
+      freed_parts_(freed_parts),
+      whole_ratios_(ratios),
+      positions_(positions),
+      reaction_dofs_(reaction_dofs),
+      spacing_(positions.size(), std::numeric_limits<double>::infinity()) {
+  const coupling::BondSet& bonds = system.bonds();
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    for (int node : {bonds.first[b], bonds.second[b]}) spacing_[node] = std::min(spacing_[node], bonds.length[b]);
+  }
+}
+
+void Lookahead::forget() {
+  close();
+  nodes_.clear();
+  system_.keep_last({});
+}
+
+void Lookahead::close() {
+  if (!window_) return;
+  window_.reset();
+  certificate_.reset();
+  condensation_.reset();
+  events_.clear();
+  states_.clear();
+  if (system_has_changed_) system_.forget_factor();
+}
+
+std::vector<int> Lookahead::nodes_of(const std::vector<Zone>& zones) const {
+  std::vector<int> nodes;
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (!std::isfinite(spacing_[node])) continue;
+    if (!system_.is_unknown(2 * node) && !system_.is_unknown(2 * node + 1)) continue;
+    const auto has = [&](const Zone& zone) { return zone.contains(positions_[node]); };
+    if (std::any_of(zones.begin(), zones.end(), has)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+// Bonds that end on a node with bonds to the outside are left to the next window if they lie near a zone's rim: there
+// the neighbours outside soon break as well.
+void Lookahead::mark_rim() {
+  std::vector<char> kept(system_.node_count(), 0);
+  on_rim_.assign(system_.node_count(), 0);
+  for (int node : nodes_) kept[node] = 1;
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (system_.is_prescribed(2 * node) && system_.is_prescribed(2 * node + 1)) kept[node] = 1;
+  }
+  const coupling::BondSet& bonds = system_.bonds();
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const int i = bonds.first[b], j = bonds.second[b];
+    if (system_.intact()[b] && kept[i] != kept[j]) on_rim_[i] = on_rim_[j] = 1;
+  }
+  for (int node : nodes_) {
+    const auto is_inside = [&](const Zone& zone) { return zone.is_inner(positions_[node]); };
+    if (on_rim_[node] && std::any_of(zones_.begin(), zones_.end(), is_inside)) on_rim_[node] = 0;
+  }
+}
+
+bool Lookahead::is_far_from_rim(const std::vector<int>& bonds) const {
+  return std::none_of(bonds.begin(), bonds.end(), [&](int b) {
+    return on_rim_[system_.bonds().first[b]] || on_rim_[system_.bonds().second[b]];
+  });
+}
+
+bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
+  double largest = 0;
+  for (std::size_t b = 0; b < state.intact.size(); ++b) {
+    if (state.intact[b]) largest = std::max(largest, whole_ratios_.at(b, load_factor));
+  }
+  ZoneShape shape;
+  const double size = static_cast<double>(system_.counters().sparse_unknowns);
+  shape.ahead = options_.ahead > 0 ? options_.ahead : std::clamp(18 * std::cbrt(size / 20000), 8.0, 48.0);
+  for (double share : {0.7, 0.8, 0.9, 0.97, tie_limit(options_.tie_band)}) {
+    std::vector<int> hot;
+    for (std::size_t b = 0; b < state.intact.size(); ++b) {
+      if (state.intact[b] && whole_ratios_.at(b, load_factor) >= share * largest) hot.push_back(static_cast<int>(b));
+    }
+    if (hot.size() > most_hot_bonds) continue;
+    // The window before may still hold what is hot.
+    if (!nodes_.empty() && system_.factor_keeps(nodes_)) {
+      mark_rim();
+      std::vector<char> kept(system_.node_count(), 0);
+      for (int node : nodes_) kept[node] = 1;
+      const bool all_kept = std::all_of(hot.begin(), hot.end(), [&](int b) {
+        return kept[system_.bonds().first[b]] && kept[system_.bonds().second[b]];
+      });
+      if (all_kept && is_far_from_rim(hot)) return true;
+    }
+    std::vector<Zone> zones =
+        zones_of(hot, whole_ratios_, load_factor, state.intact, positions_, spacing_, shape);
+    std::vector<int> nodes = nodes_of(zones);
+    if (nodes.empty() || 2 * nodes.size() > most_unknowns) continue;
+    zones_ = std::move(zones);
+    nodes_ = std::move(nodes);
+    mark_rim();
+    system_.keep_last(nodes_);
+    return true;
+  }
+  return false;
+}
+
+// The loads' work, the energy in moving supports, then the reactions: in this order in the values of a window.
+std::vector<ActiveWindow::Function> Lookahead::functions() const {
+  std::vector<ActiveWindow::Function> result;
+  const Eigen::Index dofs = 2 * system_.node_count();
+  for (int part = 0; part < 2; ++part) {
+    Eigen::VectorXd load = system_.force().col(part);
+    for (Eigen::Index dof = 0; dof < dofs; ++dof) {
+      if (system_.is_prescribed(static_cast<int>(dof))) load[dof] = 0;
+    }
+    result.push_back({load, {}});
+  }
+  for (int part = 0; part < 2; ++part) {
+    const Eigen::VectorXd moved = system_.prescribed().col(part);
+    result.push_back({system_.internal_force(moved), moved});
+  }
+  for (const std::vector<int>& support : reaction_dofs_) {
+    for (int component = 0; component < 2; ++component) {
+      Eigen::VectorXd moved = Eigen::VectorXd::Zero(dofs);
+      for (int dof : support) moved[dof] = dof % 2 == component ? 1 : moved[dof];
+      result.push_back({system_.internal_force(moved), moved});
+    }
+  }
+  return result;
+}
+
+EnergyForm Lookahead::energy(const Eigen::Matrix<double, Eigen::Dynamic, 2>& values) const {
+  return {values(0, 0) + values(2, 0), values(0, 1) + values(3, 0), values(1, 1) + values(3, 1)};
+}
+
+bool Lookahead::open(const EvolutionState& state, double load_factor, const Options& options) {
+  close();
+  options_ = options;
+  if (!system_.is_symmetric() || !choose_nodes(state, load_factor)) return false;
+  condensation_ = std::make_unique<coupling::Condensation>(system_);
+  window_ = std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions());
+  proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
+  certificate_ =
+      std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+  whole_ = state.displacement;
+  any_displacement_ = state.total_displacement;
+  residual_ = state.residual;
+  largest_force_ = state.largest_force;
+  has_ended_ = system_has_changed_ = false;
+  most_events_ = first_events;
+  position_ = 0;
+  states_ = {window_->displacement()};
+  return true;
+}
+
+const ForeseenEvent* Lookahead::next(double load_factor, const std::function<void()>& before_computing) {
+  if (position_ == static_cast<int>(events_.size())) {
+    if (has_ended_) return nullptr;
+    before_computing();
+    compute(load_factor);
+  }
+  return position_ < static_cast<int>(events_.size()) ? &events_[position_] : nullptr;
+}
+
+void Lookahead::take() {
+  system_.set_parted(events_[position_].bonds, true);
+  system_has_changed_ = true;
+  ++position_;
+}
+
+void Lookahead::return_to(int position) {
+  while (position_ > position) system_.set_parted(events_[--position_].bonds, false);
+}
+
+Affine Lookahead::displacement(int position) const {
+  const bool is_last = position + 1 == static_cast<int>(states_.size());
+  return is_last ? whole_ : condensation_->displacement(states_[position]);
+}
+
+void Lookahead::compute(double load_factor) {
+  events_.clear();
+  states_ = {window_->displacement()};
+  checks_.clear();
+  position_ = 0;
+  double from = load_factor;
+  while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
+    if (!foresee(from)) {
+      has_ended_ = true;
+    } else {
+      from = events_.back().load_factor;
+    }
+  }
+  most_events_ = std::min(2 * most_events_, most_events_at_once);
+  certify();
+  for (const ForeseenEvent& event : events_) system_.set_parted(event.bonds, false);
+}
+
+bool Lookahead::foresee(double from) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const AffineRatios& ratios = window_->ratios();
+  const std::optional<double> next = ratios.next_break(window_->intact(), from, infinity);
+  if (!next) return false;
+  const double f = *next;
+  const std::vector<int> chosen =
+      ratios.most_stretched(window_->intact(), f, options_.tie_band, options_.max_breaks_per_solve);
+  ForeseenEvent event{f, 0, {}, {}, {}, 0, 0, {}};
+  std::vector<double> elongation;
+  for (int b : chosen) {
+    event.bonds.push_back(window_->bonds()[b]);
+    event.ratio = std::max(event.ratio, ratios.at(b, f));
+    elongation.push_back(window_->elongation(b, f));
+  }
+  if (!is_far_from_rim(event.bonds)) return false;
+  system_.set_parted(event.bonds, true);
+  const auto before = window_->function_values();
+  if (!freed_parts_.frees_nothing(event.bonds, any_displacement_) || !window_->remove(chosen)) {
+    system_.set_parted(event.bonds, false);
+    return false;
+  }
+  const auto after = window_->function_values();
+  event.before = energy(before);
+  event.after = energy(after);
+  const Eigen::Vector2d at(1, f);
+  event.work = at.dot((after - before).topRows<2>() * at);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    event.released += 0.5 * window_->stiffness(chosen[i]) * elongation[i] * window_->elongation(chosen[i], f);
+  }
+  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
+    Eigen::Vector2d reaction = after.middleRows<2>(4 + 2 * static_cast<Eigen::Index>(s)) * at;
+    for (int dof : reaction_dofs_[s]) reaction[dof % 2] -= system_.force().row(dof).dot(at);
+    event.reactions.insert(event.reactions.end(), {reaction.x(), reaction.y()});
+  }
+  const int state = static_cast<int>(events_.size());
+  const double limit = tie_limit(options_.tie_band) * event.ratio;
+  if (proportional_) {
+    checks_.push_back({state, 1, limit / f});
+  } else {
+    if (from != f) checks_.push_back({state, from, 1});
+    checks_.push_back({state, f, limit});
+  }
+  has_ended_ = 0.5 * event.after.proportional < options_.separated_energy;
+  events_.push_back(std::move(event));
+  states_.push_back(window_->displacement());
+  return true;
+}
+
+// Keeps the events that the whole body would go through in the same way.
+void Lookahead::certify() {
+  if (events_.empty()) return;
+  std::vector<int> breaks{0};
+  for (const ForeseenEvent& event : events_) breaks.push_back(breaks.back() + static_cast<int>(event.bonds.size()));
+  const int sure = std::min(certificate_->first_violation(states_, breaks, checks_, whole_),
+                            static_cast<int>(events_.size()));
+  if (sure < static_cast<int>(events_.size())) {
+    has_ended_ = true;
+    for (std::size_t e = sure; e < events_.size(); ++e) system_.set_parted(events_[e].bonds, false);
+    events_.resize(sure);
+    states_.resize(sure + 1);
+    if (sure == 0) return;  // whole_ is that of the state 0
+  }
+  const Affine before = std::move(whole_);
+  whole_ = condensation_->displacement(states_[sure]);
+  const double f = events_.back().load_factor;
+  const Eigen::VectorXd force = system_.internal_force(coupling::evaluate(whole_, f));
+  const Eigen::VectorXd load = coupling::evaluate(system_.force(), f);
+  double unbalanced = 0;
+  for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
+    if (!system_.is_prescribed(static_cast<int>(dof))) unbalanced = std::max(unbalanced, std::abs(force[dof] - load[dof]));
+  }
+  largest_force_ = std::max(largest_force_, force.lpNorm<Eigen::Infinity>());
+  residual_ = largest_force_ > 0 ? unbalanced / largest_force_ : unbalanced;
+  if (residual_ <= acceptable_residual) return;
+  has_ended_ = true;
+  for (const ForeseenEvent& event : events_) system_.set_parted(event.bonds, false);
+  events_.clear();
+  states_.resize(1);
+  whole_ = before;
+}
+
+}  // namespace bempd::fracture

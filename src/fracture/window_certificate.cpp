@@ -1,0 +1,240 @@
+#include "fracture/window_certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bempd::fracture {
+
+namespace {
+
+// Bonds that may break between two states that are computed for the whole body.
+constexpr int breaks_between = 40;
+// After so many rounds every state in doubt is computed.
+constexpr int most_rounds = 6;
+// States computed at once: enough for fast solutions, few enough for the caches.
+constexpr std::size_t batch = 8;
+// Relative margin of all comparisons.
+constexpr double margin = 1e-9;
+
+}  // namespace
+
+using coupling::Affine;
+
+WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
+                                     const coupling::Condensation& condensation, const ActiveWindow& window,
+                                     const StretchRatios& ratios, bool proportional)
+    : condensation_(condensation), window_(window), proportional_(proportional) {
+  collect_bonds(system, ratios);
+  rounding_ = 1e-13 * window.outside_stiffness().diagonal().lpNorm<Eigen::Infinity>();
+}
+
+void WindowCertificate::collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios) {
+  const coupling::BondSet& bonds = system.bonds();
+  std::vector<double> compliance;
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const double scale = 1 / (bonds.length[b] * ratios.critical_stretch()[b]);
+    if (!system.intact()[b] || window_.contains(static_cast<int>(b)) || scale == 0) continue;
+    first_.push_back(2 * bonds.first[b]);
+    second_.push_back(2 * bonds.second[b]);
+    cosine_.push_back(bonds.cosine[b] * scale);
+    sine_.push_back(bonds.sine[b] * scale);
+    compliance.push_back(scale / std::sqrt(bonds.stiffness[b]));
+  }
+  classify(compliance);
+}
+
+void WindowCertificate::classify(const std::vector<double>& compliance) {
+  compliance_.setZero();
+  class_of_.assign(compliance.size(), 0);
+  if (compliance.empty()) return;
+  const auto [least, most] = std::minmax_element(compliance.begin(), compliance.end());
+  const double lowest = std::log(*least), width = std::max(std::log(*most) - lowest, 1e-12);
+  for (std::size_t b = 0; b < compliance.size(); ++b) {
+    const int k = std::min(most_classes - 1, static_cast<int>(most_classes * (std::log(compliance[b]) - lowest) / width));
+    class_of_[b] = static_cast<char>(k);
+    compliance_[k] = std::max(compliance_[k], compliance[b]);
+  }
+}
+
+std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const Eigen::MatrixXd& displacements) const {
+  std::vector<Classes> result;
+  // Nodes side by side and states innermost: each bond's ends are fetched once for a batch of states.
+  using Batch = Eigen::Array<double, batch, 1>;
+  Eigen::Array<double, batch, Eigen::Dynamic> u(batch, displacements.rows());
+  for (Eigen::Index c = 0; c < displacements.cols(); c += batch) {
+    const Eigen::Index count = std::min<Eigen::Index>(batch, displacements.cols() - c);
+    u.setZero();
+    u.topRows(count) = displacements.middleCols(c, count).transpose();
+    std::array<Batch, most_classes> largest;
+    largest.fill(Batch::Zero());
+    for (std::size_t b = 0; b < first_.size(); ++b) {
+      const int i = first_[b], j = second_[b];
+      Batch& most = largest[class_of_[b]];
+      most = most.max(cosine_[b] * (u.col(j) - u.col(i)) + sine_[b] * (u.col(j + 1) - u.col(i + 1)));
+    }
+    for (Eigen::Index k = 0; k < count; ++k) {
+      Classes& classes = result.emplace_back();
+      for (int n = 0; n < most_classes; ++n) classes[n] = largest[n][k];
+    }
+  }
+  return result;
+}
+
+void WindowCertificate::take(const std::vector<int>& states) {
+  const auto kept = static_cast<Eigen::Index>(condensation_.dofs().size());
+  const int parts = proportional_ ? 1 : 2;
+  for (std::size_t begin = 0; begin < states.size(); begin += batch) {
+    const std::size_t end = std::min(states.size(), begin + batch);
+    std::vector<int> solved(states.begin() + begin, states.begin() + end);
+    std::erase(solved, 0);
+    Eigen::MatrixXd columns(kept, parts * solved.size());
+    std::vector<int> part;
+    for (std::size_t s = 0; s < solved.size(); ++s) {
+      for (int p = 0; p < parts; ++p) {
+        part.push_back(proportional_ ? 1 : p);
+        columns.col(static_cast<Eigen::Index>(part.size() - 1)) = (*states_)[solved[s]].col(part.back());
+      }
+    }
+    Eigen::MatrixXd whole;
+    if (!solved.empty()) whole = condensation_.expand(columns, part);
+    // Values at the load factors of interest: the ends of their range, then the state's own checks.
+    std::vector<std::pair<int, double>> wanted;
+    for (std::size_t s = begin; s < end; ++s) {
+      wanted.emplace_back(states[s], lowest_);
+      if (!proportional_) wanted.emplace_back(states[s], highest_);
+      if (!proportional_) {
+        for (const OutsideCheck& check : checks_[states[s]]) wanted.emplace_back(states[s], check.load_factor);
+      }
+    }
+    Eigen::MatrixXd values(whole_first_->rows(), wanted.size());
+    for (std::size_t w = 0; w < wanted.size(); ++w) {
+      const auto [state, load_factor] = wanted[w];
+      const auto column = static_cast<Eigen::Index>(w);
+      if (state == 0) {
+        values.col(column) = load_factor * whole_first_->col(1);
+        if (!proportional_) values.col(column) += whole_first_->col(0);
+        continue;
+      }
+      const auto at = parts * (std::find(solved.begin(), solved.end(), state) - solved.begin());
+      values.col(column) = whole.col(at);
+      if (!proportional_) values.col(column) += load_factor * whole.col(at + 1);
+    }
+    const std::vector<Classes> largest = largest_ratios(values);
+    std::size_t next = 0;
+    for (std::size_t s = begin; s < end; ++s) {
+      Snapshot& snapshot = snapshots_[states[s]];
+      snapshot.bound = largest[next++];
+      if (proportional_) {
+        snapshot.largest.assign(checks_[states[s]].size(), snapshot.bound.maxCoeff());
+        continue;
+      }
+      snapshot.bound = snapshot.bound.max(largest[next++]);
+      for (std::size_t c = 0; c < checks_[states[s]].size(); ++c) snapshot.largest.push_back(largest[next++].maxCoeff());
+    }
+  }
+}
+
+bool WindowCertificate::is_exceeded(int state) const {
+  const Snapshot& snapshot = snapshots_.at(state);
+  for (std::size_t c = 0; c < checks_[state].size(); ++c) {
+    if (!(snapshot.largest[c] < checks_[state][c].limit * (1 - margin))) return true;
+  }
+  return false;
+}
+
+Eigen::VectorXd WindowCertificate::on_boundary(int state, double load_factor) const {
+  const Affine& kept = (*states_)[state];
+  const std::vector<int>& dofs = window_.outside_dofs();
+  Eigen::VectorXd u = load_factor * kept.col(1)(dofs);
+  if (!proportional_) u += kept.col(0)(dofs);
+  return u;
+}
+
+std::vector<int> WindowCertificate::uncertified() const {
+  struct Question {
+    int state;
+    double limit;
+    const Classes *before, *after;
+  };
+  std::vector<Question> questions;
+  std::vector<Eigen::VectorXd> differences;
+  for (auto a = snapshots_.begin(), b = std::next(a); b != snapshots_.end(); ++a, ++b) {
+    for (int state = a->first + 1; state < b->first; ++state) {
+      for (const OutsideCheck& check : checks_[state]) {
+        const Eigen::VectorXd start = on_boundary(a->first, check.load_factor);
+        const Eigen::VectorXd way = on_boundary(b->first, check.load_factor) - start;
+        const Eigen::VectorXd here = on_boundary(state, check.load_factor) - start;
+        const double length = way.squaredNorm();
+        const double t = length > 0 ? std::clamp(way.dot(here) / length, 0.0, 1.0) : 0.0;
+        questions.push_back({state, check.limit * (1 - margin), &a->second.bound, &b->second.bound});
+        differences.push_back(here - t * way);
+      }
+    }
+  }
+  std::vector<int> found;
+  if (questions.empty()) return found;
+  Eigen::MatrixXd d(differences.front().size(), static_cast<Eigen::Index>(differences.size()));
+  for (std::size_t q = 0; q < differences.size(); ++q) d.col(static_cast<Eigen::Index>(q)) = differences[q];
+  const Eigen::MatrixXd force = window_.outside_stiffness() * d;
+  for (std::size_t q = 0; q < questions.size(); ++q) {
+    const auto column = static_cast<Eigen::Index>(q);
+    const double energy = std::max(0.0, d.col(column).dot(force.col(column))) + rounding_ * d.col(column).squaredNorm();
+    const Classes ratio = questions[q].before->max(*questions[q].after) + std::sqrt(energy) * compliance_;
+    const bool sure = ratio.maxCoeff() < questions[q].limit;
+    if (!sure && (found.empty() || found.back() != questions[q].state)) found.push_back(questions[q].state);
+  }
+  return found;
+}
+
+// A third of every run of states in doubt; in the end all.
+std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& states, int round) const {
+  if (round >= most_rounds) return states;
+  std::vector<int> chosen;
+  for (std::size_t begin = 0; begin < states.size();) {
+    std::size_t end = begin + 1;
+    while (end < states.size() && states[end] == states[end - 1] + 1) ++end;
+    const std::size_t length = end - begin;
+    if (length <= 2) {
+      chosen.insert(chosen.end(), states.begin() + begin, states.begin() + end);
+    } else {
+      const std::size_t parts = std::min<std::size_t>(4, length / 2 + 1);
+      for (std::size_t p = 1; p < parts; ++p) chosen.push_back(states[begin + p * length / parts]);
+    }
+    begin = end;
+  }
+  return chosen;
+}
+
+int WindowCertificate::first_violation(const std::vector<Affine>& states, const std::vector<int>& breaks,
+                                       const std::vector<OutsideCheck>& checks, const Affine& first) {
+  states_ = &states;
+  whole_first_ = &first;
+  snapshots_.clear();
+  checks_.assign(states.size(), {});
+  lowest_ = highest_ = checks.empty() ? 0 : checks.front().load_factor;
+  for (const OutsideCheck& check : checks) {
+    checks_[check.state].push_back(check);
+    lowest_ = std::min(lowest_, check.load_factor);
+    highest_ = std::max(highest_, check.load_factor);
+  }
+  std::vector<int> wanted;
+  int counted = -breaks_between;
+  for (int s = 0; s < static_cast<int>(states.size()); ++s) {
+    if (breaks[s] - counted < breaks_between && s + 1 < static_cast<int>(states.size())) continue;
+    wanted.push_back(s);
+    counted = breaks[s];
+  }
+  int end = static_cast<int>(states.size());
+  for (int round = 0; !wanted.empty(); ++round) {
+    take(wanted);
+    // Nothing after the first violation counts.
+    for (auto s = snapshots_.begin(); s != snapshots_.end() && s->first < end; ++s) {
+      if (is_exceeded(s->first)) end = s->first;
+    }
+    snapshots_.erase(snapshots_.upper_bound(end), snapshots_.end());
+    wanted = between_snapshots(uncertified(), round);
+  }
+  return end;
+}
+
+}  // namespace bempd::fracture
