@@ -37,7 +37,8 @@ module bempd
     generic :: set_option => set_option_number, set_option_text
     generic :: get_option => get_option_number, get_option_text
     generic :: assignment(=) => refuse_copy
-    procedure :: add_material, add_bem_region, add_pd_region, add_hole, set_edge_mesh, add_crack
+    procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
+    procedure :: set_edge_arc, set_edges_smooth, set_edge_mesh
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_point_force, set_load_values, set_support_values
@@ -68,7 +69,8 @@ module bempd
   end type bempd_option
 
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
-    get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, set_edge_mesh, add_crack, &
+    get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
+    set_edge_arc, set_edges_smooth, set_edge_mesh, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
@@ -154,6 +156,27 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_hole
+    module subroutine add_circular_hole(self, region, x, y, radius, first_edge, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      real(c_double), intent(in) :: x, y, radius
+      integer(c_int32_t), intent(out), optional :: first_edge
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_circular_hole
+    module subroutine set_edge_arc(self, region, edge, x, y, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in) :: x, y
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_edge_arc
+    module subroutine set_edges_smooth(self, region, first_edge, last_edge, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, first_edge, last_edge
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_edges_smooth
     module subroutine set_edge_mesh(self, region, edge, element_length, grading, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, edge

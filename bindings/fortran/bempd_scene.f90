@@ -85,6 +85,22 @@ contains
     call give(new, first_edge)
   end procedure add_hole
 
+  module procedure add_circular_hole
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_circular_hole(self%handle, region, x, y, radius, c_loc(new)), stat, errmsg)
+    call give(new, first_edge)
+  end procedure add_circular_hole
+
+  module procedure set_edge_arc
+    call finish(self, bempd_set_edge_arc(self%handle, region, edge, x, y), stat, errmsg)
+  end procedure set_edge_arc
+
+  module procedure set_edges_smooth
+    call finish(self, bempd_set_edges_smooth(self%handle, region, first_edge, last_edge), stat, errmsg)
+  end procedure set_edges_smooth
+
   module procedure set_edge_mesh
     call finish(self, bempd_set_edge_mesh(self%handle, region, edge, element_length, value_or(grading, 1.0_c_double)), &
       stat, errmsg)

@@ -69,6 +69,12 @@ bempd_status bempd_add_pd_region(bempd_model *model, int32_t material, int64_t v
     const double *vertices, double spacing, int32_t horizon_ratio, int32_t *region);
 bempd_status bempd_add_hole(bempd_model *model, int32_t region, int64_t vertex_count,
     const double *vertices, int32_t *first_edge);
+bempd_status bempd_add_circular_hole(bempd_model *model, int32_t region, double x, double y,
+    double radius, int32_t *first_edge);
+bempd_status bempd_set_edge_arc(bempd_model *model, int32_t region, int32_t edge, double x,
+    double y);
+bempd_status bempd_set_edges_smooth(bempd_model *model, int32_t region, int32_t first_edge,
+    int32_t last_edge);
 bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, int32_t edge,
     double element_length, double grading);
 bempd_status bempd_add_crack(bempd_model *model, int64_t point_count, const double *points,
@@ -380,11 +386,12 @@ id [out]: its id; may be NULL
 return: status
 since: 0.1""",
     "bempd_add_bem_region": """\
-Add a region treated by boundary elements: a polygon with straight edges.
+Add a region treated by boundary elements: a polygon, its edges straight at first.
 
 Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of
 other regions become interfaces and are bonded; there the elements follow the peridynamic lattice
-unless bempd_set_edge_mesh() is called for the edge, or the finer of two boundary meshes.
+unless bempd_set_edge_mesh() is called for the edge, or the finer of two boundary meshes. Towards
+places where stress is singular elements become smaller by themselves (option bem.grading).
 
 model [in]: the model
 material [in]: id of a material
@@ -417,6 +424,46 @@ region [in]: id of a region
 vertex_count [in]: number of vertices, >= 3
 vertices [in]: shape [vertex_count][2], clockwise (the body on the left) [m]
 first_edge [out]: number of the hole's first edge; may be NULL
+return: status
+since: 0.1""",
+    "bempd_add_circular_hole": """\
+Cut a circular hole into a BEM region. Its edges are four quarter circles: the first begins at the
+place with the largest x, and they run clockwise.
+
+model [in]: the model
+region [in]: id of a BEM region
+x [in]: centre [m]
+y [in]: centre [m]
+radius [in]: radius [m], > 0
+first_edge [out]: number of the hole's first edge; may be NULL
+return: status
+since: 0.1""",
+    "bempd_set_edge_arc": """\
+Make an edge of a BEM region the circular arc through a place between its ends.
+
+Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be
+arcs: give both edges a place on the same arc. Peridynamic regions and interfaces with them have
+straight edges only.
+
+model [in]: the model
+region [in]: id of a BEM region
+edge [in]: edge number
+x [in]: place on the arc, best half way [m]
+y [in]: [m]
+return: status
+since: 0.1""",
+    "bempd_set_edges_smooth": """\
+Make a row of edges of a BEM region a smooth curve through their vertices.
+
+Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one where
+that is enough. The tangent at a vertex is that of the circle through it and its two neighbours in
+the row, so vertices on a circle give that circle. All edges of a loop make a closed curve without a
+corner.
+
+model [in]: the model
+region [in]: id of a BEM region
+first_edge [in]: first edge of the row
+last_edge [in]: last edge of the row, > first_edge, on the same loop
 return: status
 since: 0.1""",
     "bempd_set_edge_mesh": """\

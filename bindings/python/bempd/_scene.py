@@ -84,6 +84,19 @@ class Scene:
         points = arguments.point_array("add_hole: vertices", vertices)
         return self._added("bempd_add_hole", region, len(points), arguments.doubles(points))
 
+    def add_circular_hole(self, region: int, centre: Sequence[float], radius: float) -> int:
+        """Cut a circular hole into a BEM region; returns the number of its first edge, a quarter circle."""
+        return self._added("bempd_add_circular_hole", region, *arguments.place("add_circular_hole: centre", centre),
+                           radius)
+
+    def set_edge_arc(self, region: int, edge: int, point: Sequence[float]) -> None:
+        """Make an edge of a BEM region the circular arc through a point between its ends."""
+        self._open().call("bempd_set_edge_arc", region, edge, *arguments.place("set_edge_arc: point", point))
+
+    def set_edges_smooth(self, region: int, first_edge: int, last_edge: int) -> None:
+        """Make a row of edges of a BEM region a smooth curve through their vertices."""
+        self._open().call("bempd_set_edges_smooth", region, first_edge, last_edge)
+
     def set_edge_mesh(self, region: int, edge: int, element_length: float, grading: float = 1.0) -> None:
         """Choose the elements of an edge of a BEM region; `grading` is the ratio of neighbours' lengths, 1 to 4."""
         self._open().call("bempd_set_edge_mesh", region, edge, element_length, grading)

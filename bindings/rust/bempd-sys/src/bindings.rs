@@ -259,12 +259,13 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Add a region treated by boundary elements: a polygon with straight edges.
+    /// Add a region treated by boundary elements: a polygon, its edges straight at first.
     ///
     /// Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with
     /// edges of other regions become interfaces and are bonded; there the elements follow the
     /// peridynamic lattice unless bempd_set_edge_mesh() is called for the edge, or the finer of two
-    /// boundary meshes.
+    /// boundary meshes. Towards places where stress is singular elements become smaller by
+    /// themselves (option bem.grading).
     ///
     /// * model \[in\]: the model
     /// * material \[in\]: id of a material
@@ -325,6 +326,70 @@ extern "C" {
         vertex_count: i64,
         vertices: *const f64,
         first_edge: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Cut a circular hole into a BEM region. Its edges are four quarter circles: the first begins
+    /// at the place with the largest x, and they run clockwise.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a BEM region
+    /// * x \[in\]: centre \[m\]
+    /// * y \[in\]: centre \[m\]
+    /// * radius \[in\]: radius \[m\], \> 0
+    /// * first_edge \[out\]: number of the hole's first edge; may be NULL
+    /// * return: status
+    /// * since: 0.1
+    pub fn bempd_add_circular_hole(
+        model: *mut bempd_model,
+        region: i32,
+        x: f64,
+        y: f64,
+        radius: f64,
+        first_edge: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Make an edge of a BEM region the circular arc through a place between its ends.
+    ///
+    /// Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions
+    /// may be arcs: give both edges a place on the same arc. Peridynamic regions and interfaces
+    /// with them have straight edges only.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a BEM region
+    /// * edge \[in\]: edge number
+    /// * x \[in\]: place on the arc, best half way \[m\]
+    /// * y \[in\]: \[m\]
+    /// * return: status
+    /// * since: 0.1
+    pub fn bempd_set_edge_arc(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        x: f64,
+        y: f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Make a row of edges of a BEM region a smooth curve through their vertices.
+    ///
+    /// Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one
+    /// where that is enough. The tangent at a vertex is that of the circle through it and its two
+    /// neighbours in the row, so vertices on a circle give that circle. All edges of a loop make a
+    /// closed curve without a corner.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a BEM region
+    /// * first_edge \[in\]: first edge of the row
+    /// * last_edge \[in\]: last edge of the row, \> first_edge, on the same loop
+    /// * return: status
+    /// * since: 0.1
+    pub fn bempd_set_edges_smooth(
+        model: *mut bempd_model,
+        region: i32,
+        first_edge: i32,
+        last_edge: i32,
     ) -> bempd_status;
 }
 extern "C" {

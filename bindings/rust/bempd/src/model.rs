@@ -78,6 +78,22 @@ impl Model {
         self.handle.add_hole(region.0, vertices)
     }
 
+    /// Cuts a circular hole into a boundary element region [m] and returns the number of its first edge: four quarter
+    /// circles, clockwise from the place with the largest x.
+    pub fn add_circular_hole(&mut self, region: RegionId, centre: [f64; 2], radius: f64) -> Result<i32> {
+        self.handle.add_circular_hole(region.0, centre, radius)
+    }
+
+    /// Makes an edge of a boundary element region the circular arc through a place between its ends [m].
+    pub fn set_edge_arc(&mut self, region: RegionId, edge: i32, place: [f64; 2]) -> Result<()> {
+        self.handle.set_edge_arc(region.0, edge, place)
+    }
+
+    /// Makes a row of edges of a boundary element region a smooth curve through their vertices.
+    pub fn set_edges_smooth(&mut self, region: RegionId, first_edge: i32, last_edge: i32) -> Result<()> {
+        self.handle.set_edges_smooth(region.0, first_edge, last_edge)
+    }
+
     /// Chooses the elements of one edge of a boundary element region: `ceil(length / element_length)` of them [m],
     /// whose lengths grow from both ends by the ratio `grading`, 1 to 4; 1 is for equal ones.
     ///

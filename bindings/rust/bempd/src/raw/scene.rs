@@ -38,6 +38,18 @@ impl Handle {
         self.output(|model, first_edge| unsafe { sys::bempd_add_hole(model, region, count, vertices, first_edge) })
     }
 
+    pub(crate) fn add_circular_hole(&mut self, region: i32, [x, y]: [f64; 2], radius: f64) -> Result<i32> {
+        self.output(|model, first_edge| unsafe { sys::bempd_add_circular_hole(model, region, x, y, radius, first_edge) })
+    }
+
+    pub(crate) fn set_edge_arc(&mut self, region: i32, edge: i32, [x, y]: [f64; 2]) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_edge_arc(model, region, edge, x, y) })
+    }
+
+    pub(crate) fn set_edges_smooth(&mut self, region: i32, first_edge: i32, last_edge: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_edges_smooth(model, region, first_edge, last_edge) })
+    }
+
     pub(crate) fn set_edge_mesh(&mut self, region: i32, edge: i32, element_length: f64, grading: f64) -> Result<()> {
         self.call(|model| unsafe { sys::bempd_set_edge_mesh(model, region, edge, element_length, grading) })
     }
