@@ -16,7 +16,8 @@ esac
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ pkg-config libeigen3-dev libsuitesparse-dev libopenblas-dev \
   libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio abigail-tools clang-format \
-  python3-pycparser bindgen rustfmt gfortran valgrind
+  python3-pycparser bindgen rustfmt gfortran valgrind \
+  python3-cffi python3-pil python3-pytest mypy python3-pip python3-venv python3-setuptools python3-wheel
 
 jobs=$(nproc)
 summary=()
