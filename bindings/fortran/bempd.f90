@@ -9,7 +9,11 @@
 !> * strings lose their trailing blanks.
 !>
 !> Errors. With stat= the outcome is given there (BEMPD_OK is 0) and errmsg= receives the sentence, cut or padded as by
-!> allocate; last_error() has it in full. Without stat= an error stops the program with the sentence.
+!> allocate; last_error() has it in full. Results are then 0, empty or not associated. Without stat= an error stops the
+!> program with the sentence.
+!>
+!> Callbacks are best procedures of a module: internal ones need an executable stack. What they work on travels in
+!> user=, as c_loc of a variable that lives as long as the model.
 module bempd
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
   use bempd_c, only: BEMPD_OK, BEMPD_ERROR_ARGUMENT, BEMPD_ERROR_ORDER, BEMPD_ERROR_UNSOLVABLE, &

@@ -35,34 +35,42 @@ contains
   end procedure run_to_separation
 
   module procedure load_factor
+    value = 0
     call finish(self, bempd_load_factor(self%handle, value), stat, errmsg)
   end procedure load_factor
 
   module procedure generation
+    number = 0
     call finish(self, bempd_generation(self%handle, number), stat, errmsg)
   end procedure generation
 
   module procedure region_count
+    count = 0
     call finish(self, bempd_region_count(self%handle, count), stat, errmsg)
   end procedure region_count
 
   module procedure edge_count
+    count = 0
     call finish(self, bempd_edge_count(self%handle, region, count), stat, errmsg)
   end procedure edge_count
 
   module procedure node_count
+    count = 0
     call finish(self, bempd_node_count(self%handle, region, count), stat, errmsg)
   end procedure node_count
 
   module procedure element_count
+    count = 0
     call finish(self, bempd_element_count(self%handle, region, count), stat, errmsg)
   end procedure element_count
 
   module procedure bond_count
+    count = 0
     call finish(self, bempd_bond_count(self%handle, region, count), stat, errmsg)
   end procedure bond_count
 
   module procedure reaction
+    force = 0
     call finish(self, bempd_reaction(self%handle, support, force), stat, errmsg)
   end procedure reaction
 

@@ -12,6 +12,7 @@ contains
   end procedure set_option_text
 
   module procedure get_option_number
+    value = 0
     call finish(self, bempd_get_option(self%handle, c_string(name), value), stat, errmsg)
   end procedure get_option_number
 
@@ -20,6 +21,7 @@ contains
     integer(c_int64_t), target :: needed
     integer(c_int) :: status
 
+    value = ""
     needed = 0
     status = bempd_get_option_text(self%handle, c_string(name), c_null_ptr, 0_c_int64_t, c_loc(needed))
     if (status == BEMPD_OK) then

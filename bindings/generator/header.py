@@ -134,8 +134,8 @@ def _declaration(node: c_ast.Node) -> Declaration:
         if isinstance(node.type, c_ast.FuncDecl):
             return _function(node.name, node.type, line, text, callback=False)
         if isinstance(node.type, (c_ast.Struct, c_ast.Enum)):
-            raise Refusal(line, f"{_kind(node.type)} {node.type.name or 'without a name'} must be declared by a typedef "
-                                "of the same name")
+            raise Refusal(line, f"{_kind(node.type)} {node.type.name or 'without a name'} must be declared by a "
+                                "typedef of the same name")
     raise Refusal(line, "only functions and typedefs of structs, enums and function pointers have a binding")
 
 

@@ -53,9 +53,9 @@ def _check_type(owner: Declaration, variable: Variable, known: set[str]) -> list
     allowed = known | _NUMBERS | (_BYTES | {"void"} if kind.pointers else set())
     if kind.name in allowed:
         return []
-    return [Refusal(variable.line, f"'{variable.name}' of {owner.name} has type {kind.name}{'*' * kind.pointers}, "
-                                   "which not every language has; use int32_t, int64_t or double, and char or uint8_t behind "
-                                   "a pointer only")]
+    shown = kind.name + "*" * kind.pointers
+    return [Refusal(variable.line, f"'{variable.name}' of {owner.name} has type {shown}, which not every language has; "
+                                   "use int32_t, int64_t or double, and char or uint8_t behind a pointer only")]
 
 
 def _check_words(function: Function, argument: Variable) -> list[Refusal]:

@@ -1,0 +1,10 @@
+# PROGRAM must print, byte for byte, what EXPECTED prints.
+foreach(name EXPECTED PROGRAM)
+  execute_process(COMMAND "${${name}}" RESULT_VARIABLE status OUTPUT_VARIABLE ${name}_output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${${name}} ended with ${status}")
+  endif()
+endforeach()
+if(NOT PROGRAM_output STREQUAL EXPECTED_output OR PROGRAM_output STREQUAL "")
+  message(FATAL_ERROR "expected:\n${EXPECTED_output}\nbut got:\n${PROGRAM_output}")
+endif()

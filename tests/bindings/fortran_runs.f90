@@ -1,0 +1,335 @@
+!> What the library calls during the runs below.
+module fortran_listener
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int32_t, c_int64_t, c_f_pointer, c_ptr
+  use fortran_checks
+  implicit none
+
+  type :: listener
+    integer :: calls = 0, cancel_at = 0
+    integer(c_int64_t) :: events = 0
+    character(200) :: line = ""
+  end type listener
+
+contains
+
+  function listen(load_factor, events, broken_bonds, user) bind(c) result(stop_now)
+    real(c_double), value :: load_factor
+    integer(c_int64_t), value :: events, broken_bonds
+    type(c_ptr), value :: user
+    integer(c_int32_t) :: stop_now
+    type(listener), pointer :: heard
+
+    call c_f_pointer(user, heard)
+    heard%calls = heard%calls + 1
+    heard%events = events
+    call check(load_factor > 0 .and. broken_bonds >= events, "progress hears sensible numbers")
+    stop_now = merge(1, 0, heard%calls == heard%cancel_at)
+  end function listen
+
+  subroutine note(level, message, user) bind(c)
+    integer(c_int32_t), value :: level
+    character(kind=c_char), intent(in) :: message(*)
+    type(c_ptr), value :: user
+    type(listener), pointer :: heard
+
+    call c_f_pointer(user, heard)
+    heard%calls = heard%calls + 1
+    heard%line = bempd_text(message)
+    call check(level >= 1 .and. level <= 3, "a log line has a level")
+  end subroutine note
+
+  function linear(x, y, constant, proportional, user) bind(c) result(stop_now)
+    real(c_double), value :: x, y
+    real(c_double), intent(inout) :: constant(2), proportional(2)
+    type(c_ptr), value :: user
+    integer(c_int32_t) :: stop_now
+    type(listener), pointer :: heard
+
+    call c_f_pointer(user, heard)
+    heard%calls = heard%calls + 1
+    call check(x >= 0 .and. maxval(abs(constant)) <= 0, "a boundary function starts from zeros")
+    proportional(1) = 3 + y
+    stop_now = merge(1, 0, heard%calls == heard%cancel_at)
+  end function linear
+end module fortran_listener
+
+!> Runs through the Fortran module: views, callbacks, repeated steps, options, results.
+program fortran_runs
+  use, intrinsic :: iso_c_binding, only: c_int8_t, c_int32_t, c_int64_t, c_loc
+  use fortran_listener
+  implicit none
+
+  call views_alias_the_memory_of_the_library()
+  call generation_tells_when_a_view_is_old()
+  call progress_cancels_and_the_step_returns_to_its_start()
+  call log_lines_arrive()
+  call boundary_functions_give_what_arrays_give()
+  call boundary_function_can_cancel()
+  call restored_state_repeats_a_step_bit_by_bit()
+  call options_are_set_listed_and_read_back()
+  call indices_count_from_one()
+  call reactions_and_evaluation_agree_with_a_uniform_bar()
+  call history_and_statistics_belong_together()
+  call models_are_freed_and_created_again()
+  call finish_checks()
+
+contains
+
+  subroutine views_alias_the_memory_of_the_library()
+    type(bempd_model) :: model
+    real(dp), pointer :: first(:, :), second(:, :)
+    real(dp), allocatable :: copy(:, :)
+    integer(c_int64_t) :: nodes, stamp, now
+
+    call make_strip(model)
+    call model%step(.5_dp)
+    call model%view_field(2, BEMPD_DISPLACEMENT, first, stamp)
+    call model%view_field(2, BEMPD_DISPLACEMENT, second)
+    call model%copy_field(2, BEMPD_DISPLACEMENT, copy)
+    call model%node_count(2, nodes)
+    call model%generation(now)
+    call check(all(shape(first, c_int64_t) == [2_c_int64_t, nodes]), "a view is (components,n)")
+    call check(associated(first, second), "two views are the same memory")
+    call check(same_bits(first, copy) .and. maxval(abs(copy)) > 0, "a copy has the same numbers")
+    call check(stamp == now, "a view carries the generation")
+    call model%view_field(2, BEMPD_DAMAGE, first)
+    call check(size(first, 1) == 1 .and. size(first, 2) == nodes, "a scalar field is (1,n)")
+  end subroutine views_alias_the_memory_of_the_library
+
+  subroutine generation_tells_when_a_view_is_old()
+    type(bempd_model) :: model
+    real(dp), pointer :: values(:, :)
+    integer(c_int64_t) :: stamp, now
+
+    call make_strip(model)
+    call model%step(.25_dp)
+    call model%view_field(2, BEMPD_DISPLACEMENT, values, stamp)
+    call model%step(.5_dp)
+    call model%generation(now)
+    call check(now /= stamp, "a step changes the generation")
+  end subroutine generation_tells_when_a_view_is_old
+
+  subroutine progress_cancels_and_the_step_returns_to_its_start()
+    type(bempd_model) :: model
+    type(bempd_step_report) :: report
+    type(listener), target :: heard
+    real(dp), allocatable :: before(:, :), after(:, :)
+    real(dp) :: reached
+    character(300) :: message
+    integer :: stat
+
+    call make_strip(model)
+    call model%step(.1_dp)
+    call model%copy_field(2, BEMPD_DISPLACEMENT, before)
+    heard%cancel_at = 3
+    call model%set_progress(listen, c_loc(heard))
+    call model%run_to_separation(1e6_dp, report, stat, message)
+    call check_error(stat, BEMPD_ERROR_CANCELLED, message, "bempd_run_to_separation: ")
+    call check(heard%calls == 3, "progress was called until it cancelled")
+    call model%load_factor(reached)
+    call model%copy_field(2, BEMPD_DISPLACEMENT, after)
+    call check(abs(reached - .1_dp) <= 0 .and. same_bits(before, after), "a cancelled step returns to its start")
+    call model%set_progress()
+    call model%run_to_separation(1e6_dp, report)
+    call check(heard%calls == 3 .and. report%separated == 1, "without progress it runs to the end")
+  end subroutine progress_cancels_and_the_step_returns_to_its_start
+
+  subroutine log_lines_arrive()
+    type(bempd_model) :: model
+    type(listener), target :: heard
+
+    call make_strip(model)
+    call model%set_log(note, c_loc(heard))
+    call model%prepare()
+    call check(heard%calls > 0 .and. heard%line /= "", "preparing writes to the log")
+    call model%set_log()
+  end subroutine log_lines_arrive
+
+  !> A square fixed at the left, ready for a traction on its right edge.
+  subroutine make_square(model)
+    type(bempd_model), intent(inout) :: model
+    integer :: material
+
+    call model%create()
+    call model%add_material(1000._dp, .3_dp, material)
+    call model%add_bem_region(material, rectangle(0._dp, 0._dp, 1._dp, 1._dp), .25_dp)
+    call model%fix_edge(1, 4, BEMPD_X)
+    call model%fix_point(0._dp, 0._dp, BEMPD_Y)
+  end subroutine make_square
+
+  subroutine boundary_functions_give_what_arrays_give()
+    type(bempd_model) :: by_array, by_function
+    type(listener), target :: heard
+    real(dp), allocatable :: one(:, :), other(:, :)
+
+    call make_square(by_array)
+    call by_array%add_traction(1, 2, BEMPD_X, proportional=[3._dp, 4._dp])
+    call by_array%step(1._dp)
+    call by_array%copy_field(1, BEMPD_DISPLACEMENT, one)
+    call make_square(by_function)
+    call by_function%add_traction_function(1, 2, linear, c_loc(heard))
+    call by_function%step(1._dp)
+    call by_function%copy_field(1, BEMPD_DISPLACEMENT, other)
+    call check(heard%calls > 0, "the function was called")
+    call check(maxval(abs(one - other)) <= 1e-12_dp * maxval(abs(one)), "function and array give the same")
+  end subroutine boundary_functions_give_what_arrays_give
+
+  subroutine boundary_function_can_cancel()
+    type(bempd_model) :: model
+    type(listener), target :: heard
+    character(300) :: message
+    integer :: stat, support
+
+    call make_square(model)
+    heard%cancel_at = 1
+    call model%prescribe_edge_function(1, 2, BEMPD_X, linear, c_loc(heard), support=support)
+    call model%prepare(stat, message)
+    call check_error(stat, BEMPD_ERROR_CANCELLED, message, "bempd_prepare: ")
+    call check(support == 3 .and. heard%calls == 1, "the function was called once")
+  end subroutine boundary_function_can_cancel
+
+  subroutine restored_state_repeats_a_step_bit_by_bit()
+    type(bempd_model) :: model, twin
+    type(bempd_state) :: state, copy
+    type(bempd_step_report) :: first, second, third
+    integer(c_int8_t), allocatable :: bytes(:)
+    real(dp), allocatable :: once(:, :), again(:, :), elsewhere(:, :)
+    real(dp) :: limit
+
+    call make_strip(model)
+    call model%step_to_next_event(1e6_dp, first)
+    limit = 1.2_dp * first%load_factor
+    call model%state_save(state)
+    call model%step(limit, first)
+    call model%copy_field(2, BEMPD_DISPLACEMENT, once)
+    call model%state_restore(state)
+    call model%step(limit, second)
+    call model%copy_field(2, BEMPD_DISPLACEMENT, again)
+    call check(first%broken_bonds > 0, "the step breaks bonds")
+    call check(same_bits(once, again) .and. first%broken_bonds == second%broken_bonds, &
+      "a repeated step gives the same bits")
+
+    call state%to_bytes(bytes)
+    call state%free()
+    call copy%from_bytes(bytes)
+    call make_strip(twin)
+    call twin%state_restore(copy)
+    call twin%step(limit, third)
+    call twin%copy_field(2, BEMPD_DISPLACEMENT, elsewhere)
+    call check(same_bits(once, elsewhere) .and. third%broken_bonds == first%broken_bonds, &
+      "the bytes of a state repeat the step in another model")
+  end subroutine restored_state_repeats_a_step_bit_by_bit
+
+  subroutine options_are_set_listed_and_read_back()
+    type(bempd_model) :: model
+    type(bempd_option), allocatable :: options(:)
+    real(dp) :: number
+    character(:), allocatable :: word
+    integer :: k, texts
+
+    call model%create()
+    call model%set_option("pd.horizon_ratio ", 5._dp)
+    call model%get_option("pd.horizon_ratio", number)
+    call check(abs(number - 5) <= 0, "a number option is read back")
+    call model%set_option("scheme", "paper")
+    call model%get_option("scheme", word)
+    call check(word == "paper", "a text option is read back")
+    call bempd_get_options(options)
+    texts = 0
+    do k = 1, size(options)
+      call check(len(options(k)%name) > 0 .and. len(options(k)%summary) > 0, "an option has a name and a sentence")
+      if (options(k)%kind == BEMPD_OPTION_NUMBER) then
+        call check(options(k)%minimum <= options(k)%default_value .and. &
+          options(k)%default_value <= options(k)%maximum, options(k)%name // ": the default is within the range")
+      else
+        texts = texts + 1
+        call check(index(options(k)%choices, options(k)%default_text) > 0, &
+          options(k)%name // ": the default is a choice")
+      end if
+    end do
+    call check(texts > 0 .and. size(options) > texts, "there are options of both kinds")
+    word = bempd_build()
+    call check(index(word, "bempd " // bempd_version()) == 1, "the build tells the version")
+  end subroutine options_are_set_listed_and_read_back
+
+  subroutine indices_count_from_one()
+    type(bempd_model) :: model
+    integer, allocatable :: cells(:, :), elements(:, :), bonds(:, :), states(:)
+    real(dp), pointer :: position(:, :)
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: regions, edges
+
+    call make_strip(model)
+    call model%prepare()
+    call model%region_count(regions)
+    call model%edge_count(2, edges)
+    call check(regions == 3 .and. edges == 4, "three regions of four edges")
+    call model%copy_elements(1, elements)
+    call model%element_count(1, count)
+    call check(size(elements, 1) == 3 .and. size(elements, 2) == count, "boundary elements have three nodes")
+    call model%copy_elements(2, cells)
+    call check(size(cells, 1) == 4 .and. size(cells, 2) == 100, "10 x 10 cells of four points")
+    call model%view_field(2, BEMPD_POSITION, position)
+    call check(minval(cells) == 1 .and. maxval(cells) == size(position, 2), "cells name points 1 .. n")
+    call check(maxval(abs(position(:, cells(3, :)) - position(:, cells(1, :)) - .2_dp)) < 1e-12_dp, &
+      "the diagonal of a cell is one spacing in x and y")
+    call model%copy_bonds(2, bonds, states)
+    call model%bond_count(2, count)
+    call check(size(bonds, 2) == count .and. minval(bonds) == 1 .and. maxval(bonds) == size(position, 2), &
+      "bonds join points 1 .. n")
+    call check(any(states == BEMPD_BOND_CUT) .and. .not. any(states == BEMPD_BOND_BROKEN), "the crack cuts bonds")
+  end subroutine indices_count_from_one
+
+  subroutine reactions_and_evaluation_agree_with_a_uniform_bar()
+    type(bempd_model) :: model
+    real(dp), allocatable :: displacement(:, :), stress(:, :)
+    real(dp) :: force(2)
+    integer(c_int32_t), allocatable :: regions(:)
+    integer :: load
+
+    call make_square(model)
+    call model%add_traction(1, 2, BEMPD_X, constant=[0._dp], proportional=[10._dp], load=load)
+    call model%step(1._dp)
+    call model%reaction(1, force)
+    call check(abs(force(1) + 10) < 1e-9_dp, "the support holds the traction")
+    call model%evaluate(reshape([.5_dp, .5_dp, .25_dp, .75_dp], [2, 2]), displacement, stress, regions)
+    call check(maxval(abs(displacement(1, :) - [.005_dp, .0025_dp])) < 1e-9_dp, "u = sigma x / E")
+    call check(maxval(abs(stress(1, :) - 10)) < 1e-6_dp .and. all(regions == 1), "stress is the traction")
+    call model%set_load_values(load, proportional=[20._dp])
+    call model%step(1._dp)
+    call model%reaction(1, force)
+    call check(abs(force(1) + 20) < 1e-9_dp, "a load with new values acts from the next step on")
+  end subroutine reactions_and_evaluation_agree_with_a_uniform_bar
+
+  subroutine history_and_statistics_belong_together()
+    type(bempd_model) :: model
+    type(bempd_step_report) :: report
+    type(bempd_history_entry), allocatable :: lines(:)
+    type(bempd_statistics) :: statistics
+
+    call make_strip(model)
+    call model%run_to_separation(1e6_dp, report)
+    call model%history(lines)
+    call model%get_statistics(statistics)
+    call check(report%stop_reason == BEMPD_STOP_SEPARATED, "the strip is in two")
+    call check(maxval(lines%event) == report%total_events, "the history has every event")
+    call check(statistics%broken_bonds == report%total_broken_bonds, "the statistics count the broken bonds")
+    call check(lines(size(lines))%total_broken_bonds == report%total_broken_bonds, "and so does the last line")
+  end subroutine history_and_statistics_belong_together
+
+  subroutine models_are_freed_and_created_again()
+    type(bempd_model) :: models(2)
+    integer :: k, stat
+
+    do k = 1, 2
+      call make_strip(models(k))
+    end do
+    call make_strip(models(1))
+    call models(2)%free()
+    call models(2)%free()
+    call models(2)%prepare(stat)
+    call check(stat == BEMPD_ERROR_ARGUMENT, "a freed model is refused")
+    call models(1)%prepare(stat)
+    call check(stat == BEMPD_OK, "the other one lives")
+  end subroutine models_are_freed_and_created_again
+end program fortran_runs
