@@ -1,4 +1,6 @@
-"""python_wheel.py SOURCE_TREE WORK_FOLDER: a wheel with the library that BEMPD_LIBRARY names works where nothing else is.
+"""A wheel with the library that BEMPD_LIBRARY names works where nothing else is.
+
+    python_wheel.py SOURCE_TREE WORK_FOLDER
 
 The package is built without network, installed into a fresh environment, and a program runs there in an empty folder.
 """
@@ -36,7 +38,8 @@ subprocess.run([python, *pip, "install", "--no-deps", "--no-index", wheels[0]], 
 shutil.rmtree(package)
 program = (source_tree / "examples" / "first_crack" / "main.py").read_text(encoding="utf-8")
 program += "\nimport bempd\nprint(bempd.library_path)\n"
-printed = subprocess.run([python, "-c", program], check=True, cwd=empty, env=environment, capture_output=True, text=True)
+printed = subprocess.run([python, "-c", program], check=True, cwd=empty, env=environment, capture_output=True,
+                         text=True)
 line, library = printed.stdout.splitlines()
 print(line, library, sep="\n")
 assert line.startswith("in two at ")

@@ -10,14 +10,15 @@ from bempd import rectangle
 matplotlib.use("Agg")
 
 
-def make_strip(**options):
+def make_strip(spacing=0.002, **options):
     """An edge crack in a strip pulled at its ends; small, and breaks in a fraction of a second."""
     model = bempd.Model(**options)
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     left = model.add_bem_region(acrylic, rectangle(0, 0, 0.02, 0.02), element_length=0.01)
-    middle = model.add_pd_region(acrylic, rectangle(0.02, 0, 0.04, 0.02), spacing=0.002, horizon_ratio=3)
+    middle = model.add_pd_region(acrylic, rectangle(0.02, 0, 0.04, 0.02), spacing=spacing,
+                                 horizon_ratio=3)
     right = model.add_bem_region(acrylic, rectangle(0.04, 0, 0.06, 0.02), element_length=0.01)
-    crack = model.add_crack([(0.029, 0), (0.029, 0.005)])
+    crack = model.add_crack([(0.0295 - spacing / 4, 0), (0.0295 - spacing / 4, 0.0049)])
     held = model.fix_edge(left, 4)
     pulled = model.prescribe_edge(right, 2, "x", 1e-6)
     return types.SimpleNamespace(model=model, material=acrylic, left=left, middle=middle, right=right, crack=crack,

@@ -42,13 +42,20 @@ def test_an_exception_ends_a_program_as_always():
 
 
 def test_an_interrupt_cancels_a_step_between_events():
-    result = run(f"""
-import os, signal, conftest
-scene = conftest.make_strip()
+    result = run("""
+import conftest, signal, threading
+scene = conftest.make_strip(spacing=0.0005)  # runs long enough to be met in its call
 scene.model.step(50)
-signal.signal(signal.SIGALRM, lambda *_: os.kill(os.getpid(), signal.SIGINT))
-scene.model.progress = lambda *_: os.kill(os.getpid(), signal.SIGINT)
+main, in_call = threading.get_ident(), scene.model._handle._lock
+
+def interrupt():
+    while not in_call.locked():
+        pass
+    signal.pthread_kill(main, signal.SIGINT)
+
+thread = threading.Thread(target=interrupt, daemon=True)
 try:
+    thread.start()
     scene.model.run_to_separation(1e4)
 except KeyboardInterrupt:
     print("interrupted at", scene.model.load_factor, scene.model.statistics().broken_bonds)
