@@ -90,7 +90,7 @@ def test_arrays_of_any_type_and_order_mean_the_same(vertices):
 
 
 def test_holes_edges_and_meshes():
-    model = bempd.Model()
+    model = bempd.Model(options={"bem.grading": "none"})
     region = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=0, plane="strain"),
                                   rectangle(0, 0, 3, 3), 1.0)
     assert model.region_count == 1 and model.edge_count(region) == 4
@@ -134,3 +134,25 @@ def test_wrong_options_are_explained(plate):
         options["scheme"] = 3
     with pytest.raises(bempd.ArgumentError, match="option threads is None"):
         options["threads"] = None
+
+
+def test_curved_edges():
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=0.3)
+    region = model.add_bem_region(material, rectangle(-2, -2, 2, 2), 1.0)
+    assert model.add_circular_hole(region, (0, 0), 1) == 5
+    assert model.edge_count(region) == 8
+    model.set_edge_arc(region, 3, (0, 2.5))
+    model.fix_edge(region, 1)
+    corners = model.field(region, "position")
+    assert np.hypot(*corners.T).min() == pytest.approx(1, abs=1e-14)
+    assert corners[:, 1].max() == pytest.approx(2.5, abs=1e-14)
+    with pytest.raises(bempd.ArgumentError, match="bempd_set_edge_arc"):
+        bempd.Model().set_edge_arc(1, 1, (0, 0))
+
+    rounded = bempd.Model()
+    corners = [(np.cos(t), np.sin(t)) for t in np.linspace(0, 2 * np.pi, 8, endpoint=False)]
+    disk = rounded.add_bem_region(rounded.add_material(young_modulus=1, poisson_ratio=0.3), corners, 0.5)
+    rounded.set_edges_smooth(disk, 1, 8)
+    rounded.fix_edge(disk, 1)
+    assert np.hypot(*rounded.field(disk, "position").T) == pytest.approx(1, abs=1e-12)

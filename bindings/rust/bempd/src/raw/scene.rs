@@ -39,7 +39,9 @@ impl Handle {
     }
 
     pub(crate) fn add_circular_hole(&mut self, region: i32, [x, y]: [f64; 2], radius: f64) -> Result<i32> {
-        self.output(|model, first_edge| unsafe { sys::bempd_add_circular_hole(model, region, x, y, radius, first_edge) })
+        self.output(|model, first_edge| unsafe {
+            sys::bempd_add_circular_hole(model, region, x, y, radius, first_edge)
+        })
     }
 
     pub(crate) fn set_edge_arc(&mut self, region: i32, edge: i32, [x, y]: [f64; 2]) -> Result<()> {
