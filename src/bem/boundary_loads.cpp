@@ -4,20 +4,41 @@
 
 namespace bempd::bem {
 
+namespace {
+
+// Calls `add` at Gauss's points of an element with the shape functions, place, dx/dxi and weight there.
+template <class Add>
+void at_gauss_points(const BoundaryMesh& mesh, const BoundaryElement& element, const Add& add) {
+  const GaussRule& rule = gauss_rule(8);
+  const auto geometry = element_through(mesh.nodes[element.nodes[0]], mesh.nodes[element.nodes[1]],
+                                        mesh.nodes[element.nodes[2]], element.sweep);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double xi = 2 * rule.points[q] - 1;
+    add(geometry.shape(xi), geometry.at(xi), geometry.derivative(xi), 2 * rule.weights[q]);
+  }
+}
+
+}  // namespace
+
 void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
                          double thickness, Eigen::Ref<Eigen::VectorXd> forces) {
-  const GaussRule& rule = gauss_rule(8);
   for (const BoundaryElement& element : mesh.elements) {
     if (element.panel != panel) continue;
-    const auto geometry = element_through(mesh.nodes[element.nodes[0]], mesh.nodes[element.nodes[1]],
-                                          mesh.nodes[element.nodes[2]], element.sweep);
-    for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      const double xi = 2 * rule.points[q] - 1;
-      const auto value = geometry.shape(xi);
-      const double jacobian = geometry.derivative(xi).norm();
-      const Point force = thickness * 2 * rule.weights[q] * jacobian * traction(geometry.at(xi));
-      for (int k = 0; k < 3; ++k) forces.segment<2>(2 * element.nodes[k]) += value[k] * force;
-    }
+    at_gauss_points(mesh, element,
+                    [&](const std::array<double, 3>& shape, const Point& x, const Point& dx, double weight) {
+                      const Point force = thickness * weight * dx.norm() * traction(x);
+                      for (int k = 0; k < 3; ++k) forces.segment<2>(2 * element.nodes[k]) += shape[k] * force;
+                    });
+  }
+}
+
+void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals) {
+  for (const BoundaryElement& element : mesh.elements) {
+    at_gauss_points(mesh, element,
+                    [&](const std::array<double, 3>& shape, const Point&, const Point& dx, double weight) {
+                      for (int k = 0; k < 3; ++k)
+                        integrals.segment<2>(2 * element.nodes[k]) += weight * shape[k] * scaled_normal(dx);
+                    });
   }
 }
 

@@ -12,4 +12,7 @@ namespace bempd::bem {
 void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
                          double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
+// Adds the integrals of N_a n ds, n being the outward normal.
+void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals);
+
 }  // namespace bempd::bem

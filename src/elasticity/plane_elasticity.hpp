@@ -13,9 +13,15 @@ struct PlaneElasticity {
 
   double shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }
 
-  // Poisson's ratio to be used in plane-strain formulas: nu itself, or nu / (1 + nu) in plane stress.
+  // Plane strain without change of volume.
+  bool incompressible() const { return state == PlaneState::strain && poisson_ratio > largest_ratio; }
+
+  // Poisson's ratio to be used in plane-strain formulas: nu itself, or nu / (1 + nu) in plane stress. Incompressible
+  // solids are given a compressibility 1 - 2 nu = 2e-8: what that changes, and the digits lost in finding the pressure,
+  // are both some 1e-8 of the results.
   double effective_poisson_ratio() const {
-    return state == PlaneState::strain ? poisson_ratio : poisson_ratio / (1 + poisson_ratio);
+    if (state == PlaneState::stress) return poisson_ratio / (1 + poisson_ratio);
+    return incompressible() ? largest_ratio : poisson_ratio;
   }
 
   // sigma_xx = c11 eps_xx + c12 eps_yy, sigma_xy = 2 G eps_xy.
@@ -27,6 +33,8 @@ struct PlaneElasticity {
     const double nu = effective_poisson_ratio();
     return 2 * shear_modulus() * nu / (1 - 2 * nu);
   }
+
+  static constexpr double largest_ratio = 0.5 - 1e-8;
 };
 
 // Poisson's ratio that a bond-based peridynamic solid has (its stiffness tensor is totally symmetric).

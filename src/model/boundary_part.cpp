@@ -2,6 +2,7 @@
 
 #include "bem/collocation_operator.hpp"
 #include "bem/galerkin_operator.hpp"
+#include "error.hpp"
 
 namespace bempd::model {
 
@@ -136,6 +137,9 @@ void build_operator(BoundaryPart& part, const Scene& scene, const Formulation& f
     part.boundary_operator = std::make_unique<bem::GalerkinOperator>(part.mesh, elasticity, assembly);
     return;
   }
+  require(!elasticity.incompressible(), "region ", part.region,
+          " is incompressible (Poisson's ratio 1/2 in plane strain); scheme paper cannot solve that, choose scheme "
+          "symmetric");
   auto collocation = std::make_unique<bem::CollocationOperator>(part.mesh, elasticity, assembly);
   part.stiffness = formulation.pointwise_traction ? pointwise_stiffness(part, scene, elasticity.thickness, *collocation)
                                                   : balanced_stiffness(part, elasticity.thickness, *collocation);

@@ -6,6 +6,7 @@
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
+#include "model/incompressible.hpp"
 #include "model/initial_cracks.hpp"
 #include "stopwatch.hpp"
 
@@ -68,6 +69,7 @@ void Model::prepare() {
   p->discretization = discretize(scene_, options_);
   Discretization& d = p->discretization;
   p->conditions = apply_conditions(scene_, d);
+  require_determined_pressure(scene_, d, p->conditions.prescribed);
   p->cut_bonds = bonds_cut_by_cracks(scene_, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);

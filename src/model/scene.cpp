@@ -135,8 +135,8 @@ int Scene::add_material(const Material& material) {
   const PlaneElasticity& e = material.elasticity;
   require(std::isfinite(e.young_modulus) && e.young_modulus > 0, "young_modulus is ", e.young_modulus,
           "; it must be > 0");
-  require(std::isfinite(e.poisson_ratio) && e.poisson_ratio > -1 && e.poisson_ratio < 0.5, "poisson_ratio is ",
-          e.poisson_ratio, "; it must lie between -1 and 1/2, both excluded");
+  require(std::isfinite(e.poisson_ratio) && e.poisson_ratio > -1 && e.poisson_ratio <= 0.5, "poisson_ratio is ",
+          e.poisson_ratio, "; it must be above -1 and at most 1/2");
   require(std::isfinite(e.thickness) && e.thickness > 0, "thickness is ", e.thickness, "; it must be > 0");
   require(std::isfinite(material.critical_stretch) && material.critical_stretch >= 0, "critical_stretch is ",
           material.critical_stretch, "; it must be > 0, or 0 for not given");

@@ -104,6 +104,44 @@ TEST(Lame, ring_is_exact_for_every_poisson_ratio) {
     }
 }
 
+TEST(Lame, incompressible_ring_is_solved) {
+  const Errors e = ring_errors("symmetric", 0.5, false, 0.5);
+  std::printf("incompressible ring: reference 0 (%s), u off by %.1e, stress by %.1e, 5e-7 inside %.1e\n", source,
+              e.displacement, e.stress, e.near);
+  EXPECT_LE(std::max({e.displacement, e.stress, e.near}), 2e-7);
+}
+
+std::string sentence_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// A square of 2 x 2 that is held all around, whole or in two halves.
+void prepare_held(double left_poisson, double right_poisson) {
+  Model model;
+  const int32_t left =
+      model.bem(model.add(material(1000, left_poisson, BEMPD_PLANE_STRAIN)), rectangle(0, 0, 1, 2), 0.5);
+  const int32_t right =
+      model.bem(model.add(material(1000, right_poisson, BEMPD_PLANE_STRAIN)), rectangle(1, 0, 2, 2), 0.5);
+  for (const int32_t edge : {1, 3, 4}) model.fix(left, edge, BEMPD_BOTH);
+  for (const int32_t edge : {1, 2, 3}) model.fix(right, edge, BEMPD_BOTH);
+  model.prepare();
+}
+
+TEST(Incompressible, undetermined_pressure_is_reported_and_determined_pressure_is_not) {
+  EXPECT_EQ(sentence_of([] { prepare_held(0.5, 0.3); }), "");
+  EXPECT_EQ(sentence_of([] { prepare_held(0.4999999, 0.4999999); }), "");
+  const std::string sentence = sentence_of([] { prepare_held(0.5, 0.5); });
+  EXPECT_NE(sentence.find("BEMPD_ERROR_UNSOLVABLE"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("pressure in the incompressible regions 1, 2 is undetermined"), std::string::npos)
+      << sentence;
+  EXPECT_EQ(sentence_of([] { ring_errors("symmetric", 0.5, true, 0.5); }), "");
+}
+
 // Disk of another material, shrunk into a ring under outer pressure: both fields are Lame's.
 TEST(Lame, disk_bonded_into_a_ring_is_exact) {
   Model model;

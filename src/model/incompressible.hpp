@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "model/discretization.hpp"
+
+namespace bempd::model {
+
+// Throws Error (unsolvable) if supports hold the volume of incompressible regions on their own or together: then no
+// displacement that they leave free changes with the pressure there.
+void require_determined_pressure(const Scene& scene, const Discretization& discretization,
+                                 const std::vector<char>& prescribed);
+
+}  // namespace bempd::model
