@@ -93,7 +93,9 @@ void ActiveWindow::find_outside(const coupling::EquilibriumSystem& system,
     row_of[i] = static_cast<int>(outside_dofs_.size());
     outside_dofs_.push_back(static_cast<int>(i));
   }
-  const Eigen::MatrixXd rows = condensation.factor()(outside_dofs_, Eigen::all);
+  // The factor's rows end at their diagonal.
+  const Eigen::Index columns = outside_dofs_.empty() ? 0 : outside_dofs_.back() + 1;
+  const Eigen::MatrixXd rows = condensation.factor().leftCols(columns)(outside_dofs_, Eigen::all);
   outside_.setZero(rows.rows(), rows.rows());
   outside_.selfadjointView<Eigen::Lower>().rankUpdate(rows);
   outside_.triangularView<Eigen::StrictlyUpper>() = outside_.transpose();
