@@ -45,6 +45,8 @@ void Lookahead::expect_cracks(const std::vector<int>& cut) {
   std::vector<int> nodes = nodes_of(zones);
   if (2 * nodes.size() > most_unknowns) return;
   keep(std::move(zones), std::move(nodes));
+  expected_zones_ = zones_;
+  expected_nodes_ = nodes_;
 }
 
 // Nodes that touch the outside come first: what the window needs to know of the outside is then a corner of the factor.
@@ -52,9 +54,8 @@ void Lookahead::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   zones_ = std::move(zones);
   nodes_ = std::move(nodes);
   mark_rim();
-  std::vector<int> order = nodes_;
-  std::stable_partition(order.begin(), order.end(), [&](int node) { return touches_outside_[node] != 0; });
-  system_.keep_last(std::move(order));
+  std::stable_partition(nodes_.begin(), nodes_.end(), [&](int node) { return touches_outside_[node] != 0; });
+  system_.keep_last(nodes_);
 }
 
 double Lookahead::length_ahead() const {
@@ -66,8 +67,9 @@ double Lookahead::length_ahead() const {
 void Lookahead::forget() {
   close();
   most_events_ = first_events;
-  nodes_.clear();
-  system_.keep_last({});
+  zones_ = expected_zones_;
+  nodes_ = expected_nodes_;
+  system_.keep_last(nodes_);
 }
 
 void Lookahead::close() {

@@ -92,7 +92,9 @@ class Lookahead {
   Options options_{};
 
   std::vector<Zone> zones_;
-  std::vector<int> nodes_;     // in the zones
+  std::vector<int> nodes_;  // in the zones
+  std::vector<Zone> expected_zones_;  // of initial cracks
+  std::vector<int> expected_nodes_;
   std::vector<char> touches_outside_, on_rim_;  // per node
   std::unique_ptr<coupling::Condensation> condensation_;
   std::unique_ptr<ActiveWindow> window_;

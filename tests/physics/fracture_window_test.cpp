@@ -195,7 +195,9 @@ void expect_same(const Run& window, const Run& plain) {
   EXPECT_LE(report("released energy", worst(&bempd_history_entry::released_energy), 0, "plain"), 1e-9);
   EXPECT_LE(report("work", worst(&bempd_history_entry::work), 0, "plain"), 1e-9);
   EXPECT_LE(largest_of(window, &bempd_history_entry::energy_balance_error), 1e-8);
-  EXPECT_LE(largest_of(window, &bempd_history_entry::residual), 1e-9);
+  // Shortly before a part comes off under a dead load displacements and their rounding are large with either solver.
+  EXPECT_LE(largest_of(window, &bempd_history_entry::residual),
+            std::max(1e-9, 2 * largest_of(plain, &bempd_history_entry::residual)));
   const double size = largest(plain.displacements);
   EXPECT_LE(report("displacements", largest_difference(window.displacements, plain.displacements) / size, 0, "plain"),
             1e-8);
