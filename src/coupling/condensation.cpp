@@ -70,9 +70,13 @@ Affine Condensation::displacement(const Affine& kept) const {
     all.col(0) = system_.prescribed_.col(0);
     all.col(1) = expand(kept.col(1), {1});
   }
-  for (const CondensedOperator& op : system_.operators_) op.recover(all);
-  system_.ties_.expand(all);
+  recover(all);
   return all;
+}
+
+void Condensation::recover(Affine& displacement) const {
+  for (const CondensedOperator& op : system_.operators_) op.recover(displacement);
+  system_.ties_.expand(displacement);
 }
 
 }  // namespace bempd::coupling

@@ -35,6 +35,9 @@ class Condensation {
   // constant (0) or to the proportional (1) part of the load.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const;
 
+  // Adds the displacements of nodes without bonds.
+  void recover(Affine& displacement) const;
+
   // Displacements of all nodes.
   Affine displacement(const Affine& kept) const;
 

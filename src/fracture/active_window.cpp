@@ -93,7 +93,9 @@ void ActiveWindow::find_outside(const coupling::EquilibriumSystem& system,
     row_of[i] = static_cast<int>(outside_dofs_.size());
     outside_dofs_.push_back(static_cast<int>(i));
   }
-  const Eigen::MatrixXd rows = condensation.factor()(outside_dofs_, Eigen::all);
+  // The factor's rows end at their diagonal.
+  const Eigen::Index columns = outside_dofs_.empty() ? 0 : outside_dofs_.back() + 1;
+  const Eigen::MatrixXd rows = condensation.factor().leftCols(columns)(outside_dofs_, Eigen::all);
   outside_.setZero(rows.rows(), rows.rows());
   outside_.selfadjointView<Eigen::Lower>().rankUpdate(rows);
   outside_.triangularView<Eigen::StrictlyUpper>() = outside_.transpose();
@@ -138,15 +140,18 @@ double ActiveWindow::elongation(int bond, double load_factor) const {
   return sum;
 }
 
-Eigen::VectorXd ActiveWindow::response(const Pull& pull) const {
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(size_);
-  Eigen::VectorXd along = Eigen::VectorXd::Zero(pending_count_);
-  for (int k = 0; k < 4; ++k) {
-    const Eigen::Index d = pull.dof[k];
-    if (d >= size_ || pull.weight[k] == 0) continue;
-    w.head(d) += pull.weight[k] * flexibility_.row(d).head(d).transpose();
-    w.tail(size_ - d) += pull.weight[k] * flexibility_.col(d).tail(size_ - d);
-    along += pull.weight[k] * pending_.row(d).head(pending_count_).transpose();
+Eigen::MatrixXd ActiveWindow::responses(std::span<const int> bonds) const {
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(size_, static_cast<Eigen::Index>(bonds.size()));
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(pending_count_, w.cols());
+  for (Eigen::Index c = 0; c < w.cols(); ++c) {
+    const Pull& pull = pulls_[bonds[c]];
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Index d = pull.dof[k];
+      if (d >= size_ || pull.weight[k] == 0) continue;
+      w.col(c).head(d) += pull.weight[k] * flexibility_.row(d).head(d).transpose();
+      w.col(c).tail(size_ - d) += pull.weight[k] * flexibility_.col(d).tail(size_ - d);
+      along.col(c) += pull.weight[k] * pending_.row(d).head(pending_count_).transpose();
+    }
   }
   w.noalias() += pending_.leftCols(pending_count_) * along;
   return w;
@@ -157,10 +162,16 @@ void ActiveWindow::flush() {
   pending_count_ = 0;
 }
 
-bool ActiveWindow::remove_one(int bond) {
+bool ActiveWindow::remove_one(int bond, Eigen::Ref<Eigen::VectorXd> w, Eigen::Index changes_known) {
   const Pull& pull = pulls_[bond];
   const double k = stiffness_[bond];
-  const Eigen::VectorXd w = response(pull);
+  for (Eigen::Index c = changes_known; c < pending_count_; ++c) {
+    double along = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (pull.dof[i] < size_) along += pull.weight[i] * pending_(pull.dof[i], c);
+    }
+    w += along * pending_.col(c);
+  }
   double own = 0;
   Eigen::RowVector2d elongation = Eigen::RowVector2d::Zero();
   for (int i = 0; i < 4; ++i) {
@@ -202,8 +213,10 @@ bool ActiveWindow::remove(std::span<const int> bonds) {
   const bool functions_change = std::any_of(bonds.begin(), bonds.end(), is_supported);
   std::vector<coupling::CondensedFunction> functions_before;
   if (functions_change) functions_before = functions_;
-  for (int b : bonds) {
-    if (remove_one(b)) continue;
+  // Of all bonds at once, so that what is pending is read once; every bond adds what those before it changed.
+  Eigen::MatrixXd answers = responses(bonds);
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    if (remove_one(bonds[i], answers.col(static_cast<Eigen::Index>(i)), pending_before)) continue;
     extended_ = before;
     if (functions_change) functions_ = std::move(functions_before);
     pending_count_ = pending_before;

@@ -60,9 +60,10 @@ class ActiveWindow {
                      const StretchRatios& ratios);
   void find_outside(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
   void update_ratios();
-  Eigen::VectorXd response(const Pull& pull) const;  // F b
+  Eigen::MatrixXd responses(std::span<const int> bonds) const;  // F b
   void flush();
-  bool remove_one(int bond);
+  // `response` is F b as it was when only this many changes were pending.
+  bool remove_one(int bond, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
 
   Eigen::Index size_;  // kept degrees of freedom
   std::vector<int> bonds_, place_;

@@ -52,6 +52,7 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   system_.commit_break(cut, {});
   state_.intact = system_.intact();
   state_.springs = system_.springs();
+  lookahead_.expect_cracks(cut);
 }
 
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
@@ -416,6 +417,7 @@ const ForeseenEvent* CrackEvolution::foreseen_event(double target, const Steppin
     const bool was_useful = state_.events > events_at_opening_;
     patience_ = was_useful ? 1 : std::min(2 * patience_, most_patience);
     if (!was_useful) whole_body_events_ = patience_;
+    if (lookahead_.needs_whole_body()) whole_body_events_ = std::max(whole_body_events_, 1);
     leave();
   }
 }

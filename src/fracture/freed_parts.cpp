@@ -61,11 +61,15 @@ bool FreedPartFinder::frees_nothing(const std::vector<int>& removed_bonds, const
   for (int b : removed_bonds) {
     for (int node : {system_.bonds().first[b], system_.bonds().second[b]}) hold_loose_point(node, displacement, found);
   }
-  if (!found.springs.empty() || !found.nodes_with_lost_loads.empty()) return false;
+  const auto is_nothing = [&] { return found.springs.empty() && found.nodes_with_lost_loads.empty(); };
+  if (!is_nothing()) return false;
   if (connectivity_.still_joined(removed_bonds)) return true;
-  return std::all_of(removed_bonds.begin(), removed_bonds.end(), [&](int b) {
+  const bool joined = std::all_of(removed_bonds.begin(), removed_bonds.end(), [&](int b) {
     return connectivity_.are_joined(system_.bonds().first[b], system_.bonds().second[b]);
   });
+  if (joined) return true;
+  for (const auto& nodes : connectivity_.pieces()) hold_piece(nodes, displacement, found);
+  return is_nothing() && found.fragments == 0;
 }
 
 void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {

@@ -30,7 +30,7 @@ class FreedPartFinder {
   // After these bonds were taken out of the system's intact bonds.
   FreedParts after_break(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
 
-  // True if after_break() would find nothing. Looks around the bonds only.
+  // True if after_break() would find nothing; mostly without a look at the whole body.
   bool frees_nothing(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
 
   // A spring against the largest component of a motion that met no resistance.

@@ -10,7 +10,7 @@ namespace {
 
 // Unknowns that a window may have: its costs grow with their square per bond and their cube once.
 constexpr std::size_t most_unknowns = 2600;
-constexpr std::size_t most_hot_bonds = 1500;
+constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
 
 // Events computed at once: few at first, in case the host wants few, then up to this many.
 constexpr int first_events = 4, most_events_at_once = 256;
@@ -37,10 +37,39 @@ Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder&
   }
 }
 
+void Lookahead::expect_cracks(const std::vector<int>& cut) {
+  if (!system_.is_symmetric() || cut.empty() || cut.size() > most_cut_bonds) return;
+  ZoneShape shape;
+  shape.ahead = length_ahead();
+  std::vector<Zone> zones = zones_at_ends(cut, whole_ratios_.bonds(), positions_, spacing_, shape);
+  std::vector<int> nodes = nodes_of(zones);
+  if (2 * nodes.size() > most_unknowns) return;
+  keep(std::move(zones), std::move(nodes));
+  expected_zones_ = zones_;
+  expected_nodes_ = nodes_;
+}
+
+// Nodes that touch the outside come first: what the window needs to know of the outside is then a corner of the factor.
+void Lookahead::keep(std::vector<Zone> zones, std::vector<int> nodes) {
+  zones_ = std::move(zones);
+  nodes_ = std::move(nodes);
+  mark_rim();
+  std::stable_partition(nodes_.begin(), nodes_.end(), [&](int node) { return touches_outside_[node] != 0; });
+  system_.keep_last(nodes_);
+}
+
+double Lookahead::length_ahead() const {
+  if (options_.ahead > 0) return options_.ahead;
+  const double size = static_cast<double>(system_.counters().sparse_unknowns);
+  return std::clamp(28 * std::cbrt(size / 20000), 8.0, 48.0);
+}
+
 void Lookahead::forget() {
   close();
-  nodes_.clear();
-  system_.keep_last({});
+  most_events_ = first_events;
+  zones_ = expected_zones_;
+  nodes_ = expected_nodes_;
+  system_.keep_last(nodes_);
 }
 
 void Lookahead::close() {
@@ -68,7 +97,7 @@ std::vector<int> Lookahead::nodes_of(const std::vector<Zone>& zones) const {
 // the neighbours outside soon break as well.
 void Lookahead::mark_rim() {
   std::vector<char> kept(system_.node_count(), 0);
-  on_rim_.assign(system_.node_count(), 0);
+  touches_outside_.assign(system_.node_count(), 0);
   for (int node : nodes_) kept[node] = 1;
   for (int node = 0; node < system_.node_count(); ++node) {
     if (system_.is_prescribed(2 * node) && system_.is_prescribed(2 * node + 1)) kept[node] = 1;
@@ -76,8 +105,9 @@ void Lookahead::mark_rim() {
   const coupling::BondSet& bonds = system_.bonds();
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const int i = bonds.first[b], j = bonds.second[b];
-    if (system_.intact()[b] && kept[i] != kept[j]) on_rim_[i] = on_rim_[j] = 1;
+    if (system_.intact()[b] && kept[i] != kept[j]) touches_outside_[i] = touches_outside_[j] = 1;
   }
+  on_rim_ = touches_outside_;
   for (int node : nodes_) {
     const auto is_inside = [&](const Zone& zone) { return zone.is_inner(positions_[node]); };
     if (on_rim_[node] && std::any_of(zones_.begin(), zones_.end(), is_inside)) on_rim_[node] = 0;
@@ -96,8 +126,7 @@ bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
     if (state.intact[b]) largest = std::max(largest, whole_ratios_.at(b, load_factor));
   }
   ZoneShape shape;
-  const double size = static_cast<double>(system_.counters().sparse_unknowns);
-  shape.ahead = options_.ahead > 0 ? options_.ahead : std::clamp(18 * std::cbrt(size / 20000), 8.0, 48.0);
+  shape.ahead = length_ahead();
   for (double share : {0.7, 0.8, 0.9, 0.97, tie_limit(options_.tie_band)}) {
     std::vector<int> hot;
     for (std::size_t b = 0; b < state.intact.size(); ++b) {
@@ -118,10 +147,7 @@ bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
         zones_of(hot, whole_ratios_, load_factor, state.intact, positions_, spacing_, shape);
     std::vector<int> nodes = nodes_of(zones);
     if (nodes.empty() || 2 * nodes.size() > most_unknowns) continue;
-    zones_ = std::move(zones);
-    nodes_ = std::move(nodes);
-    mark_rim();
-    system_.keep_last(nodes_);
+    keep(std::move(zones), std::move(nodes));
     return true;
   }
   return false;
@@ -169,8 +195,7 @@ bool Lookahead::open(const EvolutionState& state, double load_factor, const Opti
   any_displacement_ = state.total_displacement;
   residual_ = state.residual;
   largest_force_ = state.largest_force;
-  has_ended_ = system_has_changed_ = false;
-  most_events_ = first_events;
+  has_ended_ = needs_whole_body_ = system_has_changed_ = false;
   position_ = 0;
   states_ = {window_->displacement()};
   return true;
@@ -238,6 +263,7 @@ bool Lookahead::foresee(double from) {
   const auto before = window_->function_values();
   if (!freed_parts_.frees_nothing(event.bonds, any_displacement_) || !window_->remove(chosen)) {
     system_.set_parted(event.bonds, false);
+    needs_whole_body_ = true;
     return false;
   }
   const auto after = window_->function_values();
@@ -275,14 +301,14 @@ void Lookahead::certify() {
   const int sure = std::min(certificate_->first_violation(states_, breaks, checks_, whole_),
                             static_cast<int>(events_.size()));
   if (sure < static_cast<int>(events_.size())) {
-    has_ended_ = true;
+    has_ended_ = true; needs_whole_body_ = false;
     for (std::size_t e = sure; e < events_.size(); ++e) system_.set_parted(events_[e].bonds, false);
     events_.resize(sure);
     states_.resize(sure + 1);
     if (sure == 0) return;  // whole_ is that of the state 0
   }
   const Affine before = std::move(whole_);
-  whole_ = condensation_->displacement(states_[sure]);
+  whole_ = certificate_->last_displacement(sure);
   const double f = events_.back().load_factor;
   const Eigen::VectorXd force = system_.internal_force(coupling::evaluate(whole_, f));
   const Eigen::VectorXd load = coupling::evaluate(system_.force(), f);

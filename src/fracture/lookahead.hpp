@@ -45,6 +45,9 @@ class Lookahead {
   Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
             const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs);
 
+  // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
+  void expect_cracks(const std::vector<int>& cut);
+
   // Around the bonds that are hot at the load factor of the next event. False if there is no window that would be
   // smaller than the problem.
   bool open(const EvolutionState& state, double load_factor, const Options& options);
@@ -57,6 +60,8 @@ class Lookahead {
   // The next event on the way up from a load factor; null if the window has come to its end. Computes more events where
   // none is left; `before_computing` is called first, while the present states can still be asked for.
   const ForeseenEvent* next(double load_factor, const std::function<void()>& before_computing);
+  // True if the window has come to its end before an event that no window can perform.
+  bool needs_whole_body() const { return needs_whole_body_; }
   void take();  // the system's bonds break
 
   // States since the events were computed last, 0 first; only these can be asked for and returned to.
@@ -69,9 +74,11 @@ class Lookahead {
   void compute(double load_factor);
   bool foresee(double load_factor);
   void certify();
+  double length_ahead() const;
   bool choose_nodes(const EvolutionState& state, double load_factor);
   std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
   bool is_far_from_rim(const std::vector<int>& bonds) const;
+  void keep(std::vector<Zone> zones, std::vector<int> nodes);
   void mark_rim();
   std::vector<ActiveWindow::Function> functions() const;
   EnergyForm energy(const Eigen::Matrix<double, Eigen::Dynamic, 2>& values) const;
@@ -85,8 +92,10 @@ class Lookahead {
   Options options_{};
 
   std::vector<Zone> zones_;
-  std::vector<int> nodes_;     // in the zones
-  std::vector<char> on_rim_;   // per node
+  std::vector<int> nodes_;  // in the zones
+  std::vector<Zone> expected_zones_;  // of initial cracks
+  std::vector<int> expected_nodes_;
+  std::vector<char> touches_outside_, on_rim_;  // per node
   std::unique_ptr<coupling::Condensation> condensation_;
   std::unique_ptr<ActiveWindow> window_;
   std::unique_ptr<WindowCertificate> certificate_;
@@ -94,7 +103,8 @@ class Lookahead {
   coupling::Affine whole_;  // displacements of the whole body in the last state
   bool proportional_ = false;
   bool has_ended_ = false;
-  int most_events_ = 0;  // to compute at once
+  bool needs_whole_body_ = false;
+  int most_events_ = 4;  // to compute at once
 
   std::vector<ForeseenEvent> events_;
   std::vector<coupling::Affine> states_;

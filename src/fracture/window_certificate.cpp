@@ -8,11 +8,11 @@ namespace bempd::fracture {
 namespace {
 
 // Bonds that may break between two states that are computed for the whole body.
-constexpr int breaks_between = 40;
+constexpr int breaks_between = 80;
 // After so many rounds every state in doubt is computed.
 constexpr int most_rounds = 6;
 // States computed at once: enough for fast solutions, few enough for the caches.
-constexpr std::size_t batch = 8;
+constexpr std::size_t batch = 16;
 // Relative margin of all comparisons.
 constexpr double margin = 1e-9;
 
@@ -97,6 +97,10 @@ void WindowCertificate::take(const std::vector<int>& states) {
     }
     Eigen::MatrixXd whole;
     if (!solved.empty()) whole = condensation_.expand(columns, part);
+    if (!solved.empty() && solved.back() + 1 == static_cast<int>(states_->size())) {
+      solved_state_ = solved.back();
+      solved_ = whole.rightCols(parts);
+    }
     // Values at the load factors of interest: the ends of their range, then the state's own checks.
     std::vector<std::pair<int, double>> wanted;
     for (std::size_t s = begin; s < end; ++s) {
@@ -205,11 +209,20 @@ std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& st
   return chosen;
 }
 
+Affine WindowCertificate::last_displacement(int state) const {
+  if (state != solved_state_) return condensation_.displacement((*states_)[state]);
+  Affine all = Affine::Zero(solved_.rows(), 2);
+  all.rightCols(solved_.cols()) = solved_;
+  condensation_.recover(all);
+  return all;
+}
+
 int WindowCertificate::first_violation(const std::vector<Affine>& states, const std::vector<int>& breaks,
                                        const std::vector<OutsideCheck>& checks, const Affine& first) {
   states_ = &states;
   whole_first_ = &first;
   snapshots_.clear();
+  solved_state_ = -1;
   checks_.assign(states.size(), {});
   lowest_ = highest_ = checks.empty() ? 0 : checks.front().load_factor;
   for (const OutsideCheck& check : checks) {

@@ -34,6 +34,9 @@ class WindowCertificate {
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<int>& breaks,
                       const std::vector<OutsideCheck>& checks, const coupling::Affine& first);
 
+  // Displacements of the whole body in one of the states of the last question.
+  coupling::Affine last_displacement(int state) const;
+
  private:
   // Bonds outside, those that answer alike to an energy together.
   static constexpr int most_classes = 8;
@@ -68,6 +71,8 @@ class WindowCertificate {
   std::vector<std::vector<OutsideCheck>> checks_;  // per state
   double lowest_ = 0, highest_ = 0;                // load factors checked
   std::map<int, Snapshot> snapshots_;
+  int solved_state_ = -1;  // the last one of the question, once it is computed
+  Eigen::MatrixXd solved_;
 };
 
 }  // namespace bempd::fracture

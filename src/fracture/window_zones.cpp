@@ -18,6 +18,40 @@ constexpr double beside_hot = 3;
 // Of the largest ratio in a crowd: bonds that tell in which direction a crack opens.
 constexpr double opening_share = 0.85;
 
+// Groups of points each of which is near to another one of its group.
+std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
+  std::vector<char> taken(points.size(), 0);
+  std::vector<std::vector<int>> result;
+  for (std::size_t seed = 0; seed < points.size(); ++seed) {
+    if (taken[seed]) continue;
+    std::vector<int>& members = result.emplace_back(1, static_cast<int>(seed));
+    taken[seed] = 1;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      for (std::size_t j = 0; j < points.size(); ++j) {
+        if (taken[j] || (points[members[k]] - points[j]).norm() > distance) continue;
+        taken[j] = 1;
+        members.push_back(static_cast<int>(j));
+      }
+    }
+  }
+  return result;
+}
+
+// Stretches a zone with centre and axis over these points and beyond.
+void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneShape& shape, double dx) {
+  Point low = Point::Zero(), high = Point::Zero();
+  for (const Point& point : points) {
+    const Point p = zone.coordinates(point);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - beside_hot * dx)};
+  zone.high = {high.x() + shape.ahead * dx, std::max(shape.half_width * dx, high.y() + beside_hot * dx)};
+  // Behind the tip nothing is expected to break.
+  zone.inner_low = zone.low + Point((back == shape.back ? side_rim : front_rim) * dx, side_rim * dx);
+  zone.inner_high = zone.high - Point(front_rim * dx, side_rim * dx);
+}
+
 class Builder {
  public:
   Builder(const StretchRatios& ratios, double load_factor, const std::vector<Point>& positions,
@@ -25,30 +59,6 @@ class Builder {
       : ratios_(ratios), load_factor_(load_factor), positions_(positions), spacing_(spacing) {}
 
   Point middle(int b) const { return 0.5 * (positions_[bonds().first[b]] + positions_[bonds().second[b]]); }
-  double spacing(int b) const { return spacing_[bonds().first[b]]; }
-
-  std::vector<std::vector<int>> crowds(const std::vector<int>& hot) const {
-    std::vector<int> crowd_of(hot.size(), -1);
-    std::vector<std::vector<int>> result;
-    for (std::size_t seed = 0; seed < hot.size(); ++seed) {
-      if (crowd_of[seed] >= 0) continue;
-      const int crowd = static_cast<int>(result.size());
-      std::vector<std::size_t> open{seed};
-      crowd_of[seed] = crowd;
-      std::vector<int>& members = result.emplace_back();
-      while (!open.empty()) {
-        const std::size_t i = open.back();
-        open.pop_back();
-        members.push_back(hot[i]);
-        for (std::size_t j = 0; j < hot.size(); ++j) {
-          if (crowd_of[j] >= 0 || (middle(hot[i]) - middle(hot[j])).norm() > crowd_distance * spacing(hot[i])) continue;
-          crowd_of[j] = crowd;
-          open.push_back(j);
-        }
-      }
-    }
-    return result;
-  }
 
   Zone zone(const std::vector<int>& crowd, const std::vector<Point>& parted, const ZoneShape& shape) const {
     double largest = 0;
@@ -66,7 +76,7 @@ class Builder {
       weight += ratio;
     }
     zone.centre /= weight;
-    const double dx = spacing(crowd.front());
+    const double dx = spacing_[bonds().first[crowd.front()]];
     // A crack runs across the direction in which it opens.
     zone.axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(opening).eigenvectors().col(0);
     Point crack = Point::Zero();
@@ -75,26 +85,14 @@ class Builder {
     }
     if (zone.axis.dot(crack) > 0) zone.axis = -zone.axis;
     const bool one_way = -zone.axis.dot(crack) > 0.5 * crack.norm() && crack.norm() > 0;
-    fit(zone, crowd, one_way ? shape.back : shape.ahead, shape, dx);
+    std::vector<Point> middles;
+    for (int b : crowd) middles.push_back(middle(b));
+    fit(zone, middles, one_way ? shape.back : shape.ahead, shape, dx);
     return zone;
   }
 
  private:
   const coupling::BondSet& bonds() const { return ratios_.bonds(); }
-
-  void fit(Zone& zone, const std::vector<int>& crowd, double back, const ZoneShape& shape, double dx) const {
-    Point low = Point::Zero(), high = Point::Zero();
-    for (int b : crowd) {
-      const Point p = zone.coordinates(middle(b));
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - beside_hot * dx)};
-    zone.high = {high.x() + shape.ahead * dx, std::max(shape.half_width * dx, high.y() + beside_hot * dx)};
-    // Behind the tip nothing is expected to break.
-    zone.inner_low = zone.low + Point(back == shape.back ? side_rim * dx : front_rim * dx, side_rim * dx);
-    zone.inner_high = zone.high - Point(front_rim * dx, side_rim * dx);
-  }
 
   const StretchRatios& ratios_;
   double load_factor_;
@@ -122,8 +120,40 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (!intact[b]) parted.push_back(builder.middle(static_cast<int>(b)));
   }
+  std::vector<Point> middles;
+  for (int b : hot) middles.push_back(builder.middle(b));
+  const double dx = hot.empty() ? 0 : spacing[ratios.bonds().first[hot.front()]];
   std::vector<Zone> zones;
-  for (const std::vector<int>& crowd : builder.crowds(hot)) zones.push_back(builder.zone(crowd, parted, shape));
+  for (const std::vector<int>& crowd : crowds(middles, crowd_distance * dx)) {
+    std::vector<int> members;
+    for (int k : crowd) members.push_back(hot[k]);
+    zones.push_back(builder.zone(members, parted, shape));
+  }
+  return zones;
+}
+
+std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::BondSet& bonds,
+                                const std::vector<Point>& positions, const std::vector<double>& spacing,
+                                const ZoneShape& shape) {
+  std::vector<Point> middles;
+  for (int b : cut) middles.push_back(0.5 * (positions[bonds.first[b]] + positions[bonds.second[b]]));
+  const double dx = spacing[bonds.first[cut.front()]];
+  std::vector<Zone> zones;
+  for (const std::vector<int>& crowd : crowds(middles, crowd_distance * dx)) {
+    Point mean = Point::Zero();
+    for (int k : crowd) mean += middles[k] / static_cast<double>(crowd.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (int k : crowd) spread += (middles[k] - mean) * (middles[k] - mean).transpose();
+    const Point along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    for (const Point& axis : {along, Point(-along)}) {
+      double end = 0;
+      for (int k : crowd) end = std::max(end, axis.dot(middles[k] - mean));
+      Zone& zone = zones.emplace_back();
+      zone.centre = mean + end * axis;
+      zone.axis = axis;
+      fit(zone, {zone.centre}, shape.back, shape, dx);
+    }
+  }
   return zones;
 }
 

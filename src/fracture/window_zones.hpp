@@ -23,7 +23,7 @@ struct Zone {
 };
 
 struct ZoneShape {
-  double ahead = 18, back = 5, half_width = 5.5;  // in lattice spacings
+  double ahead = 18, back = 4, half_width = 5;  // in lattice spacings
   double hot = 0.7;                               // share of the largest ratio from which on a bond belongs to a zone
 };
 
@@ -31,5 +31,10 @@ struct ZoneShape {
 std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
+
+// Zones in front of both ends of the cracks that cut these bonds.
+std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::BondSet& bonds,
+                                const std::vector<Point>& positions, const std::vector<double>& spacing,
+                                const ZoneShape& shape);
 
 }  // namespace bempd::fracture
