@@ -123,6 +123,8 @@ module bempd_c
 
   !> An isotropic elastic material that breaks at a critical bond stretch. Fill it with bempd_material_init().
   !>
+  !> Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
+  !> preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
   !> Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Give critical_stretch or
   !> fracture_energy, or neither for a material that does not break. From the fracture energy G0 and the horizon delta
   !> the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane
@@ -134,7 +136,7 @@ module bempd_c
     integer(c_int64_t) :: struct_size
     !> Young's modulus E [Pa], > 0
     real(c_double) :: young_modulus
-    !> Poisson's ratio [-]; -1 < nu < 1/2
+    !> Poisson's ratio [-]; -1 < nu <= 1/2
     real(c_double) :: poisson_ratio
     !> thickness [m], > 0; default 1
     real(c_double) :: thickness

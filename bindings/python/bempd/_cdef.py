@@ -355,15 +355,17 @@ since: 0.1""",
 An isotropic elastic material that breaks at a critical bond stretch. Fill it with
 bempd_material_init().
 
-Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Give
-critical_stretch or fracture_energy, or neither for a material that does not break. From the
-fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in
-plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain.
+Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme
+"paper"); preparing fails as unsolvable where supports hold its whole boundary, which leaves the
+pressure undetermined. Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane
+strain. Give critical_stretch or fracture_energy, or neither for a material that does not break.
+From the fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E
+delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain.
 
 since: 0.1""",
     "bempd_material.struct_size": """sizeof(bempd_material), set by bempd_material_init()""",
     "bempd_material.young_modulus": """Young's modulus E [Pa], > 0""",
-    "bempd_material.poisson_ratio": """Poisson's ratio [-]; -1 < nu < 1/2""",
+    "bempd_material.poisson_ratio": """Poisson's ratio [-]; -1 < nu <= 1/2""",
     "bempd_material.thickness": """thickness [m], > 0; default 1""",
     "bempd_material.critical_stretch": """critical bond stretch [-], > 0, or 0 for not given""",
     "bempd_material.fracture_energy": """fracture energy G0 [J/m^2], > 0, or 0 for not given""",

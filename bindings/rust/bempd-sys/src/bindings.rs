@@ -208,10 +208,12 @@ pub type bempd_plane = ::std::os::raw::c_uint;
 /// An isotropic elastic material that breaks at a critical bond stretch. Fill it with
 /// bempd_material_init().
 ///
-/// Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Give
-/// critical_stretch or fracture_energy, or neither for a material that does not break. From the
-/// fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta))
-/// in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain.
+/// Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in
+/// scheme "paper"); preparing fails as unsolvable where supports hold its whole boundary, which
+/// leaves the pressure undetermined. Peridynamic regions need Poisson's ratio 1/3 in plane stress
+/// and 1/4 in plane strain. Give critical_stretch or fracture_energy, or neither for a material
+/// that does not break. From the fracture energy G0 and the horizon delta the critical stretch is
+/// sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -221,7 +223,7 @@ pub struct bempd_material {
     pub struct_size: i64,
     /// Young's modulus E \[Pa\], \> 0
     pub young_modulus: f64,
-    /// Poisson's ratio \[-\]; -1 \< nu \< 1/2
+    /// Poisson's ratio \[-\]; -1 \< nu \<= 1/2
     pub poisson_ratio: f64,
     /// thickness \[m\], \> 0; default 1
     pub thickness: f64,
