@@ -434,7 +434,9 @@ Affine EquilibriumSystem::solve() {
     const Affine rhs = right_hand_side();
     for (int column = 0; column < 2; ++column) {
       if (rhs.col(column).isZero(0)) continue;
-      const Eigen::VectorXd unknowns = solve_column(rhs.col(column));
+      // The iteration's scalar products square the loads: near the ends of the number range they would be lost.
+      const double unit = std::exp2(std::ilogb(rhs.col(column).lpNorm<Eigen::Infinity>()));
+      const Eigen::VectorXd unknowns = unit * solve_column(rhs.col(column) / unit);
       for (std::size_t i = 0; i < dof_of_.size(); ++i) {
         displacement(dof_of_[i], column) = unknowns[static_cast<Eigen::Index>(i)];
       }

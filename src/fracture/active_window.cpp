@@ -97,7 +97,7 @@ void ActiveWindow::find_outside(const coupling::EquilibriumSystem& system,
   const Eigen::Index columns = outside_dofs_.empty() ? 0 : outside_dofs_.back() + 1;
   const Eigen::MatrixXd rows = condensation.factor().leftCols(columns)(outside_dofs_, Eigen::all);
   outside_.setZero(rows.rows(), rows.rows());
-  outside_.selfadjointView<Eigen::Lower>().rankUpdate(rows);
+  if (rows.size() > 0) outside_.selfadjointView<Eigen::Lower>().rankUpdate(rows);
   outside_.triangularView<Eigen::StrictlyUpper>() = outside_.transpose();
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     for (int r = 0; r < 4; ++r) {
@@ -158,6 +158,7 @@ Eigen::MatrixXd ActiveWindow::responses(std::span<const int> bonds) const {
 }
 
 void ActiveWindow::flush() {
+  if (size_ == 0 || pending_count_ == 0) return;
   flexibility_.selfadjointView<Eigen::Lower>().rankUpdate(pending_.leftCols(pending_count_));
   pending_count_ = 0;
 }

@@ -124,6 +124,12 @@ void CrackEvolution::move_to(double load_factor) {
 
 double CrackEvolution::stored_energy() const { return 0.5 * state_.total_displacement.dot(state_.total_force); }
 
+bool CrackEvolution::energies_are_lost() const {
+  const double displacement = state_.total_displacement.lpNorm<Eigen::Infinity>();
+  const double force = state_.total_force.lpNorm<Eigen::Infinity>();
+  return displacement > 0 && force > 0 && !std::isnormal(displacement * force);
+}
+
 double CrackEvolution::unit_energy() const {
   const Eigen::VectorXd unit = state_.displacement.col(1);
   return 0.5 * unit.dot(system_.internal_force(unit));

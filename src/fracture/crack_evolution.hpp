@@ -76,6 +76,9 @@ class CrackEvolution {
   }
   double seconds_search() const { return seconds_search_; }
 
+  // Whether displacements and forces have products beyond the range of numbers.
+  bool energies_are_lost() const;
+
  private:
   // Where a call began, to return to if it fails.
   struct Start {

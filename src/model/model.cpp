@@ -161,6 +161,11 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   result.seconds_search = evolution.seconds_search() - search;
   log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,
               " bonds broken"));
+  if (!warned_of_energies_ && evolution.energies_are_lost()) {
+    warned_of_energies_ = true;
+    log(1, "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
+           "and their balance are not; choose other units");
+  }
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

@@ -136,6 +136,7 @@ class Model {
   Progress progress_;
   Log log_;
   std::atomic<bool> cancel_requested_{false};
+  bool warned_of_energies_ = false;
 };
 
 // Bytes of a saved state and back (state.cpp); throws Error (argument) for damaged bytes.
