@@ -12,9 +12,7 @@
 
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void check(const bempd_model* model, bempd_status status) {
   if (status != BEMPD_OK) throw std::runtime_error(bempd_last_error(model));

@@ -31,8 +31,8 @@ class CondensedOperator {
   // Private displacements from the shared ones.
   void recover(Affine& displacement) const;
 
-  // Moves the weights of a function of displacements from the private ones to the shared ones, and to the constants that
-  // the present loads make of them.
+  // Moves the weights of a function of displacements from the private ones to the shared ones, and to the constants
+  // that the present loads make of them.
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
   // force += stiffness * displacement, on all of the operator's nodes.

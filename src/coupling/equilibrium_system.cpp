@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "coupling/coupling_graph.hpp"
 #include "error.hpp"
 #include "linalg/conjugate_gradient.hpp"
 #include "linalg/gmres.hpp"
@@ -137,28 +138,7 @@ std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorizati
 }
 
 void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
-  if (!symmetric_) return;
-  std::vector<std::vector<int>> groups;
-  for (const std::vector<int>& body : bodies_) {
-    std::vector<int>& group = groups.emplace_back();
-    std::copy_if(body.begin(), body.end(), std::back_inserter(group), [&](int n) { return has_unknown(n); });
-  }
-  std::vector<int> first, second;
-  const auto pulled = [&](int node) {
-    std::vector<int> nodes{node};
-    const int tie = ties_.tie_of(node);
-    if (tie < 0) return nodes;
-    nodes.clear();
-    for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
-    return nodes;
-  };
-  first.reserve(bonds_.size()), second.reserve(bonds_.size());
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    for (int i : pulled(bonds_.first[b])) {
-      for (int j : pulled(bonds_.second[b])) first.push_back(i), second.push_back(j);
-    }
-  }
-  graph_ = std::make_unique<linalg::NodeGraph>(positions, first, second, std::move(groups));
+  if (symmetric_) graph_ = std::make_unique<linalg::NodeGraph>(coupling_graph(positions, bonds_, ties_, bodies_));
 }
 
 void EquilibriumSystem::keep_last(std::vector<int> nodes) {

@@ -76,9 +76,8 @@ void StiffnessAssembly::make_pattern() {
     if (b < a || (!symmetric_ && a != b)) row_node[next[b]++] = a;
   });
 
-  const auto size = static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) {
-    return u >= 0;
-  }));
+  const auto size =
+      static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) { return u >= 0; }));
   matrix_.resize(size, size);
   std::vector<int> rows, column_start{0};
   rows.reserve(4 * row_node.size() + 2 * static_cast<std::size_t>(size));

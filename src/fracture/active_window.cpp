@@ -20,9 +20,9 @@ constexpr Eigen::Index most_pending = 64;
 using coupling::Affine;
 using coupling::BondSet;
 
-ActiveWindow::ActiveWindow(const coupling::EquilibriumSystem& system,
-                           const coupling::Condensation& condensation, const StretchRatios& ratios,
-                           const Affine& displacement, const std::vector<Function>& functions)
+ActiveWindow::ActiveWindow(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+                           const StretchRatios& ratios, const Affine& displacement,
+                           const std::vector<Function>& functions)
     : size_(static_cast<Eigen::Index>(condensation.dofs().size())),
       place_(ratios.bonds().size(), -1),
       extended_dofs_(condensation.dofs()) {
@@ -44,8 +44,8 @@ ActiveWindow::ActiveWindow(const coupling::EquilibriumSystem& system,
   update_ratios();
 }
 
-void ActiveWindow::collect_bonds(const coupling::EquilibriumSystem& system,
-                                 const coupling::Condensation& condensation, const StretchRatios& ratios) {
+void ActiveWindow::collect_bonds(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+                                 const StretchRatios& ratios) {
   const BondSet& bonds = system.bonds();
   std::vector<int> place_of(2 * static_cast<std::size_t>(system.node_count()), -1);
   for (std::size_t i = 0; i < condensation.dofs().size(); ++i) place_of[condensation.dofs()[i]] = static_cast<int>(i);
@@ -78,8 +78,7 @@ void ActiveWindow::collect_bonds(const coupling::EquilibriumSystem& system,
   ratios_.proportional.assign(bonds_.size(), 0.0);
 }
 
-void ActiveWindow::find_outside(const coupling::EquilibriumSystem& system,
-                                const coupling::Condensation& condensation) {
+void ActiveWindow::find_outside(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation) {
   const BondSet& bonds = system.bonds();
   std::vector<char> touched(system.node_count(), 0);
   for (std::size_t b = 0; b < bonds.size(); ++b) {

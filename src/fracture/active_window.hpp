@@ -12,21 +12,21 @@
 namespace bempd::fracture {
 
 // Bonds between kept nodes and the flexibility F (displacements per force) of the whole body there. Breaking a bond of
-// stiffness k along b changes F by a matrix of rank one: w = F b, gamma = 1 - k b.w, F <- F + (k / gamma) w w^T, and the
-// displacements by (k e / gamma) w, e being the bond's elongation (Sherman and Morrison 1950). The change of F is
+// stiffness k along b changes F by a matrix of rank one: w = F b, gamma = 1 - k b.w, F <- F + (k / gamma) w w^T, and
+// the displacements by (k e / gamma) w, e being the bond's elongation (Sherman and Morrison 1950). The change of F is
 // collected and added to it many columns at a time.
 class ActiveWindow {
  public:
   // A function of all displacements u -> x^T K u, x being nonzero on prescribed degrees of freedom only (energies and
   // reactions), or u -> f^T u with loads f.
   struct Function {
-    Eigen::VectorXd weights;      // of degrees of freedom
-    Eigen::VectorXd moved;        // x, or empty
+    Eigen::VectorXd weights;  // of degrees of freedom
+    Eigen::VectorXd moved;    // x, or empty
   };
 
   ActiveWindow(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
-               const StretchRatios& ratios,
-               const coupling::Affine& displacement, const std::vector<Function>& functions);
+               const StretchRatios& ratios, const coupling::Affine& displacement,
+               const std::vector<Function>& functions);
 
   // Global numbers of the bonds, ascending; bonds are named by their place in this list below.
   const std::vector<int>& bonds() const { return bonds_; }
@@ -73,10 +73,10 @@ class ActiveWindow {
   std::vector<char> intact_;
   AffineRatios ratios_;
   bool has_constant_part_;
-  coupling::Affine extended_;          // kept displacements, then prescribed ones at ends of bonds
-  std::vector<int> extended_dofs_;     // global degrees of freedom of extended_
-  Eigen::MatrixXd flexibility_;        // lower triangle
-  Eigen::MatrixXd pending_;            // F is flexibility_ + pending_ pending_^T
+  coupling::Affine extended_;       // kept displacements, then prescribed ones at ends of bonds
+  std::vector<int> extended_dofs_;  // global degrees of freedom of extended_
+  Eigen::MatrixXd flexibility_;     // lower triangle
+  Eigen::MatrixXd pending_;         // F is flexibility_ + pending_ pending_^T
   Eigen::Index pending_count_ = 0;
   Eigen::MatrixXd outside_;
   std::vector<int> outside_dofs_;

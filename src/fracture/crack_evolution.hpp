@@ -80,6 +80,9 @@ class CrackEvolution {
   bool energies_are_lost() const;
 
  private:
+  // Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
+  static constexpr double separated_energy_ratio = 1e-10;
+
   // Where a call began, to return to if it fails.
   struct Start {
     EvolutionState state;  // without history

@@ -62,7 +62,7 @@ std::vector<int> AffineRatios::overstretched(const std::vector<char>& intact, do
 }
 
 std::vector<int> AffineRatios::most_stretched(const std::vector<char>& intact, double load_factor, double band,
-                                               int limit) const {
+                                              int limit) const {
   double largest = 0;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b]) largest = std::max(largest, at(b, load_factor));

@@ -115,9 +115,8 @@ void Lookahead::mark_rim() {
 }
 
 bool Lookahead::is_far_from_rim(const std::vector<int>& bonds) const {
-  return std::none_of(bonds.begin(), bonds.end(), [&](int b) {
-    return on_rim_[system_.bonds().first[b]] || on_rim_[system_.bonds().second[b]];
-  });
+  return std::none_of(bonds.begin(), bonds.end(),
+                      [&](int b) { return on_rim_[system_.bonds().first[b]] || on_rim_[system_.bonds().second[b]]; });
 }
 
 bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
@@ -143,8 +142,7 @@ bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
       });
       if (all_kept && is_far_from_rim(hot)) return true;
     }
-    std::vector<Zone> zones =
-        zones_of(hot, whole_ratios_, load_factor, state.intact, positions_, spacing_, shape);
+    std::vector<Zone> zones = zones_of(hot, whole_ratios_, load_factor, state.intact, positions_, spacing_, shape);
     std::vector<int> nodes = nodes_of(zones);
     if (nodes.empty() || 2 * nodes.size() > most_unknowns) continue;
     keep(std::move(zones), std::move(nodes));
@@ -189,8 +187,7 @@ bool Lookahead::open(const EvolutionState& state, double load_factor, const Opti
   condensation_ = std::make_unique<coupling::Condensation>(system_);
   window_ = std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions());
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
-  certificate_ =
-      std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+  certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
   whole_ = state.displacement;
   any_displacement_ = state.total_displacement;
   residual_ = state.residual;
@@ -298,10 +295,11 @@ void Lookahead::certify() {
   if (events_.empty()) return;
   std::vector<int> breaks{0};
   for (const ForeseenEvent& event : events_) breaks.push_back(breaks.back() + static_cast<int>(event.bonds.size()));
-  const int sure = std::min(certificate_->first_violation(states_, breaks, checks_, whole_),
-                            static_cast<int>(events_.size()));
+  const int sure =
+      std::min(certificate_->first_violation(states_, breaks, checks_, whole_), static_cast<int>(events_.size()));
   if (sure < static_cast<int>(events_.size())) {
-    has_ended_ = true; needs_whole_body_ = false;
+    has_ended_ = true;
+    needs_whole_body_ = false;
     for (std::size_t e = sure; e < events_.size(); ++e) system_.set_parted(events_[e].bonds, false);
     events_.resize(sure);
     states_.resize(sure + 1);
@@ -314,7 +312,8 @@ void Lookahead::certify() {
   const Eigen::VectorXd load = coupling::evaluate(system_.force(), f);
   double unbalanced = 0;
   for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
-    if (!system_.is_prescribed(static_cast<int>(dof))) unbalanced = std::max(unbalanced, std::abs(force[dof] - load[dof]));
+    if (!system_.is_prescribed(static_cast<int>(dof)))
+      unbalanced = std::max(unbalanced, std::abs(force[dof] - load[dof]));
   }
   largest_force_ = std::max(largest_force_, force.lpNorm<Eigen::Infinity>());
   residual_ = largest_force_ > 0 ? unbalanced / largest_force_ : unbalanced;

@@ -37,7 +37,7 @@ class Lookahead {
   struct Options {
     double tie_band;
     int max_breaks_per_solve;
-    double ahead;  // of a crack tip, in lattice spacings; 0: chosen by the size of the system
+    double ahead;             // of a crack tip, in lattice spacings; 0: chosen by the size of the system
     double separated_energy;  // of the proportional load alone, below which the body is in pieces
     bool operator==(const Options&) const = default;
   };
@@ -92,7 +92,7 @@ class Lookahead {
   Options options_{};
 
   std::vector<Zone> zones_;
-  std::vector<int> nodes_;  // in the zones
+  std::vector<int> nodes_;            // in the zones
   std::vector<Zone> expected_zones_;  // of initial cracks
   std::vector<int> expected_nodes_;
   std::vector<char> touches_outside_, on_rim_;  // per node

@@ -50,7 +50,8 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
   const auto [least, most] = std::minmax_element(compliance.begin(), compliance.end());
   const double lowest = std::log(*least), width = std::max(std::log(*most) - lowest, 1e-12);
   for (std::size_t b = 0; b < compliance.size(); ++b) {
-    const int k = std::min(most_classes - 1, static_cast<int>(most_classes * (std::log(compliance[b]) - lowest) / width));
+    const int k =
+        std::min(most_classes - 1, static_cast<int>(most_classes * (std::log(compliance[b]) - lowest) / width));
     class_of_[b] = static_cast<char>(k);
     compliance_[k] = std::max(compliance_[k], compliance[b]);
   }
@@ -133,7 +134,8 @@ void WindowCertificate::take(const std::vector<int>& states) {
         continue;
       }
       snapshot.bound = snapshot.bound.max(largest[next++]);
-      for (std::size_t c = 0; c < checks_[states[s]].size(); ++c) snapshot.largest.push_back(largest[next++].maxCoeff());
+      for (std::size_t c = 0; c < checks_[states[s]].size(); ++c)
+        snapshot.largest.push_back(largest[next++].maxCoeff());
     }
   }
 }

@@ -43,7 +43,7 @@ class WindowCertificate {
   using Classes = Eigen::Array<double, most_classes, 1>;
 
   struct Snapshot {
-    Classes bound;  // of the stretch ratios at all load factors checked
+    Classes bound;                // of the stretch ratios at all load factors checked
     std::vector<double> largest;  // per own check
   };
 
@@ -59,7 +59,7 @@ class WindowCertificate {
   const coupling::Condensation& condensation_;
   const ActiveWindow& window_;
   bool proportional_;
-  std::vector<int> first_, second_;  // of bonds outside that can break
+  std::vector<int> first_, second_;    // of bonds outside that can break
   std::vector<double> cosine_, sine_;  // over length and critical stretch
   std::vector<char> class_of_;
   Classes compliance_;  // largest stretch ratio per root of energy, of each class

@@ -11,8 +11,7 @@ constexpr Eigen::Index smallest_block = 48;
 void invert_lower(Eigen::Ref<Eigen::MatrixXd> lower) {
   const Eigen::Index n = lower.rows(), half = n / 2;
   if (n <= smallest_block) {
-    const Eigen::MatrixXd inverse =
-        lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd inverse = lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(n, n));
     lower.triangularView<Eigen::Lower>() = inverse;
     return;
   }

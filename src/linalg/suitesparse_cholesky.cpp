@@ -152,6 +152,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
 
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
+    if (rhs.size() == 0) return;
     Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
     triangular_solve(CHOLMOD_L, ordered);
     rhs = solution();
@@ -159,6 +160,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
 
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
+    if (rhs.size() == 0) return;
     triangular_solve(CHOLMOD_Lt, rhs);
     const auto solved = solution();
     for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
@@ -294,8 +296,8 @@ class SuiteSparseCholesky final : public SparseCholesky {
   mutable CholmodCommon common_;
   CholmodFactor analysis_{common_}, factor_{common_};
   mutable CholmodDense solution_{common_}, work_y_{common_}, work_e_{common_};
-  Eigen::VectorXd diagonal_;      // of the matrix last factorized
-  SparsityPattern<int> pattern_;  // what `analysis_` was made for
+  Eigen::VectorXd diagonal_;       // of the matrix last factorized
+  SparsityPattern<int> pattern_;   // what `analysis_` was made for
   std::vector<int> wanted_order_;  // empty: CHOLMOD's own
   int kept_last_ = 0;
   std::vector<int> order_, position_;  // unknown eliminated k-th, and the inverse

@@ -95,7 +95,8 @@ void Model::ensure_equilibrium() {
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
   if (evolution.progress().fragments > 0) {
-    log(1, text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
+    log(1,
+        text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
   }
 }
 
@@ -133,7 +134,8 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   const fracture::SteppingOptions stepping{options_.text_value("stepping.mode") == "paper"
                                                ? fracture::SteppingMode::increments
                                                : fracture::SteppingMode::events,
-                                           options_.number("stepping.increment"), options_.number("stepping.tie_band"),
+                                           options_.number("stepping.increment"),
+                                           options_.number("stepping.tie_band"),
                                            options_.whole_number("stepping.max_breaks_per_solve"),
                                            static_cast<std::int64_t>(options_.number("stepping.max_events")),
                                            options_.text_value("stepping.solver") == "window",

@@ -104,11 +104,12 @@ const std::vector<OptionDescription>& option_descriptions() {
       number_option("stepping.tie_band",
                     "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3,
                     0, 0.5, false),
-      text_option("stepping.solver",
-                  "How events are computed in scheme symmetric: window, ahead of time in a small part of the body around "
-                  "what breaks, with a proof for each that the whole body breaks in the same way; plain, one by one with "
-                  "a solution of the whole body each.",
-                  "plain | window", "window"),
+      text_option(
+          "stepping.solver",
+          "How events are computed in scheme symmetric: window, ahead of time in a small part of the body around "
+          "what breaks, with a proof for each that the whole body breaks in the same way; plain, one by one with "
+          "a solution of the whole body each.",
+          "plain | window", "window"),
       number_option("stepping.window_length",
                     "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose.", 0,
                     0, 1e4, false),

@@ -1,1 +1,2 @@
 bempd_add_engine_test(fracture_test fracture_test.cpp)
+bempd_add_engine_test(fracture_window_unit_test fracture_window_test.cpp)

@@ -1,4 +1,5 @@
 bempd_add_engine_test(linalg_cholesky_test linalg_cholesky_test.cpp linalg_backend_test.cpp)
+bempd_add_engine_test(linalg_condensation_test linalg_condensation_test.cpp)
 bempd_add_engine_test(linalg_lu_test linalg_lu_test.cpp)
 bempd_add_engine_test(linalg_conjugate_gradient_test linalg_conjugate_gradient_test.cpp)
 bempd_add_engine_test(linalg_low_rank_test linalg_low_rank_test.cpp)

@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fracture/active_window.hpp"
+#include "fracture/window_certificate.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace bempd::fracture;
+using coupling::Affine;
+using coupling::BondSet;
+using coupling::Condensation;
+using coupling::EquilibriumSystem;
+
+// A plate of points with bonds to the eight neighbours, held at the left and moved at the right by the load factor and,
+// if asked for, by a constant. The kept points are a square in it.
+class Plate {
+ public:
+  static constexpr int side = 21;
+
+  explicit Plate(double constant)
+      : positions(places()),
+        bonds(neighbours()),
+        system(side * side, {}, bonds, held()),
+        ratios(system.bonds(), std::vector<double>(bonds.size(), 1e-2)) {
+    Affine prescribed = Affine::Zero(2 * side * side, 2);
+    for (int y = 0; y < side; ++y) prescribed.row(2 * node(side - 1, y)) << constant, 1;
+    system.place_nodes(positions);
+    system.set_load(Affine::Zero(2 * side * side, 2), prescribed);
+    std::vector<int> kept;
+    for (int x = 4; x < 12; ++x) {
+      for (int y = 6; y < 14; ++y) kept.push_back(node(x, y));
+    }
+    system.keep_last(kept);
+  }
+
+  static int node(int x, int y) { return side * y + x; }
+
+  std::vector<Point> positions;
+  BondSet bonds;
+  EquilibriumSystem system;
+  StretchRatios ratios;
+
+ private:
+  static std::vector<Point> places() {
+    std::vector<Point> all;
+    for (int i = 0; i < side * side; ++i) all.emplace_back(i % side, i / side);
+    return all;
+  }
+  static BondSet neighbours() {
+    BondSet all;
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        for (const auto& [a, b] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 1}}) {
+          if (x + a < 0 || x + a >= side || y + b >= side) continue;
+          const double length = std::hypot(a, b);
+          all.first.push_back(node(x, y));
+          all.second.push_back(node(x + a, y + b));
+          all.cosine.push_back(a / length);
+          all.sine.push_back(b / length);
+          all.length.push_back(length);
+          all.stiffness.push_back(a * b == 0 ? 1 + 0.1 * (x % 3) : 0.4);
+        }
+      }
+    }
+    return all;
+  }
+  static std::vector<char> held() {
+    std::vector<char> dofs(2 * side * side, 0);
+    for (int y = 0; y < side; ++y) {
+      for (int c = 0; c < 2; ++c) dofs[2 * node(0, y) + c] = dofs[2 * node(side - 1, y) + c] = 1;
+    }
+    return dofs;
+  }
+};
+
+// The most stretched bond of the window breaks again and again; every state is also solved for the whole plate.
+class Window : public testing::TestWithParam<double> {
+ protected:
+  static constexpr int events = 60;
+  static constexpr double load_factor = 1.5;
+
+  Window() {
+    first = plate.system.solve();
+    condensation = std::make_unique<Condensation>(plate.system);
+    window = std::make_unique<ActiveWindow>(plate.system, *condensation, plate.ratios, first,
+                                            std::vector<ActiveWindow::Function>{});
+    certificate =
+        std::make_unique<WindowCertificate>(plate.system, *condensation, *window, plate.ratios, GetParam() == 0);
+    states = {window->displacement()};
+    for (int e = 0; e <= events; ++e) {
+      const Affine displacement = whole.solve();
+      largest_outside.push_back(outside(displacement));
+      const Eigen::VectorXd expected = displacement.col(1)(condensation->dofs());
+      worst = std::max(worst, (states.back().col(1) - expected).norm() / expected.norm());
+      if (e == events) break;
+      const std::vector<int> chosen = window->ratios().most_stretched(window->intact(), load_factor, 0, 1);
+      const std::vector<int> bonds{window->bonds()[chosen.front()]};
+      EXPECT_TRUE(window->remove(chosen));
+      states.push_back(window->displacement());
+      whole.mark_broken(bonds);
+      whole.commit_break(bonds, {});
+    }
+  }
+
+  double outside(const Affine& displacement) {
+    StretchRatios ratios(plate.bonds, std::vector<double>(plate.bonds.size(), 1e-2));
+    ratios.update(displacement);
+    double largest = 0;
+    for (std::size_t b = 0; b < plate.bonds.size(); ++b) {
+      if (!window->contains(static_cast<int>(b))) largest = std::max(largest, ratios.at(b, load_factor));
+    }
+    return largest;
+  }
+
+  // Limits so near to the largest outside ratio that the certificate must tell them apart.
+  int first_violation(int violated) {
+    std::vector<OutsideCheck> checks;
+    std::vector<int> breaks;
+    const double scale = GetParam() == 0 ? load_factor : 1;
+    for (int e = 0; e <= events; ++e) {
+      breaks.push_back(e);
+      const double limit = largest_outside[e] * (e == violated ? 1 - 1e-6 : 1 + 1e-6);
+      if (e < events) checks.push_back({e, load_factor / scale, limit / scale});
+    }
+    return certificate->first_violation(states, breaks, checks, first);
+  }
+
+  Plate plate{GetParam()};
+  Plate reference{GetParam()};
+  EquilibriumSystem& whole = reference.system;
+  Affine first;
+  std::unique_ptr<Condensation> condensation;
+  std::unique_ptr<ActiveWindow> window;
+  std::unique_ptr<WindowCertificate> certificate;
+  std::vector<Affine> states;
+  std::vector<double> largest_outside;
+  double worst = 0;
+};
+
+TEST_P(Window, displacements_are_those_of_the_whole_plate) { EXPECT_LT(worst, 1e-11); }
+
+TEST_P(Window, certificate_finds_the_first_state_in_which_a_bond_outside_is_too_hot) {
+  EXPECT_GE(first_violation(-1), events);
+  for (const int violated : {0, 1, 17, 39, 40, 41, events - 1}) EXPECT_EQ(first_violation(violated), violated);
+}
+
+TEST_P(Window, certificate_of_a_last_state_gives_its_displacements) {
+  first_violation(-1);
+  const Affine last = certificate->last_displacement(events), expected = whole.solve();
+  EXPECT_LT((last - expected).norm(), 1e-11 * expected.norm());
+}
+
+TEST_P(Window, a_bond_that_alone_resists_a_motion_is_refused) {
+  const int corner = Plate::node(7, 9);
+  std::vector<int> places;
+  for (std::size_t b = 0; b < window->bonds().size(); ++b) {
+    const int bond = window->bonds()[b];
+    if (!window->intact()[b]) continue;
+    if (plate.bonds.first[bond] == corner || plate.bonds.second[bond] == corner) places.push_back(static_cast<int>(b));
+  }
+  const Affine before = window->displacement();
+  EXPECT_FALSE(window->remove(places));
+  EXPECT_EQ(window->displacement(), before);
+  for (const int b : places) EXPECT_TRUE(window->intact()[b]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loads, Window, testing::Values(0.0, 0.4));
+
+}  // namespace
