@@ -477,14 +477,18 @@ typedef enum bempd_field {
   BEMPD_POSITION = 1,
   /** Displacements of the nodes, shape [nodes][2] [m]. */
   BEMPD_DISPLACEMENT = 2,
-  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. */
+  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]; at boundary nodes the mean of the elements that meet there.
+   */
   BEMPD_STRESS = 3,
   /** PD only: share of a point's bonds that is broken or cut, shape [nodes] [-]. */
   BEMPD_DAMAGE = 4,
   /** BEM only: tractions at the three nodes of every element, shape [elements * 3][2] [Pa]. */
   BEMPD_TRACTION = 5,
   /** PD only: stretch of every bond, also of broken ones, shape [bonds] [-]. */
-  BEMPD_BOND_STRETCH = 6
+  BEMPD_BOND_STRETCH = 6,
+  /** BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its traction and the
+   * strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ where stress jumps. */
+  BEMPD_ELEMENT_STRESS = 7
 } bempd_field;
 
 /** @brief State of a bond. @since 0.1 */

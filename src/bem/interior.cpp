@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bem/boundary_slopes.hpp"
 #include "bem/kelvin_solution.hpp"
 #include "bem/smoothness.hpp"
 
@@ -83,6 +84,19 @@ InteriorEvaluator::InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasti
     end_nodes_.push_back({e.nodes[0], e.nodes[2]});
     traction_.push_back(along_element(tractions, e.traction_nodes, shear_modulus_));
   }
+  const std::vector<ElementSlopes> slopes = boundary_slopes(mesh, displacements);
+  for (std::size_t e = 0; e < slopes.size(); ++e) correction_.push_back(slope_correction(e, slopes[e]));
+}
+
+InteriorEvaluator::SlopeCorrection InteriorEvaluator::slope_correction(std::size_t e,
+                                                                       const ElementSlopes& better) const {
+  std::array<Point, 2> change{Point::Zero(), Point::Zero()};
+  for (int end = 0; end < 2; ++end) {
+    if (!better.known[end]) continue;
+    const double xi = 2 * end - 1;
+    change[end] = better.slope[end] * boundary_.elements[e].derivative(xi).norm() - displacement_[e].derivative(xi);
+  }
+  return {0.25 * (change[1] + change[0]), 0.25 * (change[1] - change[0])};
 }
 
 InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
@@ -98,12 +112,13 @@ InteriorEvaluator::Nearest InteriorEvaluator::nearest(const Point& x) const {
 }
 
 // Displacement gradient H from H tau = du/ds and from the traction (unit shear modulus, plane strain with nu).
-InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& nearest) const {
+InteriorEvaluator::LinearField InteriorEvaluator::matching_field(const Nearest& nearest,
+                                                                 const Point& displacement_derivative) const {
   const ElementGeometry& element = boundary_.elements[nearest.element];
   const Point dx = element.derivative(nearest.xi);
   const double jacobian = dx.norm();
   const Point tangent = dx / jacobian, normal = scaled_normal(tangent);
-  const Point slope = displacement_[nearest.element].derivative(nearest.xi) / jacobian;
+  const Point slope = displacement_derivative / jacobian;
   const Point traction = traction_[nearest.element].at(nearest.xi);
   const double stress_nn = traction.dot(normal), stress_nt = traction.dot(tangent), strain_tt = slope.dot(tangent);
   const double strain_nn = (0.5 * (1 - 2 * nu_) * stress_nn - nu_ * strain_tt) / (1 - nu_);
@@ -177,14 +192,23 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
 InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool with_stress) const {
   const Point x = boundary_.scaled(position);
   const Nearest closest = nearest(x);
-  const LinearField field = matching_field(closest);
+  if (closest.distance <= on_boundary * boundary_.elements[closest.element].c1.norm()) {
+    const Point displacement = displacement_[closest.element].at(closest.xi);
+    return {boundary_.length * displacement, stress_on(closest.element, closest.xi)};
+  }
+  const LinearField field = matching_field(closest, displacement_[closest.element].derivative(closest.xi));
   Sums sums;
-  if (closest.distance > on_boundary * boundary_.elements[closest.element].c1.norm())
-    for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e)
-      integrate(e, {}, x, closest, field, with_stress, 0, sums);
+  for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e)
+    integrate(e, {}, x, closest, field, with_stress, 0, sums);
   const Point displacement = field.origin_displacement + field.gradient * (x - field.origin) + sums.displacement;
   const Eigen::Vector3d stress = Eigen::Vector3d(field.stress(0, 0), field.stress(1, 1), field.stress(0, 1));
   return {boundary_.length * displacement, shear_modulus_ * (stress + sums.stress)};
+}
+
+Eigen::Vector3d InteriorEvaluator::stress_on(int element, double xi) const {
+  const Point derivative = displacement_[element].derivative(xi) + correction_[element].at(xi);
+  const Eigen::Matrix2d s = matching_field({element, xi, 0}, derivative).stress;
+  return shear_modulus_ * Eigen::Vector3d(s(0, 0), s(1, 1), s(0, 1));
 }
 
 InteriorEvaluator::Value InteriorEvaluator::at(const Point& x) const { return evaluate(x, true); }

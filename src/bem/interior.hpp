@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bem/boundary_elements.hpp"
+#include "bem/boundary_slopes.hpp"
 #include "elasticity/plane_elasticity.hpp"
 
 namespace bempd::bem {
@@ -12,7 +13,9 @@ namespace bempd::bem {
 // Displacement and stress inside a body from its boundary values, by Somigliana's identity. The linear field that has
 // the displacement, tangential strain and traction of the nearest boundary point is taken out first and put back in
 // closed form: what is integrated vanishes where the kernels are singular, so points may lie arbitrarily close to the
-// boundary. On the boundary itself the boundary's own values come back.
+// boundary. On the boundary itself its own traction and strain give the stress, with the better slopes of
+// boundary_slopes.hpp. (Inside they would do harm: what makes the displacements of a Galerkin solution good on average
+// is lost with them.)
 class InteriorEvaluator {
  public:
   struct Value {
@@ -25,6 +28,8 @@ class InteriorEvaluator {
                     const Eigen::VectorXd& tractions);
 
   Value at(const Point& x) const;
+  // On the boundary itself, seen from one element: traction and tangential strain there (xi from -1 to 1).
+  Eigen::Vector3d stress_on(int element, double xi) const;
   Point displacement_at(const Point& x) const;
 
  private:
@@ -32,8 +37,17 @@ class InteriorEvaluator {
   struct LinearField;
   struct Sums;
 
+  // Change of an element's displacement derivative along xi that brings it to the better slopes at its ends, and leaves
+  // the displacements of its nodes alone: the derivative of xi (xi^2 - 1) (odd + even xi).
+  struct SlopeCorrection {
+    Point odd = Point::Zero(), even = Point::Zero();
+
+    Point at(double xi) const { return (3 * xi * xi - 1) * (odd + xi * even) + xi * (xi * xi - 1) * even; }
+  };
+
   Nearest nearest(const Point& x) const;
-  LinearField matching_field(const Nearest& nearest) const;
+  SlopeCorrection slope_correction(std::size_t element, const ElementSlopes& better) const;
+  LinearField matching_field(const Nearest& nearest, const Point& displacement_derivative) const;
   Point remainder(int element, double xi, const Nearest& nearest, const LinearField& field) const;
   Value evaluate(const Point& x, bool with_stress) const;
   void integrate(int element, const Interval& interval, const Point& x, const Nearest& nearest,
@@ -42,6 +56,7 @@ class InteriorEvaluator {
   ScaledBoundary boundary_;
   double nu_, shear_modulus_;
   std::vector<ElementGeometry> displacement_, traction_;  // per element, scaled: values instead of places
+  std::vector<SlopeCorrection> correction_;
   std::vector<std::array<int, 2>> end_nodes_;
 };
 

@@ -8,8 +8,8 @@ using namespace bempd::capi;
 namespace {
 
 model::Field field_of(std::int32_t field) {
-  require(field >= BEMPD_POSITION && field <= BEMPD_BOND_STRETCH, "field is ", field,
-          "; it must be a bempd_field, 1 .. 6");
+  require(field >= BEMPD_POSITION && field <= BEMPD_ELEMENT_STRESS, "field is ", field,
+          "; it must be a bempd_field, 1 .. 7");
   return static_cast<model::Field>(field);
 }
 

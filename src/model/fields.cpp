@@ -86,11 +86,35 @@ FieldValues element_tractions(const BoundaryPart& part, const Eigen::VectorXd& t
   return field;
 }
 
-FieldValues boundary_stress(const BoundaryPart& part, const bem::InteriorEvaluator& evaluator) {
+// At the three nodes of every element, from its own traction and tangential strain.
+FieldValues element_stress(const BoundaryPart& part, const bem::InteriorEvaluator& evaluator) {
   FieldValues field{{}, 3};
-  for (const Point& node : part.mesh.nodes) {
-    const Eigen::Vector3d stress = evaluator.at(node).stress;
-    field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
+  for (int e = 0; e < static_cast<int>(part.mesh.elements.size()); ++e) {
+    for (const double xi : {-1.0, 0.0, 1.0}) {
+      const Eigen::Vector3d stress = evaluator.stress_on(e, xi);
+      field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
+    }
+  }
+  return field;
+}
+
+// The mean of the elements that meet in a node.
+FieldValues boundary_stress(const BoundaryPart& part, const bem::InteriorEvaluator& evaluator) {
+  const FieldValues sides = element_stress(part, evaluator);
+  Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(part.mesh.nodes.size()));
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(sums.cols());
+  const double* side = sides.values.data();
+  for (const BoundaryElement& element : part.mesh.elements) {
+    for (int node : element.nodes) {
+      sums.col(node) += Eigen::Map<const Eigen::Vector3d>(side);
+      counts[node] += 1;
+      side += 3;
+    }
+  }
+  FieldValues field{{}, 3};
+  for (Eigen::Index node = 0; node < sums.cols(); ++node) {
+    const Eigen::Vector3d mean = sums.col(node) / counts[node];
+    field.values.insert(field.values.end(), {mean[0], mean[1], mean[2]});
   }
   return field;
 }
@@ -137,6 +161,7 @@ FieldValues Model::compute_field(int region, Field which) {
         return field;
       }
       case Field::traction:
+      case Field::element_stress:
         break;  // refused by field_size()
     }
     return {};
@@ -150,8 +175,11 @@ FieldValues Model::compute_field(int region, Field which) {
     case Field::traction:
       return element_tractions(part, boundary_tractions(part));
     case Field::stress:
-      return boundary_stress(
-          part, {part.mesh, elasticity, part.mesh_displacement(state.total_displacement), boundary_tractions(part)});
+    case Field::element_stress: {
+      const bem::InteriorEvaluator evaluator(part.mesh, elasticity, part.mesh_displacement(state.total_displacement),
+                                             boundary_tractions(part));
+      return which == Field::stress ? boundary_stress(part, evaluator) : element_stress(part, evaluator);
+    }
     case Field::damage:
     case Field::bond_stretch:
       break;  // refused by field_size()
@@ -179,16 +207,20 @@ const LatticePart& Model::lattice(int region) {
 FieldSize Model::field_size(int region, Field which) {
   scene_.region(region);
   prepare();
-  const int components = which == Field::stress ? 3 : which == Field::damage || which == Field::bond_stretch ? 1 : 2;
+  const int components = which == Field::stress || which == Field::element_stress ? 3
+                         : which == Field::damage || which == Field::bond_stretch ? 1
+                                                                                  : 2;
   std::int64_t count = 0;
   if (const LatticePart* part = prepared_->discretization.lattice_of(region)) {
-    require(which != Field::traction, "region ", region, " is peridynamic and has no tractions; ask a BEM region");
+    require(which != Field::traction && which != Field::element_stress, "region ", region,
+            " is peridynamic and has no tractions and no boundary elements; ask a BEM region");
     count = which == Field::bond_stretch ? static_cast<std::int64_t>(part->bonds().size()) : part->point_count();
   } else {
     require(which != Field::damage && which != Field::bond_stretch, "region ", region,
             " is a BEM region and has no bonds; ask a peridynamic region");
     const BoundaryMesh& mesh = prepared_->discretization.boundary_of(region)->mesh;
-    count = static_cast<std::int64_t>(which == Field::traction ? 3 * mesh.elements.size() : mesh.nodes.size());
+    count = static_cast<std::int64_t>(
+        which == Field::traction || which == Field::element_stress ? 3 * mesh.elements.size() : mesh.nodes.size());
   }
   return {count, components};
 }

@@ -17,7 +17,7 @@
 
 namespace bempd::model {
 
-enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch };
+enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch, element_stress };
 enum class BondState { intact = 0, broken = 1, cut = 2 };
 
 // A field as numbers, entry by entry.

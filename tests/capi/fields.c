@@ -51,6 +51,9 @@ static void sizes_views_and_copies_agree(const coupled_plate* plate) {
   field_has_size(model, plate->strip, BEMPD_BOND_STRETCH, bonds, 1);
   field_has_size(model, plate->left, BEMPD_TRACTION, elements[0] * 3, 2);
   field_has_size(model, plate->right, BEMPD_TRACTION, elements[2] * 3, 2);
+  field_has_size(model, plate->left, BEMPD_ELEMENT_STRESS, elements[0] * 3, 3);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "peridynamic",
+              bempd_field_size(model, plate->strip, BEMPD_ELEMENT_STRESS, NULL, NULL));
   CHECK(nodes[1] == 10 * 9 && elements[1] == 9 * 8);
   CHECK(elements[0] == 5 + 8 + 5 + 4 && elements[2] == 5 + 4 + 5 + 8);
   CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));

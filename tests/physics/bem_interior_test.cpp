@@ -5,6 +5,7 @@
 #include "bem/interior.hpp"
 #include "physics/bem_bodies.hpp"
 #include "physics/bem_cantilever.hpp"
+#include "physics/circular_inclusion.hpp"
 
 namespace {
 
@@ -107,6 +108,42 @@ TEST(InteriorEvaluator, error_near_the_boundary_is_the_interpolation_error_of_th
     last_inside = inside;
     last_near = near;
   }
+}
+
+// Tractions and displacements of the plate with a hole (Kirsch) on a rectangle beside it, interpolated at the nodes.
+TEST(InteriorEvaluator, stress_on_the_boundary_is_of_higher_order_than_the_elements_slopes) {
+  const double young = 3, poisson = 0.2;
+  const CircularInclusion plate(CircularInclusion::plane_strain(young, poisson));
+  const auto displacement = [&](const Point& x) -> Point {
+    const auto u = plate.displacement(x.x(), x.y());
+    return {u[0], u[1]};
+  };
+  const auto stress = [&](const Point& x) {
+    const auto s = plate.stress(x.x(), x.y());
+    return Eigen::Matrix2d{{s[0], s[2]}, {s[2], s[1]}};
+  };
+  double last = 0;
+  for (const double element_length : {0.25, 0.125, 0.0625}) {
+    const Body body{"block", {rectangle(1, 0.75, element_length, 1, {0.9, 0.7})}, {}};
+    const BoundaryMesh mesh = mesh_boundary(body.loops);
+    const bem::InteriorEvaluator interior(mesh, {young, poisson, PlaneState::strain, 1},
+                                          nodal_values(mesh, displacement),
+                                          nodal_tractions(mesh, body.panels(), stress));
+    double error = 0;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d found = interior.stress_on(static_cast<int>(e), k - 1);
+        error = std::max(error, (found - components(stress(mesh.nodes[mesh.elements[e].nodes[k]]))).norm());
+      }
+    std::printf(
+        "Kirsch beside the hole, elements of %.4f: stress at the nodes of all sides off by %.2e of 1, order %.2f\n",
+        element_length, error, last > 0 ? std::log2(last / error) : 0.0);
+    if (last > 0) {
+      EXPECT_GE(std::log2(last / error), 2.9);
+    }
+    last = error;
+  }
+  EXPECT_LE(last, 1e-4);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void read_errors(Model& model, int32_t region, const CircularInclusion& exact, d
 
 Errors solve(const char* scheme, double poisson, const double* disk_young, int refinement) {
   Model model;
-  model.set("scheme", scheme);
+  model.set_text("scheme", scheme);
   const double young = 1000, half = 3, element = pi / 4 / refinement;
   const auto plate_solid = CircularInclusion::plane_strain(young, poisson);
   const CircularInclusion exact =

@@ -60,7 +60,7 @@ Errors errors_of(Model& model, int32_t region, const Lame& exact, std::vector<do
 // Inner radius 1 with unit pressure, outer radius 2: free, or clamped.
 Errors ring_errors(const char* scheme, double poisson, bool clamped, double element_length) {
   Model model;
-  model.set("scheme", scheme);
+  model.set_text("scheme", scheme);
   const int32_t region = model.disk(model.add(material(1000, poisson, BEMPD_PLANE_STRAIN)), {0, 0}, 2, element_length);
   const int32_t first = model.circular_hole(region, {0, 0}, 1);
   for (int32_t k = 0; k < 4; ++k) model.traction(region, first + k, [](double x, double y) { return Vector{x, y}; });

@@ -16,7 +16,7 @@ struct Solution {
 
 Solution solve(bool with_hole, double element_length, const char* grading) {
   Model model;
-  model.set("bem.grading", grading);
+  model.set_text("bem.grading", grading);
   const int32_t region = model.bem(model.add(material(100e9, 1.0 / 3)), rectangle(0, 0, 1, 0.2), element_length);
   if (with_hole) model.circular_hole(region, {0.5, 0.1}, 0.05);
   model.fix(region, 4, BEMPD_BOTH);

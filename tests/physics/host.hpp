@@ -80,7 +80,7 @@ class Model {
       throw std::runtime_error(std::string(bempd_status_name(status)) + ": " + bempd_last_error(get()));
   }
 
-  void set(const char* option, const char* word) { check(bempd_set_option_text(get(), option, word)); }
+  void set_text(const char* option, const char* word) { check(bempd_set_option_text(get(), option, word)); }
   void set(const char* option, double value) { check(bempd_set_option(get(), option, value)); }
 
   int32_t add(const bempd_material& material) {
