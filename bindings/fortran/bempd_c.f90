@@ -75,7 +75,7 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_POSITION = 1
   !> Displacements of the nodes, shape [nodes][2] [m].
   integer(c_int), parameter :: BEMPD_DISPLACEMENT = 2
-  !> Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa].
+  !> Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]; at boundary nodes the mean of the elements that meet there.
   integer(c_int), parameter :: BEMPD_STRESS = 3
   !> PD only: share of a point's bonds that is broken or cut, shape [nodes] [-].
   integer(c_int), parameter :: BEMPD_DAMAGE = 4
@@ -83,6 +83,9 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_TRACTION = 5
   !> PD only: stretch of every bond, also of broken ones, shape [bonds] [-].
   integer(c_int), parameter :: BEMPD_BOND_STRETCH = 6
+  !> BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its traction and the
+  !> strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ where stress jumps.
+  integer(c_int), parameter :: BEMPD_ELEMENT_STRESS = 7
 
   !> State of a bond.
   !>

@@ -156,7 +156,8 @@ typedef enum bempd_field {
   BEMPD_STRESS = 3,
   BEMPD_DAMAGE = 4,
   BEMPD_TRACTION = 5,
-  BEMPD_BOND_STRETCH = 6
+  BEMPD_BOND_STRETCH = 6,
+  BEMPD_ELEMENT_STRESS = 7
 } bempd_field;
 typedef enum bempd_bond_state {
   BEMPD_BOND_INTACT = 0,
@@ -775,10 +776,16 @@ since: 0.1""",
 since: 0.1""",
     "BEMPD_POSITION": """Positions of the nodes, shape [nodes][2] [m].""",
     "BEMPD_DISPLACEMENT": """Displacements of the nodes, shape [nodes][2] [m].""",
-    "BEMPD_STRESS": """Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa].""",
+    "BEMPD_STRESS": """\
+Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]; at boundary nodes the mean of the elements
+that meet there.""",
     "BEMPD_DAMAGE": """PD only: share of a point's bonds that is broken or cut, shape [nodes] [-].""",
     "BEMPD_TRACTION": """BEM only: tractions at the three nodes of every element, shape [elements * 3][2] [Pa].""",
     "BEMPD_BOND_STRETCH": """PD only: stretch of every bond, also of broken ones, shape [bonds] [-].""",
+    "BEMPD_ELEMENT_STRESS": """\
+BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its
+traction and the strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ
+where stress jumps.""",
     "bempd_bond_state": """State of a bond.
 
 since: 0.1""",

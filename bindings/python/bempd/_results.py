@@ -22,6 +22,7 @@ FIELDS = {
     "damage": lib.BEMPD_DAMAGE,
     "traction": lib.BEMPD_TRACTION,
     "bond_stretch": lib.BEMPD_BOND_STRETCH,
+    "element_stress": lib.BEMPD_ELEMENT_STRESS,
 }
 IntArray = npt.NDArray[np.int32]
 
@@ -30,7 +31,7 @@ class Results:
     """What can be asked of a model. Asking prepares it if need be.
 
     Fields are "position", "displacement", "stress" (xx, yy, xy), "damage" (PD), "traction" (BEM, at the three nodes of
-    every element) and "bond_stretch" (PD). There are three ways to a field:
+    every element), "element_stress" (BEM, there too) and "bond_stretch" (PD). There are three ways to a field:
 
     field()       a read-only array that keeps the values of the moment; asked again before the model changes, the same
                   array. Yours for as long as you like, whatever becomes of the model.

@@ -911,7 +911,8 @@ extern "C" {
 pub const BEMPD_POSITION: bempd_field = 1;
 /// Displacements of the nodes, shape \[nodes\]\[2\] \[m\].
 pub const BEMPD_DISPLACEMENT: bempd_field = 2;
-/// Stress xx, yy, xy at the nodes, shape \[nodes\]\[3\] \[Pa\].
+/// Stress xx, yy, xy at the nodes, shape \[nodes\]\[3\] \[Pa\]; at boundary nodes the mean of the
+/// elements that meet there.
 pub const BEMPD_STRESS: bempd_field = 3;
 /// PD only: share of a point's bonds that is broken or cut, shape \[nodes\] \[-\].
 pub const BEMPD_DAMAGE: bempd_field = 4;
@@ -919,6 +920,10 @@ pub const BEMPD_DAMAGE: bempd_field = 4;
 pub const BEMPD_TRACTION: bempd_field = 5;
 /// PD only: stretch of every bond, also of broken ones, shape \[bonds\] \[-\].
 pub const BEMPD_BOND_STRETCH: bempd_field = 6;
+/// BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its
+/// traction and the strain along it, shape \[elements \* 3\]\[3\] \[Pa\]; at corners the two sides differ
+/// where stress jumps.
+pub const BEMPD_ELEMENT_STRESS: bempd_field = 7;
 /// A field on a region. Nodes are boundary nodes or material points.
 ///
 /// * since: 0.1

@@ -38,6 +38,8 @@ pub enum Field {
     Traction = sys::BEMPD_TRACTION as i32,
     /// Peridynamic regions: stretch of every bond, also of broken ones [-].
     BondStretch = sys::BEMPD_BOND_STRETCH as i32,
+    /// Boundary elements only: stress xx, yy, xy at the three nodes of every element as that element has it [Pa].
+    ElementStress = sys::BEMPD_ELEMENT_STRESS as i32,
 }
 
 /// State of a bond.
