@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "error.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "stopwatch.hpp"
 
@@ -98,7 +99,14 @@ void CrackEvolution::open_window(double target, const SteppingOptions& options) 
   const Lookahead::Options wanted{options.tie_band, options.max_breaks_per_solve, options.window_ahead,
                                   separated_energy_ratio * state_.first_unit_energy};
   events_at_opening_ = state_.events;
-  if (!lookahead_.open(state_, *next, wanted)) look_at_whole_body();
+  bool opened = false;
+  try {
+    opened = lookahead_.open(state_, *next, wanted);
+  } catch (const Error& error) {
+    // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
+    if (error.failure() != Failure::unsolvable) throw;
+  }
+  if (!opened) look_at_whole_body();
 }
 
 // A window that finds nothing to do is not tried again at once, and each time later.
