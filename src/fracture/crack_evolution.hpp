@@ -100,6 +100,7 @@ class CrackEvolution {
   const ForeseenEvent* foreseen_event(double target, const SteppingOptions& options, std::optional<Start>& start);
   void perform_foreseen(const ForeseenEvent& event);
   void open_window(double target, const SteppingOptions& options);
+  void look_at_whole_body();
   void close_window();
   void catch_up();
   void move_to(double load_factor);

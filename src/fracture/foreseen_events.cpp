@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "error.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "stopwatch.hpp"
 
@@ -98,12 +99,26 @@ void CrackEvolution::open_window(double target, const SteppingOptions& options) 
   const Lookahead::Options wanted{options.tie_band, options.max_breaks_per_solve, options.window_ahead,
                                   separated_energy_ratio * state_.first_unit_energy};
   events_at_opening_ = state_.events;
-  if (!lookahead_.open(state_, *next, wanted)) whole_body_events_ = patience_;
+  bool opened = false;
+  try {
+    opened = lookahead_.open(state_, *next, wanted);
+  } catch (const Error& error) {
+    // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
+    if (error.failure() != Failure::unsolvable) throw;
+  }
+  if (!opened) look_at_whole_body();
+}
+
+// A window that finds nothing to do is not tried again at once, and each time later.
+void CrackEvolution::look_at_whole_body() {
+  patience_ = std::min(2 * patience_, most_patience);
+  whole_body_events_ = patience_;
 }
 
 const ForeseenEvent* CrackEvolution::foreseen_event(double target, const SteppingOptions& options,
                                                     std::optional<Start>& start) {
-  const bool possible = options.window && options.mode == SteppingMode::events && target >= state_.load_factor;
+  const bool possible =
+      options.window && options.mode == SteppingMode::events && system_.is_symmetric() && target >= state_.load_factor;
   const Lookahead::Options& present = lookahead_.options();
   const bool others = options.tie_band != present.tie_band || options.window_ahead != present.ahead ||
                       options.max_breaks_per_solve != present.max_breaks_per_solve;
@@ -121,11 +136,12 @@ const ForeseenEvent* CrackEvolution::foreseen_event(double target, const Steppin
       complete(*start);
     };
     if (const ForeseenEvent* event = lookahead_.next(state_.load_factor, keep_start)) return event;
-    // A window that found nothing to do is not tried again at once.
-    const bool was_useful = state_.events > events_at_opening_;
-    patience_ = was_useful ? 1 : std::min(2 * patience_, most_patience);
-    if (!was_useful) whole_body_events_ = patience_;
-    if (lookahead_.needs_whole_body()) whole_body_events_ = std::max(whole_body_events_, 1);
+    if (state_.events > events_at_opening_) {
+      patience_ = 1;
+      if (lookahead_.needs_whole_body()) whole_body_events_ = 1;
+    } else {
+      look_at_whole_body();
+    }
     leave();
   }
 }
@@ -140,7 +156,7 @@ void CrackEvolution::perform_foreseen(const ForeseenEvent& event) {
   state_.broken_bonds += static_cast<std::int64_t>(event.bonds.size());
   for (int b : event.bonds) state_.intact[b] = 0;
   if (0.5 * event.after.proportional < separated_energy_ratio * state_.first_unit_energy) state_.separated = true;
-  append_history(state_.events, event.ratio, event.after.at(event.load_factor), lookahead_.residual_bound());
+  append_history(state_.events, event.ratio, event.after.at(event.load_factor), lookahead_.residual());
   state_.reactions.insert(state_.reactions.end(), event.reactions.begin(), event.reactions.end());
 }
 

@@ -68,7 +68,8 @@ class Lookahead {
   int position() const { return position_; }
   void return_to(int position);
   coupling::Affine displacement(int position) const;
-  double residual_bound() const { return residual_; }
+  // Of the whole body after the last of the events computed together; it stands for all of them.
+  double residual() const { return residual_; }
 
  private:
   void compute(double load_factor);
