@@ -165,8 +165,9 @@ StepResult Model::advance(double target, fracture::Goal goal) {
               " bonds broken"));
   if (!warned_of_energies_ && evolution.energies_are_lost()) {
     warned_of_energies_ = true;
-    log(1, "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
-           "and their balance are not; choose other units");
+    log(1,
+        "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
+        "and their balance are not; choose other units");
   }
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,

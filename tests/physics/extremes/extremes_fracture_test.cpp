@@ -44,15 +44,16 @@ TEST(LoadReversal, unloading_is_elastic_and_reloading_finds_the_same_state) {
   const bempd_step_report unloaded = model.step(0);
   EXPECT_EQ(unloaded.broken_bonds, 0);
   EXPECT_LE(report("displacement without load", largest(model.displacements()) / largest(u), 0, "elasticity"), 1e-12);
-  EXPECT_LE(report("stored energy without load", unloaded.stored_energy / loaded.stored_energy, 0, "elasticity"), 1e-12);
+  EXPECT_LE(report("stored energy without load", unloaded.stored_energy / loaded.stored_energy, 0, "elasticity"),
+            1e-12);
 
   // Pushed together by half as much, where no bond reaches its critical stretch.
   const bempd_step_report pushed = model.step(-0.5 * first);
   EXPECT_EQ(pushed.broken_bonds, 0);
-  EXPECT_LE(report("reversed displacement",
-                   largest_difference(model.displacements(), u, -0.5 * first / (1.02 * first)) / largest(u), 0,
-                   "linearity"),
-            1e-12);
+  EXPECT_LE(
+      report("reversed displacement",
+             largest_difference(model.displacements(), u, -0.5 * first / (1.02 * first)) / largest(u), 0, "linearity"),
+      1e-12);
 
   const bempd_step_report again = model.step(1.02 * first);
   EXPECT_EQ(again.broken_bonds, 0);

@@ -20,7 +20,10 @@ struct Exact {
 // u = (a x + b y, b x + c y)
 Exact constant_strain(double poisson) {
   const double a = 0.7, b = 0.2, c = -0.4, k = young / (1 - poisson * poisson);
-  return {poisson, [=](double x, double y) { return Vector{a * x + b * y, b * x + c * y}; },
+  return {poisson,
+          [=](double x, double y) {
+            return Vector{a * x + b * y, b * x + c * y};
+          },
           [=](double, double) {
             return std::array{k * (a + poisson * c), k * (c + poisson * a), young / (1 + poisson) * b};
           }};
@@ -33,7 +36,9 @@ Exact pure_bending(double poisson, double y0) {
             const double t = y - y0;
             return Vector{x * t, -(x * x + poisson * t * t) / 2};
           },
-          [=](double, double y) { return std::array{young * (y - y0), 0.0, 0.0}; }};
+          [=](double, double y) {
+            return std::array{young * (y - y0), 0.0, 0.0};
+          }};
 }
 
 Field traction(const Exact& exact, Vector n) {
@@ -74,8 +79,8 @@ double solved_error(Model& model, const std::vector<int32_t>& regions, const Exa
   return report(what, largest_error(model, regions, exact), 0, "exact field");
 }
 
-// Bending makes a bar of slenderness s about s^4 times softer than stretching does; rounding of the stiff part is lost in
-// the soft one. Finite elements of displacements share the fate.
+// Bending makes a bar of slenderness s about s^4 times softer than stretching does; rounding of the stiff part is lost
+// in the soft one. Finite elements of displacements share the fate.
 double slender_loss(double slenderness) { return 1e-10 + 1e-15 * std::pow(slenderness, 4); }
 
 TEST(ExtremeShapes, bars_up_to_a_thousand_times_as_long_as_high) {
@@ -92,7 +97,8 @@ TEST(ExtremeShapes, bars_up_to_a_thousand_times_as_long_as_high) {
         model.traction(1, 2, traction(exact, {1, 0}));
         model.traction(1, 3, traction(exact, {0, 1}));
         char what[64];
-        std::snprintf(what, sizeof what, "%s bar %g : 1, %g elements", bent ? "bent" : "strained", slenderness, elements);
+        std::snprintf(what, sizeof what, "%s bar %g : 1, %g elements", bent ? "bent" : "strained", slenderness,
+                      elements);
         EXPECT_LE(solved_error(model, regions, exact, what), slender_loss(slenderness));
       }
     }
@@ -134,8 +140,7 @@ TEST(ExtremeShapes, neighbouring_elements_ten_thousand_times_as_long) {
 
 // A short edge beside long ones: the corner is cut off by 1e-4.
 TEST(ExtremeShapes, an_edge_ten_thousand_times_shorter_than_its_neighbours) {
-  const std::vector<Piece> pieces{
-      {Method::boundary_elements, {{0, 0}, {1 - 1e-4, 0}, {1, 1e-4}, {1, 1}, {0, 1}}}};
+  const std::vector<Piece> pieces{{Method::boundary_elements, {{0, 0}, {1 - 1e-4, 0}, {1, 1e-4}, {1, 1}, {0, 1}}}};
   const Exact exact = constant_strain(0.3);
   Model model;
   const auto regions = add_pieces(model, pieces, model.add(material(young, exact.poisson)), 0, 0, 1);
@@ -146,9 +151,9 @@ TEST(ExtremeShapes, an_edge_ten_thousand_times_shorter_than_its_neighbours) {
 // Faces 1e-4 apart with elements of 0.1: a thousand element widths of nearness.
 TEST(ExtremeShapes, a_notch_1e_minus_4_wide) {
   const double w = 1e-4;
-  const std::vector<Piece> pieces{{Method::boundary_elements,
-                                   {{0, 0}, {1, 0}, {1, 1}, {0.5 + w / 2, 1}, {0.5 + w / 2, 0.5}, {0.5 - w / 2, 0.5},
-                                    {0.5 - w / 2, 1}, {0, 1}}}};
+  const std::vector<Piece> pieces{
+      {Method::boundary_elements,
+       {{0, 0}, {1, 0}, {1, 1}, {0.5 + w / 2, 1}, {0.5 + w / 2, 0.5}, {0.5 - w / 2, 0.5}, {0.5 - w / 2, 1}, {0, 1}}}};
   const Exact exact = constant_strain(0.3);
   Model model;
   const auto regions = add_pieces(model, pieces, model.add(material(young, exact.poisson)), 0, 0, 0.1);

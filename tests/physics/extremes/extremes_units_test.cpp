@@ -1,8 +1,8 @@
 // One scene in extreme units and under extreme loads. Reference: dimensional analysis.
 #include <gtest/gtest.h>
 
-#include "scaled_plate.hpp"
 #include "../fracture_scenes.hpp"
+#include "scaled_plate.hpp"
 
 namespace {
 
@@ -32,8 +32,9 @@ void expect_same(const Outcome& a, const std::string& what) {
 
 void expect_same_energies(const Outcome& a, const std::string& what) {
   const Outcome& b = reference();
-  EXPECT_LE(std::abs(report((what + ": energy").c_str(), a.stored_energy / b.stored_energy - 1, 0, "dimensional analysis")),
-            tolerance);
+  EXPECT_LE(
+      std::abs(report((what + ": energy").c_str(), a.stored_energy / b.stored_energy - 1, 0, "dimensional analysis")),
+      tolerance);
   EXPECT_LE(std::abs(a.work / b.work - 1), tolerance);
   EXPECT_LE(a.balance, tolerance);
 }

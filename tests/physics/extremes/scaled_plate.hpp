@@ -23,8 +23,7 @@ inline ScaledPlateIds build(Model& model, const ScaledPlate& s) {
     const double x = s.origin[0], y = s.origin[1];
     return rectangle((x + x0) * l, y * l, (x + x1) * l, (y + 1) * l);
   };
-  const int32_t id =
-      model.add(material(s.modulus, 1.0 / 3, BEMPD_PLANE_STRESS, s.thickness, s.critical_stretch));
+  const int32_t id = model.add(material(s.modulus, 1.0 / 3, BEMPD_PLANE_STRESS, s.thickness, s.critical_stretch));
   ScaledPlateIds ids{};
   ids.left = model.bem(id, block(0, 1), 0.25 * l);
   ids.strip = model.pd(id, block(1, 2), 0.125 * l, s.horizon_ratio);
