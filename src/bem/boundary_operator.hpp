@@ -8,7 +8,7 @@ namespace bempd::bem {
 
 struct AssemblyOptions {
   double quadrature_tolerance = 1e-14;  // of every integral; the stiffness is some ten times as far off
-  int threads = 0;                      // 0: OpenMP's default
+  int threads = 0;                      // 0: one a core
 
   // Threads worth waking for a boundary of this many elements.
   int threads_for(std::size_t elements) const;

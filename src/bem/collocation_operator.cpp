@@ -3,10 +3,12 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <numbers>
 
 #include "bem/point_integrals.hpp"
+#include "parallel.hpp"
 
 namespace bempd::bem {
 
@@ -150,9 +152,9 @@ CollocationOperator::CollocationOperator(const BoundaryMesh& mesh, const PlaneEl
                                          const AssemblyOptions& options) {
   Assembler assembler(mesh, elasticity.effective_poisson_ratio(), options.quadrature_tolerance);
   const int threads = options.threads_for(mesh.elements.size());
-  std::int64_t evaluations = 0;
-#pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : evaluations)
-  for (int point = 0; point < mesh.traction_node_count; ++point) evaluations += assembler.add_point(point);
+  std::atomic<std::int64_t> evaluations = 0;
+  parallel_for(static_cast<std::size_t>(mesh.traction_node_count), threads,
+               [&](std::size_t point) { evaluations += assembler.add_point(static_cast<int>(point)); });
   kernel_evaluations_ = evaluations;
 
   const Eigen::PartialPivLU<Eigen::MatrixXd> single_layer(assembler.single_layer_transpose.transpose());

@@ -1,9 +1,11 @@
 #include "bem/galerkin_operator.hpp"
 
+#include <atomic>
 #include <cassert>
 #include <numbers>
 
 #include "bem/pair_integrals.hpp"
+#include "parallel.hpp"
 
 namespace bempd::bem {
 
@@ -148,10 +150,9 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
                                    const AssemblyOptions& options) {
   Assembler assembler(mesh, elasticity.effective_poisson_ratio(), options);
   const int threads = options.threads_for(mesh.elements.size());
-  std::int64_t evaluations = 0;
+  std::atomic<std::int64_t> evaluations = 0;
   for (const std::vector<int>& group : independent_groups(mesh)) {
-#pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : evaluations)
-    for (std::size_t i = 0; i < group.size(); ++i) evaluations += assembler.add_outer(group[i]);
+    parallel_for(group.size(), threads, [&](std::size_t i) { evaluations += assembler.add_outer(group[i]); });
   }
   kernel_evaluations_ = evaluations;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "parallel.hpp"
 #include "pd/congruent_clusters.hpp"
 #include "pd/least_change.hpp"
 
@@ -184,11 +185,10 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
   const std::vector<std::vector<int>> clusters = clusters_of(bonds, free, lattice.point_count());
   const CongruentClusters congruent = find_congruent(lattice, missing, bonds, clusters);
   std::vector<LeastChangeResult> results(clusters.size());
-#pragma omp parallel for schedule(dynamic) if (congruent.originals.size() > 1)
-  for (std::size_t k = 0; k < congruent.originals.size(); ++k) {
+  parallel_for(congruent.originals.size(), 0, [&](std::size_t k) {
     const int c = congruent.originals[k];
     results[c] = solve_least_change(cluster_problem(templates.family, missing, bonds, clusters[c]));
-  }
+  });
   CornerReport report;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const CongruentClusters::Image& image = congruent.images[c];
