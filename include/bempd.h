@@ -577,7 +577,7 @@ typedef struct bempd_statistics {
   int64_t broken_bonds;          /**< bonds broken in steps */
   int64_t sparse_unknowns;       /**< unknowns of the sparse system after condensing BEM regions */
   int64_t factor_nonzeros;       /**< entries of the sparse factor */
-  int64_t kernel_evaluations;    /**< evaluations of the boundary kernels */
+  int64_t kernel_evaluations;    /**< evaluations of the boundary kernels, also for places inside BEM regions */
   int64_t dense_factorizations;  /**< factorizations of condensed BEM regions */
   int64_t sparse_factorizations; /**< factorizations of the sparse system */
   int64_t factor_updates;        /**< columns added to or removed from the factor */
@@ -590,6 +590,8 @@ typedef struct bempd_statistics {
   double seconds_solve;          /**< solutions [s] */
   double seconds_update;         /**< changes of the factor [s] */
   double seconds_search;         /**< stretches, choice of bonds, connectivity [s] */
+  double reciprocal_condition;   /**< crude reciprocal condition number of the worst equations solved so far: about
+                                    -log10 of it digits of the displacement are lost; 1 if nothing was solved [-] */
 } bempd_statistics;
 
 /** @brief Set struct_size and zeros. @param[out] statistics the struct to fill

@@ -218,7 +218,7 @@ module bempd_c
     integer(c_int64_t) :: sparse_unknowns
     !> entries of the sparse factor
     integer(c_int64_t) :: factor_nonzeros
-    !> evaluations of the boundary kernels
+    !> evaluations of the boundary kernels, also for places inside BEM regions
     integer(c_int64_t) :: kernel_evaluations
     !> factorizations of condensed BEM regions
     integer(c_int64_t) :: dense_factorizations
@@ -244,6 +244,9 @@ module bempd_c
     real(c_double) :: seconds_update
     !> stretches, choice of bonds, connectivity [s]
     real(c_double) :: seconds_search
+    !> crude reciprocal condition number of the worst equations solved so far: about -log10 of it digits of the
+    !> displacement are lost; 1 if nothing was solved [-]
+    real(c_double) :: reciprocal_condition
   end type bempd_statistics
 
   !> One line of the history. Fill it with bempd_history_entry_init().

@@ -1,57 +1,73 @@
 #include "pd/deformation.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
 
 namespace bempd::pd {
 
 namespace {
 
-using Eigen::Matrix2d;
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
-// G minimises sum w |du - G xi|^2: G = (sum w du xi^T) (sum w xi xi^T)^-1.
-Matrix2d fitted_gradient(const Matrix2d& shape, const Matrix2d& mixed) {
-  const double trace = shape.trace();
-  if (!(trace > 0)) return Matrix2d::Zero();
-  // Bonds span the plane unless they are parallel; steps between lattice places are either exactly parallel or clearly
-  // not.
-  if (shape.determinant() > 1e-10 * trace * trace) return mixed * shape.inverse();
-  const Vector2d along = Eigen::SelfAdjointEigenSolver<Matrix2d>(shape).eigenvectors().col(1);
-  const Vector2d across(-along.y(), along.x()), moved = mixed * along / trace;
-  return along.dot(moved) * along * along.transpose() +
-         across.dot(moved) * (across * along.transpose() - along * across.transpose());
+// Symmetric tensors as vectors (xx, yy, sqrt2 xy), whose products are those of the tensors.
+Vector3d dyad(const Vector2d& e) { return {e.x() * e.x(), e.y() * e.y(), std::numbers::sqrt2 * e.x() * e.y()}; }
+
+// Solves a x = b; what no bond resists (single rows of points) is not strained.
+Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> modes(a);
+  Vector3d x = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double value = modes.eigenvalues()[k];
+    if (value > 1e-10 * modes.eigenvalues()[2])
+      x += modes.eigenvectors().col(k).dot(b) / value * modes.eigenvectors().col(k);
+  }
+  return x;
 }
 
 }  // namespace
 
-std::vector<Matrix2d> displacement_gradients(int point_count, const Network& network,
-                                             const std::vector<std::uint8_t>& broken,
-                                             const Eigen::Ref<const Eigen::VectorXd>& displacements) {
+std::vector<Vector3d> bond_strains(int point_count, const Network& network, const std::vector<std::uint8_t>& broken,
+                                   const Eigen::Ref<const Eigen::VectorXd>& displacements) {
   assert(broken.empty() || broken.size() == network.bonds.size());
   assert(displacements.size() == 2 * point_count);
-  std::vector<Matrix2d> shape(point_count, Matrix2d::Zero()), mixed(point_count, Matrix2d::Zero());
+  static const int variant = std::getenv("BV") ? std::atoi(std::getenv("BV")) : 0;
+  // Relative to the stiffest bond, so that units do not matter.
+  double unit = 0;
+  for (const Bond& bond : network.bonds) unit = std::max(unit, bond.stiffness);
+  std::vector<Matrix3d> response(point_count, Matrix3d::Zero());
+  std::vector<Vector3d> carried(point_count, Vector3d::Zero());
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
-    if (!broken.empty() && broken[b]) continue;
     const Bond& bond = network.bonds[b];
     const BondOffset& offset = network.offsets[network.offset_of[b]];
-    // Relative to the bulk, so that the units of stiffness do not matter.
-    const double weight = offset.bulk_stiffness;
-    const Vector2d& step = offset.step;
+    const bool gone = !broken.empty() && broken[b];
+    if (gone && variant == 1) continue;
+    const double stiffness = bond.stiffness / unit;
+    const Vector3d direction = dyad(offset.direction);
+    const Matrix3d resistance = stiffness * offset.length * offset.length * direction * direction.transpose();
+    response[bond.first] += resistance, response[bond.second] += resistance;
+    if (gone) continue;
     const Vector2d difference = displacements.segment<2>(2 * bond.second) - displacements.segment<2>(2 * bond.first);
-    const Matrix2d s = weight * step * step.transpose(), d = weight * difference * step.transpose();
-    shape[bond.first] += s, shape[bond.second] += s;
-    mixed[bond.first] += d, mixed[bond.second] += d;
+    const Vector3d moment = stiffness * offset.length * offset.direction.dot(difference) * direction;
+    carried[bond.first] += moment, carried[bond.second] += moment;
   }
-  std::vector<Matrix2d> gradients(point_count);
-  for (int i = 0; i < point_count; ++i) gradients[i] = fitted_gradient(shape[i], mixed[i]);
-  return gradients;
+  std::vector<Vector3d> strains(point_count);
+  for (int i = 0; i < point_count; ++i) {
+    strains[i] = solve_semidefinite(response[i], carried[i]);
+    strains[i].z() /= std::numbers::sqrt2;
+  }
+  return strains;
 }
 
-Eigen::Vector3d stress_of(const Matrix2d& gradient, const PlaneElasticity& elasticity) {
-  const double xx = gradient(0, 0), yy = gradient(1, 1), c11 = elasticity.c11(), c12 = elasticity.c12();
-  return {c11 * xx + c12 * yy, c12 * xx + c11 * yy, elasticity.shear_modulus() * (gradient(0, 1) + gradient(1, 0))};
+Vector3d stress_of(const Vector3d& strain, const PlaneElasticity& elasticity) {
+  const double c11 = elasticity.c11(), c12 = elasticity.c12();
+  return {c11 * strain.x() + c12 * strain.y(), c12 * strain.x() + c11 * strain.y(),
+          2 * elasticity.shear_modulus() * strain.z()};
 }
 
 }  // namespace bempd::pd

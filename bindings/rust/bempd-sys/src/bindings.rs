@@ -1138,7 +1138,7 @@ pub struct bempd_statistics {
     pub sparse_unknowns: i64,
     /// entries of the sparse factor
     pub factor_nonzeros: i64,
-    /// evaluations of the boundary kernels
+    /// evaluations of the boundary kernels, also for places inside BEM regions
     pub kernel_evaluations: i64,
     /// factorizations of condensed BEM regions
     pub dense_factorizations: i64,
@@ -1164,6 +1164,9 @@ pub struct bempd_statistics {
     pub seconds_update: f64,
     /// stretches, choice of bonds, connectivity \[s\]
     pub seconds_search: f64,
+    /// crude reciprocal condition number of the worst equations solved so far: about -log10 of it
+    /// digits of the displacement are lost; 1 if nothing was solved \[-\]
+    pub reciprocal_condition: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.

@@ -1,0 +1,6 @@
+if(TARGET bempd)
+  bempd_add_host_test(economy_test economy_test.cpp)
+  bempd_add_host_test(economy_threads_test economy_threads_test.cpp)
+  bempd_add_host_test(economy_condition_test economy_condition_test.cpp)
+  bempd_add_host_test(lattice_stress_test lattice_stress_test.cpp)
+endif()
