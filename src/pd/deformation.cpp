@@ -3,8 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 namespace bempd::pd {
@@ -36,7 +34,6 @@ std::vector<Vector3d> bond_strains(int point_count, const Network& network, cons
                                    const Eigen::Ref<const Eigen::VectorXd>& displacements) {
   assert(broken.empty() || broken.size() == network.bonds.size());
   assert(displacements.size() == 2 * point_count);
-  static const int variant = std::getenv("BV") ? std::atoi(std::getenv("BV")) : 0;
   // Relative to the stiffest bond, so that units do not matter.
   double unit = 0;
   for (const Bond& bond : network.bonds) unit = std::max(unit, bond.stiffness);
@@ -45,13 +42,11 @@ std::vector<Vector3d> bond_strains(int point_count, const Network& network, cons
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
     const Bond& bond = network.bonds[b];
     const BondOffset& offset = network.offsets[network.offset_of[b]];
-    const bool gone = !broken.empty() && broken[b];
-    if (gone && variant == 1) continue;
     const double stiffness = bond.stiffness / unit;
     const Vector3d direction = dyad(offset.direction);
     const Matrix3d resistance = stiffness * offset.length * offset.length * direction * direction.transpose();
     response[bond.first] += resistance, response[bond.second] += resistance;
-    if (gone) continue;
+    if (!broken.empty() && broken[b]) continue;
     const Vector2d difference = displacements.segment<2>(2 * bond.second) - displacements.segment<2>(2 * bond.first);
     const Vector3d moment = stiffness * offset.length * offset.direction.dot(difference) * direction;
     carried[bond.first] += moment, carried[bond.second] += moment;
