@@ -477,8 +477,11 @@ typedef enum bempd_field {
   BEMPD_POSITION = 1,
   /** Displacements of the nodes, shape [nodes][2] [m]. */
   BEMPD_DISPLACEMENT = 2,
-  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]; at boundary nodes the mean of the elements that meet there.
-   */
+  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes the mean of the elements that meet there.
+   * At material points the mean stress of their bonds: its error is of second order in the spacing inside (1e-4 of the
+   * largest stress in a beam of 50 cells' height) and of first order within a horizon of faces and interfaces (0.5 %
+   * there). Broken bonds carry none: the row of points beside a crack shows up to 30 % too little stress along it, the
+   * next ones some percent. */
   BEMPD_STRESS = 3,
   /** PD only: share of a point's bonds that is broken or cut, shape [nodes] [-]. */
   BEMPD_DAMAGE = 4,

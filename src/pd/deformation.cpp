@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numbers>
+#include <optional>
 
 namespace bempd::pd {
 
@@ -12,6 +13,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using Vector7d = Eigen::Matrix<double, 7, 1>;
+using Matrix7d = Eigen::Matrix<double, 7, 7>;
 
 // Symmetric tensors as vectors (xx, yy, sqrt2 xy), whose products are those of the tensors.
 Vector3d dyad(const Vector2d& e) { return {e.x() * e.x(), e.y() * e.y(), std::numbers::sqrt2 * e.x() * e.y()}; }
@@ -22,10 +25,114 @@ Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
   Vector3d x = Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
     const double value = modes.eigenvalues()[k];
-    if (value > 1e-10 * modes.eigenvalues()[2])
-      x += modes.eigenvectors().col(k).dot(b) / value * modes.eigenvectors().col(k);
+    if (value <= 1e-10 * modes.eigenvalues()[2]) continue;
+    x += modes.eigenvectors().col(k).dot(b) / value * modes.eigenvectors().col(k);
   }
   return x;
+}
+
+// What the bonds of one point are and carry.
+struct PointBonds {
+  Matrix3d response = Matrix3d::Zero();
+  Vector3d carried = Vector3d::Zero();
+  Vector2d side = Vector2d::Zero();  // where they lie, 0 if they are balanced
+  bool whole = true;                 // none is broken
+
+  bool one_sided() const { return side.norm() > 1e-6 * response.trace(); }
+};
+
+// Strain that varies linearly around a point. A bond shows the strain at its middle, and of the variation only the part
+// that is symmetric in all three indices: seven numbers in all.
+struct LinearFit {
+  Matrix7d response = Matrix7d::Zero();
+  Vector7d carried = Vector7d::Zero();
+
+  // `moment`: of the bond as seen from the point, its length times direction^3.
+  void add(const Vector3d& direction, const Eigen::Vector4d& moment, double weight, double stretch) {
+    Vector7d row;
+    row << direction, moment;
+    response += weight * row * row.transpose();
+    carried += weight * stretch * row;
+  }
+  // Nothing if there are too few bonds to tell.
+  std::optional<Vector3d> strain() const {
+    const Eigen::SelfAdjointEigenSolver<Matrix7d> modes(response);
+    if (modes.eigenvalues()[0] < 1e-4 * modes.eigenvalues()[6]) return {};
+    const Vector7d parts = modes.eigenvectors().transpose() * carried;
+    return (modes.eigenvectors() * parts.cwiseQuotient(modes.eigenvalues())).head<3>();
+  }
+};
+
+// The bonds of a network with what they show under a displacement.
+class ShownStretches {
+ public:
+  ShownStretches(const Network& network, const std::vector<std::uint8_t>& broken,
+                 const Eigen::Ref<const Eigen::VectorXd>& displacements)
+      : network_(network), broken_(broken), displacements_(displacements) {
+    for (const Bond& bond : network.bonds) stiffest_ = std::max(stiffest_, bond.stiffness);
+  }
+
+  std::size_t size() const { return network_.bonds.size(); }
+  const Bond& bond(std::size_t b) const { return network_.bonds[b]; }
+  const BondOffset& offset(std::size_t b) const { return network_.offsets[network_.offset_of[b]]; }
+  bool intact(std::size_t b) const { return broken_.empty() || !broken_[b]; }
+  double stretch(std::size_t b) const {
+    const Vector2d difference =
+        displacements_.segment<2>(2 * bond(b).second) - displacements_.segment<2>(2 * bond(b).first);
+    return offset(b).direction.dot(difference) / offset(b).length;
+  }
+  // Stiffness times squared length, relative to the stiffest bond, so that units do not matter.
+  double weight(std::size_t b) const { return bond(b).stiffness / stiffest_ * offset(b).length * offset(b).length; }
+
+ private:
+  const Network& network_;
+  const std::vector<std::uint8_t>& broken_;
+  Eigen::Ref<const Eigen::VectorXd> displacements_;
+  double stiffest_ = 0;
+};
+
+std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
+  std::vector<PointBonds> points(point_count);
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    PointBonds &first = points[bonds.bond(b).first], &second = points[bonds.bond(b).second];
+    const Vector3d direction = dyad(bonds.offset(b).direction);
+    const Matrix3d response = bonds.weight(b) * direction * direction.transpose();
+    first.response += response, second.response += response;
+    const Vector2d side = bonds.weight(b) * bonds.offset(b).step;
+    first.side += side, second.side -= side;
+    if (!bonds.intact(b)) {
+      first.whole = second.whole = false;
+      continue;
+    }
+    const Vector3d carried = bonds.weight(b) * bonds.stretch(b) * direction;
+    first.carried += carried, second.carried += carried;
+  }
+  return points;
+}
+
+// Better strains for points whose bonds lie on one side.
+void refine_at_faces(const std::vector<PointBonds>& points, const ShownStretches& bonds,
+                     std::vector<Vector3d>& strains) {
+  std::vector<int> fit_of(points.size(), -1);
+  std::vector<LinearFit> fits;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].whole || !points[i].one_sided()) continue;
+    fit_of[i] = static_cast<int>(fits.size());
+    fits.emplace_back();
+  }
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const int first = fit_of[bonds.bond(b).first], second = fit_of[bonds.bond(b).second];
+    if (first < 0 && second < 0) continue;
+    const Vector3d direction = dyad(bonds.offset(b).direction);
+    const Eigen::Vector4d& moment = bonds.offset(b).moment;
+    const double weight = bonds.weight(b), stretch = bonds.stretch(b);
+    if (first >= 0) fits[first].add(direction, moment, weight, stretch);
+    if (second >= 0) fits[second].add(direction, -moment, weight, stretch);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (fit_of[i] < 0) continue;
+    if (const auto strain = fits[fit_of[i]].strain()) strains[i] = *strain;
+  }
 }
 
 }  // namespace
@@ -34,28 +141,12 @@ std::vector<Vector3d> bond_strains(int point_count, const Network& network, cons
                                    const Eigen::Ref<const Eigen::VectorXd>& displacements) {
   assert(broken.empty() || broken.size() == network.bonds.size());
   assert(displacements.size() == 2 * point_count);
-  // Relative to the stiffest bond, so that units do not matter.
-  double unit = 0;
-  for (const Bond& bond : network.bonds) unit = std::max(unit, bond.stiffness);
-  std::vector<Matrix3d> response(point_count, Matrix3d::Zero());
-  std::vector<Vector3d> carried(point_count, Vector3d::Zero());
-  for (std::size_t b = 0; b < network.bonds.size(); ++b) {
-    const Bond& bond = network.bonds[b];
-    const BondOffset& offset = network.offsets[network.offset_of[b]];
-    const double stiffness = bond.stiffness / unit;
-    const Vector3d direction = dyad(offset.direction);
-    const Matrix3d resistance = stiffness * offset.length * offset.length * direction * direction.transpose();
-    response[bond.first] += resistance, response[bond.second] += resistance;
-    if (!broken.empty() && broken[b]) continue;
-    const Vector2d difference = displacements.segment<2>(2 * bond.second) - displacements.segment<2>(2 * bond.first);
-    const Vector3d moment = stiffness * offset.length * offset.direction.dot(difference) * direction;
-    carried[bond.first] += moment, carried[bond.second] += moment;
-  }
-  std::vector<Vector3d> strains(point_count);
-  for (int i = 0; i < point_count; ++i) {
-    strains[i] = solve_semidefinite(response[i], carried[i]);
-    strains[i].z() /= std::numbers::sqrt2;
-  }
+  const ShownStretches bonds(network, broken, displacements);
+  const std::vector<PointBonds> points = collect(point_count, bonds);
+  std::vector<Vector3d> strains;
+  for (const PointBonds& point : points) strains.push_back(solve_semidefinite(point.response, point.carried));
+  refine_at_faces(points, bonds, strains);
+  for (Vector3d& strain : strains) strain.z() /= std::numbers::sqrt2;
   return strains;
 }
 

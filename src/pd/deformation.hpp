@@ -14,10 +14,10 @@ namespace bempd::pd {
 //   sum f xi^T  over intact bonds  =  (sum k xi xi^T xi xi^T / |xi|^2  over all bonds) : strain.
 // Far from faces the sum on the right is twice the volume of a cell times the elastic constants, and the stress of this
 // strain is the mean stress of the bonds, sum f xi^T / (2 V) (Silling and Lehoucq, J. Elasticity 93, 2008). At faces it
-// is what the point's fewer bonds would carry, so that linear displacements have their strain everywhere. A broken bond
-// carries nothing: a point without intact bonds has no stress.
-// `broken` holds one entry a bond (nonzero: broken or cut) or is empty; `displacements` the components of point i in
-// 2 i and 2 i + 1 over the spacing.
+// is what the point's fewer bonds would carry, so that linear displacements have their strain everywhere; and there,
+// where the bonds lie on one side, the strain is taken to vary linearly along them, unless some are broken or they are
+// too few. A broken bond carries nothing: a point without intact bonds has no stress. `broken` holds one entry a bond
+// (nonzero: broken or cut) or is empty; `displacements` the components of point i in 2 i and 2 i + 1 over the spacing.
 std::vector<Eigen::Vector3d> bond_strains(int point_count, const Network& network,
                                           const std::vector<std::uint8_t>& broken,
                                           const Eigen::Ref<const Eigen::VectorXd>& displacements);

@@ -25,7 +25,9 @@ std::vector<double> torn_plate(int threads, const char* solver) {
   Model model;
   model.set("threads", threads);
   model.set_text("stepping.solver", solver);
-  const CentreCrackIds ids = build(model, CentreCrack::small());
+  CentreCrack scene = CentreCrack::small();
+  scene.element_length = 0.5;  // enough elements for the library to share them among threads
+  const CentreCrackIds ids = build(model, scene);
   const bempd_step_report run = model.run(1e9);
   EXPECT_EQ(run.stop_reason, BEMPD_STOP_SEPARATED);
   std::vector<double> all;

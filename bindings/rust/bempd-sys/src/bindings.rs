@@ -911,8 +911,12 @@ extern "C" {
 pub const BEMPD_POSITION: bempd_field = 1;
 /// Displacements of the nodes, shape \[nodes\]\[2\] \[m\].
 pub const BEMPD_DISPLACEMENT: bempd_field = 2;
-/// Stress xx, yy, xy at the nodes, shape \[nodes\]\[3\] \[Pa\]; at boundary nodes the mean of the
-/// elements that meet there.
+/// Stress xx, yy, xy at the nodes, shape \[nodes\]\[3\] \[Pa\]. At boundary nodes the mean of the
+/// elements that meet there. At material points the mean stress of their bonds: its error is of
+/// second order in the spacing inside (1e-4 of the largest stress in a beam of 50 cells' height)
+/// and of first order within a horizon of faces and interfaces (0.5 % there). Broken bonds carry
+/// none: the row of points beside a crack shows up to 30 % too little stress along it, the next
+/// ones some percent.
 pub const BEMPD_STRESS: bempd_field = 3;
 /// PD only: share of a point's bonds that is broken or cut, shape \[nodes\] \[-\].
 pub const BEMPD_DAMAGE: bempd_field = 4;
