@@ -1,3 +1,4 @@
+bempd_add_engine_test(economy_sharing_test economy_sharing_test.cpp)
 if(TARGET bempd)
   bempd_add_host_test(economy_test economy_test.cpp)
   bempd_add_host_test(economy_threads_test economy_threads_test.cpp)
