@@ -26,6 +26,7 @@ std::vector<double> torn_plate(int threads, const char* solver) {
   model.set("threads", threads);
   model.set_text("stepping.solver", solver);
   CentreCrack scene = CentreCrack::small();
+  scene.horizon_ratio = 3;
   scene.element_length = 0.5;  // enough elements for the library to share them among threads
   const CentreCrackIds ids = build(model, scene);
   const bempd_step_report run = model.run(1e9);
