@@ -477,8 +477,11 @@ typedef enum bempd_field {
   BEMPD_POSITION = 1,
   /** Displacements of the nodes, shape [nodes][2] [m]. */
   BEMPD_DISPLACEMENT = 2,
-  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]; at boundary nodes the mean of the elements that meet there.
-   */
+  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes the mean of the elements that meet there.
+   * At material points the mean stress of their bonds: its error is of second order in the spacing inside (1e-4 of the
+   * largest stress in a beam of 50 cells' height) and of first order within a horizon of faces and interfaces (0.5 %
+   * there). Broken bonds carry none: the row of points beside a crack shows up to 30 % too little stress along it, the
+   * next ones some percent. */
   BEMPD_STRESS = 3,
   /** PD only: share of a point's bonds that is broken or cut, shape [nodes] [-]. */
   BEMPD_DAMAGE = 4,
@@ -577,7 +580,7 @@ typedef struct bempd_statistics {
   int64_t broken_bonds;          /**< bonds broken in steps */
   int64_t sparse_unknowns;       /**< unknowns of the sparse system after condensing BEM regions */
   int64_t factor_nonzeros;       /**< entries of the sparse factor */
-  int64_t kernel_evaluations;    /**< evaluations of the boundary kernels */
+  int64_t kernel_evaluations;    /**< evaluations of the boundary kernels, also for places inside BEM regions */
   int64_t dense_factorizations;  /**< factorizations of condensed BEM regions */
   int64_t sparse_factorizations; /**< factorizations of the sparse system */
   int64_t factor_updates;        /**< columns added to or removed from the factor */
@@ -590,6 +593,8 @@ typedef struct bempd_statistics {
   double seconds_solve;          /**< solutions [s] */
   double seconds_update;         /**< changes of the factor [s] */
   double seconds_search;         /**< stretches, choice of bonds, connectivity [s] */
+  double reciprocal_condition;   /**< crude reciprocal condition number of the worst equations solved so far: about
+                                    -log10 of it digits of the displacement are lost; 1 if nothing was solved [-] */
 } bempd_statistics;
 
 /** @brief Set struct_size and zeros. @param[out] statistics the struct to fill

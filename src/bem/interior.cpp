@@ -178,6 +178,7 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
   const GaussRule& rule = gauss_rule(std::min(needed, max_regular_points));
   const ElementGeometry& traction = traction_[e];
   const double length = interval.to - interval.from;
+  kernel_evaluations_ += static_cast<std::int64_t>(rule.points.size());
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double xi = interval.at(rule.points[q]), weight = rule.weights[q] * length;
     const Point y = element.at(xi), dx = element.derivative(xi), normal = scaled_normal(dx), r = y - x;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "bem/boundary_elements.hpp"
@@ -32,6 +33,8 @@ class InteriorEvaluator {
   Eigen::Vector3d stress_on(int element, double xi) const;
   Point displacement_at(const Point& x) const;
 
+  std::int64_t kernel_evaluations() const { return kernel_evaluations_; }
+
  private:
   struct Nearest;
   struct LinearField;
@@ -58,6 +61,7 @@ class InteriorEvaluator {
   std::vector<ElementGeometry> displacement_, traction_;  // per element, scaled: values instead of places
   std::vector<SlopeCorrection> correction_;
   std::vector<std::array<int, 2>> end_nodes_;
+  mutable std::int64_t kernel_evaluations_ = 0;  // so far
 };
 
 }  // namespace bempd::bem

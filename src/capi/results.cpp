@@ -122,12 +122,13 @@ bempd_status bempd_statistics_init(bempd_statistics* statistics, int64_t struct_
 bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics) {
   return with_model(model, __func__, [&](model::Model& m) {
     bempd_statistics s{};
+    s.reciprocal_condition = 1;
     if (const model::PreparedScene* p = m.prepared_or_null()) {
       const auto& c = p->system->counters();
+      s.kernel_evaluations = p->discretization.kernel_evaluations() + p->interior_kernel_evaluations;
       for (const auto& part : p->discretization.boundaries) {
         s.boundary_nodes += static_cast<int64_t>(part.mesh.nodes.size());
         s.boundary_elements += static_cast<int64_t>(part.mesh.elements.size());
-        s.kernel_evaluations += part.boundary_operator->kernel_evaluations();
       }
       for (const auto& part : p->discretization.lattices) s.material_points += part.point_count();
       s.bonds = static_cast<int64_t>(p->system->bonds().size());
@@ -147,6 +148,7 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       s.seconds_solve = c.seconds_solve;
       s.seconds_update = c.seconds_update;
       s.seconds_search = p->evolution->seconds_search();
+      s.reciprocal_condition = c.reciprocal_condition;
     }
     write_struct(statistics, s, "statistics");
   });

@@ -23,6 +23,8 @@ class CondensedOperator {
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return schur_; }
   bool has_private_unknowns() const { return !private_.empty(); }
+  // Of the private block, estimated; 1 if it is empty.
+  double reciprocal_condition() const { return private_.empty() ? 1 : symmetric_ ? cholesky_.rcond() : lu_.rcond(); }
 
   // Condenses loads: adds to `load` (global) what the private forces and the prescribed displacements leave on the
   // shared unknowns, and keeps the private part for recover().

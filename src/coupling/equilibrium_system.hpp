@@ -25,6 +25,7 @@ struct SolverCounters {
   std::int64_t factor_updates = 0;
   std::int64_t solves = 0;
   std::int64_t iterations = 0;
+  double reciprocal_condition = 1;  // smallest of all factorizations, a crude estimate
   double seconds_assembly = 0;
   double seconds_factorization = 0;
   double seconds_solve = 0;

@@ -34,6 +34,8 @@ struct PlaneElasticity {
     return 2 * shear_modulus() * nu / (1 - 2 * nu);
   }
 
+  bool operator==(const PlaneElasticity&) const = default;
+
   static constexpr double largest_ratio = 0.5 - 1e-8;
 };
 

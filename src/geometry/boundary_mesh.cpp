@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bempd {
 
 namespace {
+
+// Of a coordinate that was computed in a few steps.
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 Point point_at(const Panel& panel, double fraction) {
   if (panel.sweep != 0) return panel.arc().at(fraction);
@@ -53,6 +57,23 @@ BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops, CornerT
     mesh.traction_node_count = static_cast<int>(mesh.nodes.size());
   }
   return mesh;
+}
+
+bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b) {
+  if (a.nodes.size() != b.nodes.size() || a.traction_node_count != b.traction_node_count) return false;
+  const auto same = [](const BoundaryElement& e, const BoundaryElement& f) {
+    return e.nodes == f.nodes && e.traction_nodes == f.traction_nodes && e.panel == f.panel &&
+           std::abs(e.sweep - f.sweep) <= rounding * std::abs(e.sweep);
+  };
+  if (!std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), same)) return false;
+  double largest = 0;
+  for (const BoundaryMesh* mesh : {&a, &b}) {
+    for (const Point& p : mesh->nodes) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+  }
+  const Point shift = b.nodes.front() - a.nodes.front();
+  return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), [&](const Point& p, const Point& q) {
+    return (q - p - shift).lpNorm<Eigen::Infinity>() <= rounding * largest;
+  });
 }
 
 std::vector<double> element_stations(double length, double target, double grading, double sweep) {

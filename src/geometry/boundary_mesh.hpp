@@ -41,6 +41,9 @@ struct BoundaryMesh {
 BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops,
                            CornerTractions corner_tractions = CornerTractions::two);
 
+// Whether two meshes have the same elements on places that differ by a translation, up to the rounding of the places.
+bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b);
+
 // Largest angle by which an element may turn: eight elements for a full circle.
 inline constexpr double largest_element_sweep = 0.7853981633974483;  // pi / 4
 

@@ -1,5 +1,7 @@
 #include "model/boundary_part.hpp"
 
+#include <algorithm>
+
 #include "bem/collocation_operator.hpp"
 #include "bem/galerkin_operator.hpp"
 #include "error.hpp"
@@ -88,6 +90,10 @@ Eigen::MatrixXd pointwise_stiffness(const BoundaryPart& part, const Scene& scene
   return stiffness;
 }
 
+const PlaneElasticity& elasticity_of(const BoundaryPart& part, const Scene& scene) {
+  return scene.material(scene.region(part.region).material).elasticity;
+}
+
 }  // namespace
 
 Eigen::VectorXd BoundaryPart::mesh_displacement(const Eigen::VectorXd& scene_displacement) const {
@@ -130,20 +136,28 @@ void number_nodes(BoundaryPart& part, const Formulation& formulation, NodeRegist
   part.trace.setFromTriplets(entries.begin(), entries.end());
 }
 
-void build_operator(BoundaryPart& part, const Scene& scene, const Formulation& formulation, const Options& options) {
-  const PlaneElasticity& elasticity = scene.material(scene.region(part.region).material).elasticity;
+void build_operator(BoundaryPart& part, std::span<const BoundaryPart> built, const Scene& scene,
+                    const Formulation& formulation, const Options& options) {
+  const PlaneElasticity& elasticity = elasticity_of(part, scene);
   const bem::AssemblyOptions assembly{options.number("bem.quadrature_tolerance"), options.whole_number("threads")};
+  const auto alike = std::find_if(built.begin(), built.end(), [&](const BoundaryPart& other) {
+    return elasticity == elasticity_of(other, scene) && differ_by_translation(part.mesh, other.mesh);
+  });
+  const bool found = alike != built.end();
   if (!formulation.paper) {
-    part.boundary_operator = std::make_unique<bem::GalerkinOperator>(part.mesh, elasticity, assembly);
+    part.boundary_operator = found ? alike->boundary_operator
+                                   : std::make_shared<const bem::GalerkinOperator>(part.mesh, elasticity, assembly);
     return;
   }
   require(!elasticity.incompressible(), "region ", part.region,
           " is incompressible (Poisson's ratio 1/2 in plane strain); scheme paper cannot solve that, choose scheme "
           "symmetric");
-  auto collocation = std::make_unique<bem::CollocationOperator>(part.mesh, elasticity, assembly);
+  const auto collocation = found ? std::static_pointer_cast<const bem::CollocationOperator>(alike->boundary_operator)
+                                 : std::make_shared<const bem::CollocationOperator>(part.mesh, elasticity, assembly);
+  // Which nodes have interfaces is a matter of the part, not of its shape.
   part.stiffness = formulation.pointwise_traction ? pointwise_stiffness(part, scene, elasticity.thickness, *collocation)
                                                   : balanced_stiffness(part, elasticity.thickness, *collocation);
-  part.boundary_operator = std::move(collocation);
+  part.boundary_operator = collocation;
 }
 
 }  // namespace bempd::model

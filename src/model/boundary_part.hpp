@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "bem/boundary_operator.hpp"
@@ -41,11 +42,11 @@ struct BoundaryPart {
   int region;
   std::vector<PanelSource> panels;
   BoundaryMesh mesh;
-  std::vector<int> nodes;              // of the scene
-  std::vector<int> node_of_mesh_node;  // of the scene, or -1
-  Eigen::SparseMatrix<double> trace;   // mesh displacements from those of `nodes`
-  std::unique_ptr<bem::BoundaryOperator> boundary_operator;
-  Eigen::MatrixXd stiffness;  // on the mesh's nodes, if not the operator's own
+  std::vector<int> nodes;                                          // of the scene
+  std::vector<int> node_of_mesh_node;                              // of the scene, or -1
+  Eigen::SparseMatrix<double> trace;                               // mesh displacements from those of `nodes`
+  std::shared_ptr<const bem::BoundaryOperator> boundary_operator;  // shared by regions that are alike
+  Eigen::MatrixXd stiffness;                                       // on the mesh's nodes, if not the operator's own
 
   Eigen::VectorXd mesh_displacement(const Eigen::VectorXd& scene_displacement) const;
   const Eigen::MatrixXd& mesh_stiffness() const {
@@ -56,6 +57,8 @@ struct BoundaryPart {
 
 void number_nodes(BoundaryPart& part, const Formulation& formulation, NodeRegistry& registry);
 
-void build_operator(BoundaryPart& part, const Scene& scene, const Formulation& formulation, const Options& options);
+// Takes over the operator of one of the parts built before if they differ by a translation only.
+void build_operator(BoundaryPart& part, std::span<const BoundaryPart> built, const Scene& scene,
+                    const Formulation& formulation, const Options& options);
 
 }  // namespace bempd::model

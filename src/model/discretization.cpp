@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "coupling/interface_trace.hpp"
 #include "error.hpp"
@@ -120,8 +121,9 @@ void add_lattice(const Scene& scene, int id, Discretization& d, NodeRegistry& re
   const Region& region = scene.region(id);
   LatticePart part = make_lattice_part(id, region, d.formulation, interface_nodes(d.boundaries, id));
   number_nodes(part, shared_points(scene, d, part), registry);
+  part.network = network_of(part, d.lattices, scene, d.formulation);
   add_bonds(part, region, scene.material(region.material), d.formulation, d.bonds, d.critical_stretch);
-  if (part.network.reduced) {
+  if (part.network->reduced) {
     d.warnings.push_back(text("region ", id, " has a shape for which no network of positive bonds with horizon ratio ",
                               region.horizon_ratio, " was found; it has bonds between nearest neighbours only"));
   }
@@ -148,6 +150,14 @@ std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   std::vector<coupling::DenseOperator> operators;
   for (const BoundaryPart& part : boundaries) operators.push_back(part.dense_operator());
   return operators;
+}
+
+std::int64_t Discretization::kernel_evaluations() const {
+  std::set<const bem::BoundaryOperator*> operators;
+  for (const BoundaryPart& part : boundaries) operators.insert(part.boundary_operator.get());
+  std::int64_t sum = 0;
+  for (const bem::BoundaryOperator* one : operators) sum += one->kernel_evaluations();
+  return sum;
 }
 
 Discretization discretize(const Scene& scene, const Options& options) {
@@ -184,9 +194,9 @@ Discretization discretize(const Scene& scene, const Options& options) {
       add_lattice(scene, id, d, registry);
       continue;
     }
-    BoundaryPart& part = d.boundaries[boundary++];
+    BoundaryPart& part = d.boundaries[boundary];
     number_nodes(part, d.formulation, registry);
-    build_operator(part, scene, d.formulation, options);
+    build_operator(part, {d.boundaries.data(), boundary++}, scene, d.formulation, options);
   }
   for (const BoundaryPart& part : d.boundaries) {
     for (std::size_t p = 0; p < part.panels.size(); ++p) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Discretization {
   const BoundaryPart* boundary_of(int region) const;
   const LatticePart* lattice_of(int region) const;
   std::vector<coupling::DenseOperator> dense_operators() const;
+  std::int64_t kernel_evaluations() const;  // of all operators, those that regions share once
 };
 
 // Throws Error (argument) if regions overlap, touch at points only, or do not match at interfaces.

@@ -40,7 +40,7 @@ std::vector<std::uint8_t> broken_bonds(const LatticePart& part, const std::vecto
 // 1 - intact bonds / bonds before any crack; by volumes where points stand for volumes.
 FieldValues damage(const LatticePart& part, int horizon_ratio, const std::vector<char>& intact) {
   if (!part.volumes.empty()) {
-    return {pd::volume_damage(part.network, part.volumes, horizon_ratio, broken_bonds(part, intact)), 1};
+    return {pd::volume_damage(*part.network, part.volumes, horizon_ratio, broken_bonds(part, intact)), 1};
   }
   std::vector<int> all(part.nodes.size(), 0), left(part.nodes.size(), 0);
   for (std::size_t b = 0; b < part.bonds().size(); ++b) {
@@ -56,14 +56,13 @@ FieldValues damage(const LatticePart& part, int horizon_ratio, const std::vector
   return field;
 }
 
-// Stress of the undamaged material under the gradients that the intact bonds show.
 FieldValues lattice_stress(const LatticePart& part, const PlaneElasticity& elasticity, const std::vector<char>& intact,
                            const Eigen::VectorXd& scene_displacement) {
   const Eigen::VectorXd displacement = point_displacements(part, scene_displacement) / part.spacing();
   FieldValues field{{}, 3};
-  for (const Eigen::Matrix2d& gradient :
-       pd::displacement_gradients(part.point_count(), part.network, broken_bonds(part, intact), displacement)) {
-    const Eigen::Vector3d stress = pd::stress_of(gradient, elasticity);
+  for (const Eigen::Vector3d& strain :
+       pd::bond_strains(part.point_count(), *part.network, broken_bonds(part, intact), displacement)) {
+    const Eigen::Vector3d stress = pd::stress_of(strain, elasticity);
     field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
   }
   return field;

@@ -95,11 +95,26 @@ void number_nodes(LatticePart& part, const std::vector<char>& is_shared, NodeReg
   }
 }
 
+std::shared_ptr<const pd::Network> network_of(const LatticePart& part, std::span<const LatticePart> built,
+                                              const Scene& scene, const Formulation& formulation) {
+  const Region& region = scene.region(part.region);
+  const PlaneElasticity& elasticity = scene.material(region.material).elasticity;
+  for (const LatticePart& other : built) {
+    const Region& its_region = scene.region(other.region);
+    if (part.outline.loops == other.outline.loops && part.points == other.points &&
+        region.horizon_ratio == its_region.horizon_ratio &&
+        elasticity == scene.material(its_region.material).elasticity) {
+      return other.network;
+    }
+  }
+  return std::make_shared<const pd::Network>(
+      formulation.paper ? pd::build_uncorrected_network(part.points, part.volumes, faces_in_grid(part),
+                                                        region.horizon_ratio, elasticity)
+                        : pd::build_network(*part.lattice, region.horizon_ratio, elasticity));
+}
+
 void add_bonds(LatticePart& part, const Region& region, const Material& material, const Formulation& formulation,
                coupling::BondSet& bonds, std::vector<double>& critical_stretch) {
-  part.network = formulation.paper ? pd::build_uncorrected_network(part.points, part.volumes, faces_in_grid(part),
-                                                                   region.horizon_ratio, material.elasticity)
-                                   : pd::build_network(*part.lattice, region.horizon_ratio, material.elasticity);
   const double critical =
       material.critical_stretch_for(region.horizon_ratio * part.spacing(), formulation.printed_critical_stretch);
   part.first_bond = bonds.size();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "coupling/operators.hpp"
@@ -21,13 +22,13 @@ struct LatticePart {
   std::unique_ptr<pd::CellLattice> lattice;  // the grid and the cells between its points
   Point origin = Point::Zero();              // place of the grid's point (0, 0) [m]
   bool cell_centred = false;
-  std::vector<Point> points;    // all material points, in grid coordinates
-  std::vector<double> volumes;  // per point over a full cell's; empty where bonds stand for no volumes
-  std::vector<int> nodes;       // of the scene, per material point
-  pd::Network network;          // bonds between material points
-  std::size_t first_bond = 0;   // index of its bonds[0] among the scene's bonds
+  std::vector<Point> points;                   // all material points, in grid coordinates
+  std::vector<double> volumes;                 // per point over a full cell's; empty where bonds stand for no volumes
+  std::vector<int> nodes;                      // of the scene, per material point
+  std::shared_ptr<const pd::Network> network;  // bonds between material points; shared by regions that are alike
+  std::size_t first_bond = 0;                  // index of its bonds[0] among the scene's bonds
 
-  const std::vector<pd::Bond>& bonds() const { return network.bonds; }
+  const std::vector<pd::Bond>& bonds() const { return network->bonds; }
   int point_count() const { return static_cast<int>(points.size()); }
   double spacing() const { return outline.spacing; }
 
@@ -53,6 +54,10 @@ LatticePart make_lattice_part(int id, const Region& region, const Formulation& f
 
 // `is_shared` tells which points may be nodes of other regions too.
 void number_nodes(LatticePart& part, const std::vector<char>& is_shared, NodeRegistry& registry);
+
+// Bonds of the part: those of one of the parts built before if they differ by a translation or the spacing only.
+std::shared_ptr<const pd::Network> network_of(const LatticePart& part, std::span<const LatticePart> built,
+                                              const Scene& scene, const Formulation& formulation);
 
 // Adds the bonds to the scene's and their critical stretches.
 void add_bonds(LatticePart& part, const Region& region, const Material& material, const Formulation& formulation,

@@ -14,6 +14,9 @@ namespace bempd::model {
 
 namespace {
 
+// Reciprocal condition that leaves displacements three or four digits.
+constexpr double poor_condition = 1e-12;
+
 // "region 2" or "regions 1 and 3": those that have any of the nodes.
 std::string regions_with(const Discretization& d, const std::vector<int>& nodes) {
   std::vector<char> member(d.positions.size(), 0);
@@ -94,10 +97,19 @@ void Model::ensure_equilibrium() {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
+  warn_of_condition();
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
   }
+}
+
+void Model::warn_of_condition() {
+  const double condition = prepared_->system->counters().reciprocal_condition;
+  if (warned_of_condition_ || condition >= poor_condition) return;
+  warned_of_condition_ = true;
+  log(1, text("the equations are badly conditioned: about ", static_cast<int>(std::lround(-std::log10(condition))),
+              " digits of the displacement are lost; look for parts that are very slender or hardly supported"));
 }
 
 void Model::reload() {
@@ -169,6 +181,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
         "and their balance are not; choose other units");
   }
+  warn_of_condition();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

@@ -59,6 +59,7 @@ struct PreparedScene {
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
+  std::int64_t interior_kernel_evaluations = 0;
 };
 
 // A scene, its state, and what can be asked of them.
@@ -114,6 +115,7 @@ class Model {
  private:
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void ensure_equilibrium();
+  void warn_of_condition();
   void reload();
   void check_mechanism(const PreparedScene& prepared) const;
   FieldValues compute_field(int region, Field field);
@@ -136,7 +138,7 @@ class Model {
   Progress progress_;
   Log log_;
   std::atomic<bool> cancel_requested_{false};
-  bool warned_of_energies_ = false;
+  bool warned_of_energies_ = false, warned_of_condition_ = false;
 };
 
 // Bytes of a saved state and back (state.cpp); throws Error (argument) for damaged bytes.

@@ -88,6 +88,9 @@ std::vector<PointValue> Model::evaluate(const std::vector<Point>& places, bool w
       value.displacement = found->second.displacement_at(place);
     }
   }
+  for (const auto& [region, evaluator] : evaluators) {
+    prepared_->interior_kernel_evaluations += evaluator.kernel_evaluations();
+  }
   return values;
 }
 

@@ -1,57 +1,159 @@
 #include "pd/deformation.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <algorithm>
 #include <cassert>
+#include <numbers>
+#include <optional>
 
 namespace bempd::pd {
 
 namespace {
 
-using Eigen::Matrix2d;
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Vector7d = Eigen::Matrix<double, 7, 1>;
+using Matrix7d = Eigen::Matrix<double, 7, 7>;
 
-// G minimises sum w |du - G xi|^2: G = (sum w du xi^T) (sum w xi xi^T)^-1.
-Matrix2d fitted_gradient(const Matrix2d& shape, const Matrix2d& mixed) {
-  const double trace = shape.trace();
-  if (!(trace > 0)) return Matrix2d::Zero();
-  // Bonds span the plane unless they are parallel; steps between lattice places are either exactly parallel or clearly
-  // not.
-  if (shape.determinant() > 1e-10 * trace * trace) return mixed * shape.inverse();
-  const Vector2d along = Eigen::SelfAdjointEigenSolver<Matrix2d>(shape).eigenvectors().col(1);
-  const Vector2d across(-along.y(), along.x()), moved = mixed * along / trace;
-  return along.dot(moved) * along * along.transpose() +
-         across.dot(moved) * (across * along.transpose() - along * across.transpose());
+// Symmetric tensors as vectors (xx, yy, sqrt2 xy), whose products are those of the tensors.
+Vector3d dyad(const Vector2d& e) { return {e.x() * e.x(), e.y() * e.y(), std::numbers::sqrt2 * e.x() * e.y()}; }
+
+// Solves a x = b; what no bond resists (single rows of points) is not strained.
+Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> modes(a);
+  Vector3d x = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double value = modes.eigenvalues()[k];
+    if (value <= 1e-10 * modes.eigenvalues()[2]) continue;
+    x += modes.eigenvectors().col(k).dot(b) / value * modes.eigenvectors().col(k);
+  }
+  return x;
+}
+
+// What the bonds of one point are and carry.
+struct PointBonds {
+  Matrix3d response = Matrix3d::Zero();
+  Vector3d carried = Vector3d::Zero();
+  Vector2d side = Vector2d::Zero();  // where they lie, 0 if they are balanced
+  bool whole = true;                 // none is broken
+
+  bool one_sided() const { return side.norm() > 1e-6 * response.trace(); }
+};
+
+// Strain that varies linearly around a point. A bond shows the strain at its middle, and of the variation only the part
+// that is symmetric in all three indices: seven numbers in all.
+struct LinearFit {
+  Matrix7d response = Matrix7d::Zero();
+  Vector7d carried = Vector7d::Zero();
+
+  // `moment`: of the bond as seen from the point, its length times direction^3.
+  void add(const Vector3d& direction, const Eigen::Vector4d& moment, double weight, double stretch) {
+    Vector7d row;
+    row << direction, moment;
+    response += weight * row * row.transpose();
+    carried += weight * stretch * row;
+  }
+  // Nothing if there are too few bonds to tell.
+  std::optional<Vector3d> strain() const {
+    const Eigen::SelfAdjointEigenSolver<Matrix7d> modes(response);
+    if (modes.eigenvalues()[0] < 1e-4 * modes.eigenvalues()[6]) return {};
+    const Vector7d parts = modes.eigenvectors().transpose() * carried;
+    return (modes.eigenvectors() * parts.cwiseQuotient(modes.eigenvalues())).head<3>();
+  }
+};
+
+// The bonds of a network with what they show under a displacement.
+class ShownStretches {
+ public:
+  ShownStretches(const Network& network, const std::vector<std::uint8_t>& broken,
+                 const Eigen::Ref<const Eigen::VectorXd>& displacements)
+      : network_(network), broken_(broken), displacements_(displacements) {
+    for (const Bond& bond : network.bonds) stiffest_ = std::max(stiffest_, bond.stiffness);
+  }
+
+  std::size_t size() const { return network_.bonds.size(); }
+  const Bond& bond(std::size_t b) const { return network_.bonds[b]; }
+  const BondOffset& offset(std::size_t b) const { return network_.offsets[network_.offset_of[b]]; }
+  bool intact(std::size_t b) const { return broken_.empty() || !broken_[b]; }
+  double stretch(std::size_t b) const {
+    const Vector2d difference =
+        displacements_.segment<2>(2 * bond(b).second) - displacements_.segment<2>(2 * bond(b).first);
+    return offset(b).direction.dot(difference) / offset(b).length;
+  }
+  // Stiffness times squared length, relative to the stiffest bond, so that units do not matter.
+  double weight(std::size_t b) const { return bond(b).stiffness / stiffest_ * offset(b).length * offset(b).length; }
+
+ private:
+  const Network& network_;
+  const std::vector<std::uint8_t>& broken_;
+  Eigen::Ref<const Eigen::VectorXd> displacements_;
+  double stiffest_ = 0;
+};
+
+std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
+  std::vector<PointBonds> points(point_count);
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    PointBonds &first = points[bonds.bond(b).first], &second = points[bonds.bond(b).second];
+    const Vector3d direction = dyad(bonds.offset(b).direction);
+    const Matrix3d response = bonds.weight(b) * direction * direction.transpose();
+    first.response += response, second.response += response;
+    const Vector2d side = bonds.weight(b) * bonds.offset(b).step;
+    first.side += side, second.side -= side;
+    if (!bonds.intact(b)) {
+      first.whole = second.whole = false;
+      continue;
+    }
+    const Vector3d carried = bonds.weight(b) * bonds.stretch(b) * direction;
+    first.carried += carried, second.carried += carried;
+  }
+  return points;
+}
+
+// Better strains for points whose bonds lie on one side.
+void refine_at_faces(const std::vector<PointBonds>& points, const ShownStretches& bonds,
+                     std::vector<Vector3d>& strains) {
+  std::vector<int> fit_of(points.size(), -1);
+  std::vector<LinearFit> fits;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].whole || !points[i].one_sided()) continue;
+    fit_of[i] = static_cast<int>(fits.size());
+    fits.emplace_back();
+  }
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const int first = fit_of[bonds.bond(b).first], second = fit_of[bonds.bond(b).second];
+    if (first < 0 && second < 0) continue;
+    const Vector3d direction = dyad(bonds.offset(b).direction);
+    const Eigen::Vector4d& moment = bonds.offset(b).moment;
+    const double weight = bonds.weight(b), stretch = bonds.stretch(b);
+    if (first >= 0) fits[first].add(direction, moment, weight, stretch);
+    if (second >= 0) fits[second].add(direction, -moment, weight, stretch);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (fit_of[i] < 0) continue;
+    if (const auto strain = fits[fit_of[i]].strain()) strains[i] = *strain;
+  }
 }
 
 }  // namespace
 
-std::vector<Matrix2d> displacement_gradients(int point_count, const Network& network,
-                                             const std::vector<std::uint8_t>& broken,
-                                             const Eigen::Ref<const Eigen::VectorXd>& displacements) {
+std::vector<Vector3d> bond_strains(int point_count, const Network& network, const std::vector<std::uint8_t>& broken,
+                                   const Eigen::Ref<const Eigen::VectorXd>& displacements) {
   assert(broken.empty() || broken.size() == network.bonds.size());
   assert(displacements.size() == 2 * point_count);
-  std::vector<Matrix2d> shape(point_count, Matrix2d::Zero()), mixed(point_count, Matrix2d::Zero());
-  for (std::size_t b = 0; b < network.bonds.size(); ++b) {
-    if (!broken.empty() && broken[b]) continue;
-    const Bond& bond = network.bonds[b];
-    const BondOffset& offset = network.offsets[network.offset_of[b]];
-    // Relative to the bulk, so that the units of stiffness do not matter.
-    const double weight = offset.bulk_stiffness;
-    const Vector2d& step = offset.step;
-    const Vector2d difference = displacements.segment<2>(2 * bond.second) - displacements.segment<2>(2 * bond.first);
-    const Matrix2d s = weight * step * step.transpose(), d = weight * difference * step.transpose();
-    shape[bond.first] += s, shape[bond.second] += s;
-    mixed[bond.first] += d, mixed[bond.second] += d;
-  }
-  std::vector<Matrix2d> gradients(point_count);
-  for (int i = 0; i < point_count; ++i) gradients[i] = fitted_gradient(shape[i], mixed[i]);
-  return gradients;
+  const ShownStretches bonds(network, broken, displacements);
+  const std::vector<PointBonds> points = collect(point_count, bonds);
+  std::vector<Vector3d> strains;
+  for (const PointBonds& point : points) strains.push_back(solve_semidefinite(point.response, point.carried));
+  refine_at_faces(points, bonds, strains);
+  for (Vector3d& strain : strains) strain.z() /= std::numbers::sqrt2;
+  return strains;
 }
 
-Eigen::Vector3d stress_of(const Matrix2d& gradient, const PlaneElasticity& elasticity) {
-  const double xx = gradient(0, 0), yy = gradient(1, 1), c11 = elasticity.c11(), c12 = elasticity.c12();
-  return {c11 * xx + c12 * yy, c12 * xx + c11 * yy, elasticity.shear_modulus() * (gradient(0, 1) + gradient(1, 0))};
+Vector3d stress_of(const Vector3d& strain, const PlaneElasticity& elasticity) {
+  const double c11 = elasticity.c11(), c12 = elasticity.c12();
+  return {c11 * strain.x() + c12 * strain.y(), c12 * strain.x() + c11 * strain.y(),
+          2 * elasticity.shear_modulus() * strain.z()};
 }
 
 }  // namespace bempd::pd

@@ -9,16 +9,20 @@
 
 namespace bempd::pd {
 
-// Displacement gradient du_k/dx_l at every material point: weighted least squares over the bonds that are intact, exact
-// for linear fields everywhere. `broken` holds one entry a bond (nonzero: broken) or is empty; `displacements` the
-// components of point i in 2 i and 2 i + 1; x is in lattice units, the caller divides by the spacing. Where the intact
-// bonds lie on one line only the stretch and the rotation of that line are known and the rest is taken as rigid; a
-// point without intact bonds has no gradient and gets zero.
-std::vector<Eigen::Matrix2d> displacement_gradients(int point_count, const Network& network,
-                                                    const std::vector<std::uint8_t>& broken,
-                                                    const Eigen::Ref<const Eigen::VectorXd>& displacements);
+// Strains (xx, yy, xy) at every material point that its bond forces show: with f the force in a bond, xi the bond from
+// end to end and both halves of it at their own points,
+//   sum f xi^T  over intact bonds  =  (sum k xi xi^T xi xi^T / |xi|^2  over all bonds) : strain.
+// Far from faces the sum on the right is twice the volume of a cell times the elastic constants, and the stress of this
+// strain is the mean stress of the bonds, sum f xi^T / (2 V) (Silling and Lehoucq, J. Elasticity 93, 2008). At faces it
+// is what the point's fewer bonds would carry, so that linear displacements have their strain everywhere; and there,
+// where the bonds lie on one side, the strain is taken to vary linearly along them, unless some are broken or they are
+// too few. A broken bond carries nothing: a point without intact bonds has no stress. `broken` holds one entry a bond
+// (nonzero: broken or cut) or is empty; `displacements` the components of point i in 2 i and 2 i + 1 over the spacing.
+std::vector<Eigen::Vector3d> bond_strains(int point_count, const Network& network,
+                                          const std::vector<std::uint8_t>& broken,
+                                          const Eigen::Ref<const Eigen::VectorXd>& displacements);
 
-// Stresses (xx, yy, xy) of the symmetric part of a displacement gradient.
-Eigen::Vector3d stress_of(const Eigen::Matrix2d& gradient, const PlaneElasticity& elasticity);
+// Stresses (xx, yy, xy) of strains.
+Eigen::Vector3d stress_of(const Eigen::Vector3d& strain, const PlaneElasticity& elasticity);
 
 }  // namespace bempd::pd

@@ -39,6 +39,32 @@ TEST(Layers, bars_in_series_without_poisson_effect_are_exact) {
   }
 }
 
+// Between smooth walls a bar does not thin: its end moves by stress / C11 times the length of every part.
+TEST(Layers, four_materials_in_series_between_smooth_walls_are_exact) {
+  const double pull = 3e6, height = 0.2, length = 0.3;
+  const Method methods[] = {Method::boundary_elements, Method::peridynamics, Method::peridynamics,
+                            Method::boundary_elements};
+  const double young[] = {70e9, 210e9, 3e9, 110e9}, poisson[] = {0.2, 1.0 / 3, 1.0 / 3, -0.3};
+  Model model;
+  double reference = 0;
+  int32_t last = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Outline outline = rectangle(k * length, 0, (k + 1) * length, height);
+    const int32_t id = model.add(material(young[k], poisson[k]));
+    last = methods[k] == Method::peridynamics ? model.pd(id, outline, 0.02, 3 + k % 2) : model.bem(id, outline, 0.05);
+    model.fix(last, 1, BEMPD_Y);
+    model.fix(last, 3, BEMPD_Y);
+    if (k == 0) model.fix(last, 4, BEMPD_X);
+    reference += pull * length * (1 - poisson[k] * poisson[k]) / young[k];
+  }
+  model.traction(last, 2, 0, 1, BEMPD_X, 0, pull);
+  model.step(1);
+  for (double y : {0.0, 0.1, 0.2}) {
+    const double value = model.evaluate({4 * length, y}).displacement[0];
+    EXPECT_LE(std::abs(report("end displacement", value, reference, "closed form")), 1e-10 * reference);
+  }
+}
+
 // sigma_xx, sigma_xy and the stretch along the interface x = place are common to both sides; sigma_yy jumps.
 struct Side {
   double young, poisson, sxx, sxy, eyy, place, rotation;
@@ -110,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(
     Pairs, TwoMaterials,
     testing::Values(TwoSides{"bem_bem", Method::boundary_elements, Method::boundary_elements, 0.2, 0.4},
                     TwoSides{"bem_pd", Method::boundary_elements, Method::peridynamics, 0.2, 1.0 / 3},
-                    TwoSides{"pd_bem", Method::peridynamics, Method::boundary_elements, 1.0 / 3, 0}),
+                    TwoSides{"pd_bem", Method::peridynamics, Method::boundary_elements, 1.0 / 3, 0},
+                    TwoSides{"pd_pd", Method::peridynamics, Method::peridynamics, 1.0 / 3, 1.0 / 3}),
     [](const auto& test) { return test.param.name; });
 
 // In bending the tractions on the two sides of an interface are computed by two systems; they must still be opposite,

@@ -77,6 +77,7 @@ class Statistics:
     seconds_solve: float
     seconds_update: float
     seconds_search: float
+    reciprocal_condition: float  #: crude, of the worst equations solved so far; 1 if nothing was solved
 
 
 class Bonds(NamedTuple):

@@ -135,7 +135,7 @@ mirror! {
         sparse_unknowns: i64,
         /// Entries of the sparse factor.
         factor_nonzeros: i64,
-        /// Evaluations of the boundary kernels.
+        /// Evaluations of the boundary kernels, also for places inside boundary element regions.
         kernel_evaluations: i64,
         /// Factorizations of condensed boundary element regions.
         dense_factorizations: i64,
@@ -161,5 +161,7 @@ mirror! {
         seconds_update: f64,
         /// Time for stretches, choice of bonds, connectivity [s].
         seconds_search: f64,
+        /// Crude reciprocal condition number of the worst equations solved so far; 1 if nothing was solved [-].
+        reciprocal_condition: f64,
     }
 }

@@ -1,0 +1,7 @@
+bempd_add_engine_test(economy_sharing_test economy_sharing_test.cpp)
+if(TARGET bempd)
+  bempd_add_host_test(economy_test economy_test.cpp)
+  bempd_add_host_test(economy_threads_test economy_threads_test.cpp)
+  bempd_add_host_test(economy_condition_test economy_condition_test.cpp)
+  bempd_add_host_test(lattice_stress_test lattice_stress_test.cpp)
+endif()
