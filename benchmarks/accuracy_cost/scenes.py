@@ -4,7 +4,7 @@ model, and measures its relative error against a closed form or an independent s
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Callable
 
 import numpy as np
@@ -24,7 +24,6 @@ class Scene:
     build: Callable[[Model, Knobs], None]
     solve: Callable[[Model], None]
     error: Callable[[Model, Knobs], float]
-    options: Knobs = field(default_factory=dict)
 
 
 def one_step(model: Model) -> None:
