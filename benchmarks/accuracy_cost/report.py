@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 from pathlib import Path
 from typing import Any, Callable, Sequence
 
@@ -108,7 +107,3 @@ def draw(path: Path, trials: Sequence[Row], tried: Sequence[Row]) -> None:
 def shown(settings: Row, key: str) -> str:
     others = [f"{name} {value}" for name, value in settings.items() if name not in (key, "threads", "bem.grading")]
     return ", ".join([f"{key} {settings[key]:g}" if not isinstance(settings[key], str) else settings[key], *others])
-
-
-def as_json(settings: Row) -> str:
-    return json.dumps(settings)

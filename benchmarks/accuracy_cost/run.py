@@ -3,16 +3,17 @@ against finite element programs, and the machine's limits. Run it with benchmark
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 
 from limits import limits
 from measure import Row, bempd_command, measure
 from peers import TARGET, duel, installed
-from report import as_json, draw, duel_table, limits_table, shown, sweep_tables, write_csv
+from report import draw, duel_table, limits_table, shown, sweep_tables, write_csv
 from sweeps import Trial, all_trials
 
-ROUNDS, BUDGET = 2, 0.3  # seconds of repeats per round
+ROUNDS, BUDGET = 2, 0.15  # seconds of repeats per round
 CRACK = "centre_crack"
 
 
@@ -25,9 +26,8 @@ def run_trials(trials: list[Trial]) -> list[Row]:
         results.update(zip(map(id, group), measure(commands, rounds, threads=os.cpu_count() or 1)))
     rows = []
     for trial in trials:
-        key = list(trial.settings)[-1] if trial.knob != "threads" else "threads"
         rows.append({"scene": trial.scene, "program": "bempd", "knob": trial.knob, "settings": trial.settings,
-                     "setting": as_json(trial.settings), "shown": shown(trial.settings, key), **results[id(trial)]})
+                     "setting": json.dumps(trial.settings), "shown": shown(trial.settings, trial.key), **results[id(trial)]})
     relate_crack_runs(rows)
     return rows
 

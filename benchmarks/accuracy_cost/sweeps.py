@@ -13,12 +13,13 @@ ONE_THREAD: Settings = {"threads": 1}
 class Trial:
     scene: str
     knob: str
+    key: str  # name of the knob in the settings
     settings: Settings
     slow: bool = False  # one run is enough
 
 
 def over(scene: str, knob: str, key: str, values: Any, base: Settings = ONE_THREAD, slow: bool = False) -> list[Trial]:
-    return [Trial(scene, knob, {**base, key: value}, slow) for value in values]
+    return [Trial(scene, knob, key, {**base, key: value}, slow) for value in values]
 
 
 def all_trials() -> list[Trial]:
@@ -31,19 +32,19 @@ def all_trials() -> list[Trial]:
         for grading in ("auto", "none"):
             trials += over(scene, f"element length, grading {grading}", "element_length", lengths,
                            {**ONE_THREAD, "bem.grading": grading})
-    for scene in ("kirsch", "cantilever", "shear", "hole"):
+    for scene in ("kirsch", "plate", "shear", "hole"):
         trials += over(scene, "quadrature tolerance", "bem.quadrature_tolerance",
-                       (1e-3, 1e-4, 1e-6, 1e-8, 1e-11, 1e-14, 1e-15))
-    for scene, options in {"cantilever": {}, "plate": {}, "shear": {}, "coupled_cantilever": {}}.items():
+                       (1e-3, 1e-4, 1e-6, 1e-8, 1e-14, 1e-15))
+    for scene in ("cantilever", "plate", "shear", "coupled_cantilever"):
         # Scheme paper has bonds that are not calibrated at edges and interfaces, so this is also the price of that.
-        trials += over(scene, "scheme, with its bonds", "scheme", ("symmetric", "paper"), {**ONE_THREAD, **options})
+        trials += over(scene, "scheme, with its bonds", "scheme", ("symmetric", "paper"))
     trials += over("shear", "threads", "threads", (1, 2), {"element_length": 0.01})
     trials += over("coupled_cantilever", "spacing", "spacing", (0.1, 0.05, 0.025, 0.0125))
     trials += over("coupled_cantilever", "horizon ratio", "horizon_ratio", (2, 3, 4, 5, 6))
-    for scene in ("lame", "kirsch", "shear", "hole", "coupled_cantilever"):
+    for scene in ("plate", "shear", "hole", "coupled_cantilever"):
         trials += over(scene, "accuracy", "accuracy", ("draft", "standard", "fine"))
     crack = "centre_crack"
-    trials += over(crack, "tie band", "stepping.tie_band", (0.0, 1e-3, 1e-2, 0.1), slow=True)
+    trials += over(crack, "tie band", "stepping.tie_band", (0.0, 1e-2, 0.1), slow=True)
     trials += over(crack, "accuracy", "accuracy", ("draft", "standard", "fine"), slow=True)
-    trials += over(crack, "horizon ratio", "horizon_ratio", (3, 4, 5), slow=True)
+    trials += over(crack, "horizon ratio", "horizon_ratio", (3, 5), slow=True)
     return trials
