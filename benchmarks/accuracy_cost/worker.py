@@ -1,42 +1,63 @@
 """Runs one scene with one setting in a process of its own and prints what it cost as JSON.
 
-    worker.py SCENE KNOBS_AS_JSON REPEATS
+    worker.py SCENE SETTINGS_AS_JSON SECONDS
 
-Options of the library and knobs of the scene stand in one dictionary. Seconds are those of the whole solve in the
-library (scene, meshes, operators, factorization, steps), the least of REPEATS after one that warms up."""
+Options of the library and knobs of the scene stand in one dictionary. Seconds are those of the whole solve through the
+Python binding (scene, meshes, operators, factorization, steps), the least of as many runs as fit in SECONDS, after one
+that warms up; a run that is longer than that is done once. Megabytes are the peak above that of the idle process.
+"""
+
+from __future__ import annotations
 
 import json
-import resource
 import sys
 import time
+from typing import Any
 
 import bempd
 
 from scenes import SCENES
 
 
+def peak_megabytes() -> float:
+    """Of this program alone: getrusage() would count what the process was before it became this program."""
+    with open("/proc/self/status") as status:
+        return next(float(line.split()[1]) / 1024 for line in status if line.startswith("VmHWM:"))
+
+
 def main() -> None:
-    scene, settings, repeats = SCENES[sys.argv[1]], json.loads(sys.argv[2]), int(sys.argv[3])
+    scene, settings, budget = SCENES[sys.argv[1]], json.loads(sys.argv[2]), float(sys.argv[3])
     knobs = {**scene.knobs, **{key: value for key, value in settings.items() if key in scene.knobs}}
-    options = {**scene.options, **{key: value for key, value in settings.items() if key not in scene.knobs}}
-    seconds = []
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    for _ in range(repeats + 1):
+    options = {key: value for key, value in settings.items() if key not in scene.knobs}
+    idle = peak_megabytes()
+
+    def run() -> tuple[float, Any]:
         start = time.perf_counter()
         model = bempd.Model(options=options)
         scene.build(model, knobs)
         scene.solve(model)
-        seconds.append(time.perf_counter() - start)
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    statistics = model.statistics()
+        return time.perf_counter() - start, model
+
+    try:
+        seconds, model = run()
+    except bempd.Error as refusal:
+        print(json.dumps({"refused": str(refusal)}))
+        return
+    megabytes = peak_megabytes() - idle
+    statistics, elapsed = [model.statistics()], [seconds]
+    while sum(elapsed) + elapsed[-1] < budget:
+        seconds, again = run()
+        elapsed.append(seconds)
+        statistics.append(again.statistics())
     print(json.dumps({
         "error": scene.error(model, knobs),
-        "seconds": min(seconds[1:] or seconds),
-        "megabytes": (peak - before) / 1024,
-        "unknowns": 2 * (statistics.boundary_nodes + statistics.material_points),
-        "residual": float(model.history()["residual"][-1]),
-        "stages": {name[8:]: value / len(seconds[:1]) for name, value in vars(statistics).items()
-                   if name.startswith("seconds_")} if hasattr(statistics, "__dict__") else {},
+        "seconds": min(elapsed[1:] or elapsed),
+        "megabytes": megabytes,
+        "unknowns": 2 * (statistics[0].boundary_nodes + statistics[0].material_points),
+        "elements": statistics[0].boundary_elements,
+        "kernel_evaluations": statistics[0].kernel_evaluations,
+        "seconds_boundary": min(s.seconds_boundary for s in statistics),
+        "seconds_assembly": min(s.seconds_assembly for s in statistics),
     }))
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "error.hpp"
 
@@ -17,6 +18,21 @@ OptionDescription number_option(const char* name, const char* summary, double va
 
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text) {
   return {name, summary, "-", true, false, 0, 0, 0, choices, default_text};
+}
+
+// Defaults that the option `accuracy` moves. A lattice's horizon is not among them: it is part of the material.
+struct PresetValue {
+  const char* option;
+  double value;
+};
+
+constexpr PresetValue draft_values[] = {{"bem.quadrature_tolerance", 1e-6}, {"stepping.tie_band", 1e-2}};
+constexpr PresetValue fine_values[] = {{"bem.quadrature_tolerance", 1e-15}, {"stepping.tie_band", 0}};
+
+std::span<const PresetValue> preset_values(std::string_view accuracy) {
+  if (accuracy == "draft") return draft_values;
+  if (accuracy == "fine") return fine_values;
+  return {};
 }
 
 // Number of single-letter edits between two names.
@@ -62,6 +78,10 @@ const OptionDescription& describe(std::string_view name) {
 
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> all = {
+      text_option("accuracy",
+                  "Defaults of bem.quadrature_tolerance and stepping.tie_band: draft, 1e-6 and 1e-2; standard, their "
+                  "own; fine, 1e-15 and 0. A value set by hand stands, before or after.",
+                  "draft | standard | fine", "standard"),
       text_option(
           "scheme",
           "Discretization: symmetric Galerkin boundary elements with exactly consistent bonds, or collocation with "
@@ -120,16 +140,6 @@ const std::vector<OptionDescription>& option_descriptions() {
   return all;
 }
 
-Options::Options() {
-  for (const OptionDescription& option : option_descriptions()) {
-    if (option.is_text) {
-      texts_[option.name] = option.default_text;
-    } else {
-      numbers_[option.name] = option.default_value;
-    }
-  }
-}
-
 void Options::set(std::string_view name, double value) {
   const OptionDescription& option = describe(name);
   require(!option.is_text, "option ", name, " takes a word (", option.choices, "), not a number");
@@ -137,7 +147,7 @@ void Options::set(std::string_view name, double value) {
           "; it must lie between ", option.minimum, " and ", option.maximum);
   require(!option.whole_number || value == std::floor(value), "option ", name, " is ", value,
           "; it must be a whole number");
-  numbers_.find(name)->second = value;
+  numbers_.insert_or_assign(std::string(name), value);
 }
 
 void Options::set_text(std::string_view name, std::string_view value) {
@@ -147,19 +157,23 @@ void Options::set_text(std::string_view name, std::string_view value) {
   require(!value.empty() && value.find('|') == std::string_view::npos &&
               choices.find(text(" | ", value, " | ")) != std::string::npos,
           "option ", name, " is '", value, "'; it must be one of: ", option.choices);
-  texts_.find(name)->second = value;
+  texts_.insert_or_assign(std::string(name), std::string(value));
 }
 
 double Options::number(std::string_view name) const {
   const OptionDescription& option = describe(name);
   require(!option.is_text, "option ", name, " takes a word; ask for its text");
-  return numbers_.find(name)->second;
+  if (const auto own = numbers_.find(name); own != numbers_.end()) return own->second;
+  for (const PresetValue& preset : preset_values(text_value("accuracy")))
+    if (name == preset.option) return preset.value;
+  return option.default_value;
 }
 
-const std::string& Options::text_value(std::string_view name) const {
+std::string Options::text_value(std::string_view name) const {
   const OptionDescription& option = describe(name);
   require(option.is_text, "option ", name, " takes a number; ask for its value");
-  return texts_.find(name)->second;
+  const auto own = texts_.find(name);
+  return own != texts_.end() ? own->second : option.default_text;
 }
 
 }  // namespace bempd::model

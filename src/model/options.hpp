@@ -20,18 +20,18 @@ struct OptionDescription {
 
 const std::vector<OptionDescription>& option_descriptions();
 
-// Tuning knobs by name. Throws Error (argument) for unknown names and illegal values.
+// Tuning knobs by name: a value that was set, else what the option `accuracy` makes of it, else its default. Throws
+// Error (argument) for unknown names and illegal values.
 class Options {
  public:
-  Options();
-
   void set(std::string_view name, double value);
   void set_text(std::string_view name, std::string_view value);
   double number(std::string_view name) const;
   int whole_number(std::string_view name) const { return static_cast<int>(number(name)); }
-  const std::string& text_value(std::string_view name) const;
+  std::string text_value(std::string_view name) const;
 
  private:
+  // Only what was set.
   std::map<std::string, double, std::less<>> numbers_;
   std::map<std::string, std::string, std::less<>> texts_;
 };

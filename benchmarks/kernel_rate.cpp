@@ -1,0 +1,63 @@
+// The limit of boundary assembly on this machine, the kernels of a pair of points in the simplest loop that computes
+// them with everything in the first cache, and the integrals of pairs of elements, which also weigh them with the
+// functions of six nodes. Items are pairs of points. Prints JSON with --benchmark_format=json.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "bem/pair_integrals.hpp"
+
+namespace {
+
+// ln r, the two trigonometric kernels and the four of the double layer, for one source and many field points.
+void kernels(benchmark::State& state) {
+  const Eigen::Index count = state.range(0);
+  using Values = Eigen::ArrayXd;
+  const Values x = Values::LinSpaced(count, 0, 1), y = 0.3 * x + 1;
+  const double normal_x = 0.6, normal_y = 0.8;
+  Values square(count), sum = Values::Zero(count);
+  for (auto _ : state) {
+    square = x.square() + y.square();
+    for (Eigen::Index p = 0; p < count; ++p) {
+      const double inverse = 1 / square[p];
+      const double cosine = 0.5 * (x[p] * x[p] - y[p] * y[p]) * inverse, sine = x[p] * y[p] * inverse;
+      const double along = (x[p] * normal_x + y[p] * normal_y) * inverse;
+      const double across = (normal_x * y[p] - normal_y * x[p]) * inverse;
+      sum[p] += cosine + sine + along + across + along * cosine + along * sine;
+    }
+    sum += 0.5 * square.log();
+    benchmark::DoNotOptimize(sum.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * count);
+}
+BENCHMARK(kernels)->Arg(256);
+
+// All pairs that do not touch among elements around a polygon.
+void pair_integrals(benchmark::State& state) {
+  using bempd::Point;
+  const int count = static_cast<int>(state.range(0));
+  const auto corner = [&](int i) {
+    const double angle = 2 * EIGEN_PI * i / count;
+    return Point(std::cos(angle), std::sin(angle));
+  };
+  std::vector<bempd::bem::ElementGeometry> elements;
+  for (int i = 0; i < count; ++i) {
+    const Point start = corner(i), end = corner(i + 1);
+    elements.push_back(bempd::bem::element_through(start, 0.5 * (start + end), end, 0));
+  }
+  const bempd::bem::PairIntegrator integrator(elements, 1e-14);
+  std::int64_t evaluations = 0;
+  for (auto _ : state)
+    for (int inner = 2; inner < count - 1; ++inner) {
+      const auto moments = integrator.integrate(0, inner, bempd::bem::Contact::none, bempd::bem::PairPart::everything);
+      evaluations += moments.evaluations;
+      benchmark::DoNotOptimize(moments);
+    }
+  state.SetItemsProcessed(evaluations);
+}
+BENCHMARK(pair_integrals)->Arg(200);
+
+}  // namespace
