@@ -3,11 +3,26 @@ horizon ratio 4, a critical stretch of 1e-3, and both end columns held in x and 
 
 from __future__ import annotations
 
+import importlib.util
 import math
+import pathlib
+import sys
 from typing import Any, Callable
 
 import bempd
 
+def accuracy_scenes() -> Any:
+    """The scenes of the folder beside this one, whose module has the same name."""
+    path = pathlib.Path(__file__).resolve().parents[1] / "accuracy_cost" / "scenes.py"
+    specification = importlib.util.spec_from_file_location("accuracy_scenes", path)
+    assert specification is not None and specification.loader is not None
+    module = importlib.util.module_from_spec(specification)
+    sys.modules[module.__name__] = module
+    specification.loader.exec_module(module)
+    return module.SCENES
+
+
+ACCURACY_SCENES = accuracy_scenes()
 Crack = tuple[float, float, float]  # x, lower and upper end
 
 
@@ -66,4 +81,22 @@ def paper_crack(model: bempd.Model, scheme: str = "symmetric") -> None:
     model.fix_point((0, 0.5 * height), "y")
 
 
-SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack}
+def square(model: bempd.Model, elements: int) -> None:
+    """Boundary elements only: the unit square, a quarter of the elements on each side."""
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3)
+    model.add_bem_region(material, bempd.rectangle(0, 0, 1, 1), 4 / elements * (1 + 1e-9))
+    model.fix_edge(1, 4)
+    model.add_traction(1, 2, "x", 1.0)
+
+
+def clamped(model: bempd.Model, name: str, element_length: float) -> None:
+    """An elastic plate of benchmarks/accuracy_cost."""
+    ACCURACY_SCENES[name].build(model, {"element_length": element_length})
+
+
+def clamped_error(model: bempd.Model, name: str, element_length: float) -> float:
+    return float(ACCURACY_SCENES[name].error(model, {"element_length": element_length}))
+
+
+SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack, "square": square,
+                                          "clamped": clamped}
