@@ -1,0 +1,102 @@
+"""Scenes of the speed table: each builds itself in a model. Lattice plates have spacing 1, E = 1, nu = 1/3, plane stress,
+horizon ratio 4, a critical stretch of 1e-3, and both end columns held in x and y and pulled apart."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import pathlib
+import sys
+from typing import Any, Callable
+
+import bempd
+
+def accuracy_scenes() -> Any:
+    """The scenes of the folder beside this one, whose module has the same name."""
+    path = pathlib.Path(__file__).resolve().parents[1] / "accuracy_cost" / "scenes.py"
+    specification = importlib.util.spec_from_file_location("accuracy_scenes", path)
+    assert specification is not None and specification.loader is not None
+    module = importlib.util.module_from_spec(specification)
+    sys.modules[module.__name__] = module
+    specification.loader.exec_module(module)
+    return module.SCENES
+
+
+ACCURACY_SCENES = accuracy_scenes()
+Crack = tuple[float, float, float]  # x, lower and upper end
+
+
+def central_crack(n: int) -> list[Crack]:
+    """0.2 n rows across the pull; midway between two columns where n is even, tips midway between rows."""
+    rows, middle = math.floor(0.2 * n), 0.5 * (n - 1)
+    low = math.ceil(middle - 0.5 * rows) - 0.5
+    return [(math.floor(middle) + 0.5, low, low + rows)]
+
+
+def two_edge_cracks(n: int) -> list[Crack]:
+    """From opposite edges, a tenth of the side apart, growing towards each other."""
+    rows, middle, offset = math.floor(0.2 * n), math.floor(0.5 * n), n // 20
+    return [(middle - offset - 0.5, -0.5, rows - 0.5), (middle + offset - 0.5, n - rows - 0.5, n - 0.5)]
+
+
+def eight_cracks(n: int) -> list[Crack]:
+    """Two columns of four staggered cracks, each longer by a row than the one before."""
+    cracks = []
+    for k in range(8):
+        column, row = k % 2, k // 2
+        x = math.floor(n * (0.38 + 0.24 * column)) + 0.5
+        low = math.floor(n * (0.08 + 0.24 * row + 0.06 * column)) + 0.5
+        cracks.append((x, low, low + max(2, n // 20) + k))
+    return cracks
+
+
+CRACKS = {"central": central_crack, "two": two_edge_cracks, "eight": eight_cracks}
+
+
+def plate(model: bempd.Model, n: int, cracks: str = "central") -> None:
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    side = n - 1
+    region = model.add_pd_region(material, bempd.rectangle(0, 0, side, side), 1, 4)
+    for x, low, high in CRACKS[cracks](n):
+        # A bond that only touches a tip counts as cut: a hair's breadth keeps those at the tips.
+        model.add_crack([(x, max(low + 1e-6, 0)), (x, min(high - 1e-6, side))])
+    for edge, pull in ((4, -1.0), (2, 1.0)):
+        model.prescribe_edge(region, edge, "x", pull)
+        model.prescribe_edge(region, edge, "y", 0.0)
+
+
+def paper_crack(model: bempd.Model, scheme: str = "symmetric") -> None:
+    """The plate of examples/centre_crack: boundary elements left and right, a strip of lattice between."""
+    mm = 1e-3
+    cells = scheme == "paper"
+    half_strip, height = (6.5 if cells else 4.25) * mm, (50.0 if cells else 49.5) * mm
+    left, right, width = 25 * mm - half_strip, 25 * mm + half_strip, 50 * mm
+    material = model.add_material(young_modulus=30e9, poisson_ratio=1 / 3, critical_stretch=8e-4)
+    model.add_bem_region(material, bempd.rectangle(0, 0, left, height), 5 * mm)
+    model.add_pd_region(material, bempd.rectangle(left, 0, right, height), 0.5 * mm, 4)
+    model.add_bem_region(material, bempd.rectangle(right, 0, width, height), 5 * mm)
+    model.add_crack([(25 * mm, 0.5 * height - 5 * mm), (25 * mm, 0.5 * height + 5 * mm)])
+    model.prescribe_edge(1, 4, "x", -2e-8)
+    model.prescribe_edge(3, 2, "x", 2e-8)
+    model.fix_point((0, 0.5 * height), "y")
+
+
+def square(model: bempd.Model, elements: int) -> None:
+    """Boundary elements only: the unit square, a quarter of the elements on each side."""
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3)
+    model.add_bem_region(material, bempd.rectangle(0, 0, 1, 1), 4 / elements * (1 + 1e-9))
+    model.fix_edge(1, 4)
+    model.add_traction(1, 2, "x", 1.0)
+
+
+def clamped(model: bempd.Model, name: str, element_length: float) -> None:
+    """An elastic plate of benchmarks/accuracy_cost."""
+    ACCURACY_SCENES[name].build(model, {"element_length": element_length})
+
+
+def clamped_error(model: bempd.Model, name: str, element_length: float) -> float:
+    return float(ACCURACY_SCENES[name].error(model, {"element_length": element_length}))
+
+
+SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack, "square": square,
+                                          "clamped": clamped}
