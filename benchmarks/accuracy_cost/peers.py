@@ -14,7 +14,7 @@ TARGET = 1e-4
 PROBLEMS = ("plate", "shear", "hole")
 SIZES, REFINEMENTS = (0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625), (1, 8, 32)
 FINALISTS, ROUNDS, REPEATS = 2, 3, 5
-ELEMENT_LENGTHS, GRADINGS = (0.2, 0.17, 0.126, 0.1, 1 / 15, 0.05), (0, 2, 3, 4)
+ELEMENT_LENGTHS, GRADINGS = (0.2, 0.17, 0.126, 0.1, 0.08, 1 / 15, 0.05), (0, 2, 3, 4)
 
 
 def has_module(*names: str) -> bool:
