@@ -45,19 +45,18 @@ std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& fun
 
 Eigen::MatrixXd Condensation::expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const {
   const Stopwatch watch(system_.counters_.seconds_solve);
-  Eigen::MatrixXd unknowns(eliminated_.rows(), kept.cols());
-  for (Eigen::Index c = 0; c < kept.cols(); ++c) unknowns.col(c) = eliminated_.col(part[static_cast<std::size_t>(c)]);
-  unknowns.bottomRows(kept.rows()).noalias() = factor_.triangularView<Eigen::Lower>().transpose() * kept;
-  system_.cholesky().solve_backward(unknowns);
+  const std::vector<int>& order = system_.cholesky().elimination_order();
+  const Eigen::Index others = eliminated_.rows() - kept.rows();
+  Eigen::MatrixXd unknowns(kept.cols(), eliminated_.rows());
+  unknowns.leftCols(others) = eliminated_.topRows(others).transpose()(part, Eigen::all);
+  unknowns.rightCols(kept.rows()) = kept.transpose();
+  system_.cholesky().solve_backward(unknowns, static_cast<int>(kept.rows()));
   ++system_.counters_.solves;
-  Eigen::MatrixXd all(2 * system_.node_count(), kept.cols());
-  for (Eigen::Index c = 0; c < kept.cols(); ++c) {
-    all.col(c) = system_.prescribed_.col(part[static_cast<std::size_t>(c)]);
-    for (std::size_t i = 0; i < system_.dof_of_.size(); ++i) {
-      all(system_.dof_of_[i], c) = unknowns(static_cast<Eigen::Index>(i), c);
-    }
+  Eigen::MatrixXd all = system_.prescribed_.transpose()(part, Eigen::all);
+  for (Eigen::Index k = 0; k < unknowns.cols(); ++k) {
+    all.col(system_.dof_of_[order[static_cast<std::size_t>(k)]]) = unknowns.col(k);
   }
-  system_.ties_.expand(all);
+  system_.ties_.expand_rows(all);
   return all;
 }
 
@@ -65,10 +64,10 @@ Affine Condensation::displacement(const Affine& kept) const {
   Affine all = Affine::Zero(2 * system_.node_count(), 2);
   const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));
   if (has_constant_part) {
-    all = expand(kept, {0, 1});
+    all = expand(kept, {0, 1}).transpose();
   } else {
     all.col(0) = system_.prescribed_.col(0);
-    all.col(1) = expand(kept.col(1), {1});
+    all.col(1) = expand(kept.col(1), {1}).transpose();
   }
   recover(all);
   return all;

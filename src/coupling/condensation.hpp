@@ -32,7 +32,7 @@ class Condensation {
   std::vector<CondensedFunction> condense(const Eigen::MatrixXd& functions) const;
 
   // Displacements of all nodes with bonds from columns of kept ones; `part` tells for each whether it belongs to the
-  // constant (0) or to the proportional (1) part of the load.
+  // constant (0) or to the proportional (1) part of the load. One column per degree of freedom, one row per state.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const;
 
   // Adds the displacements of nodes without bonds.

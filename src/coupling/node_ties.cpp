@@ -20,6 +20,14 @@ void NodeTies::expand(Eigen::Ref<Eigen::MatrixXd> displacement) const {
   }
 }
 
+void NodeTies::expand_rows(Eigen::Ref<Eigen::MatrixXd> displacements) const {
+  for (std::size_t t = 0; t < nodes_.size(); ++t) {
+    auto tied = displacements.middleCols<2>(2 * nodes_[t]);
+    tied.setZero();
+    for (const Master& m : masters_[t]) tied += m.weight * displacements.middleCols<2>(2 * m.node);
+  }
+}
+
 void NodeTies::collect(Eigen::Ref<Eigen::MatrixXd> force) const {
   for (std::size_t t = 0; t < nodes_.size(); ++t) {
     auto tied = force.middleRows<2>(2 * nodes_[t]);

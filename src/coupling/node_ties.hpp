@@ -28,6 +28,7 @@ class NodeTies {
 
   // Sets the displacements of tied nodes from those of their masters.
   void expand(Eigen::Ref<Eigen::MatrixXd> displacement) const;
+  void expand_rows(Eigen::Ref<Eigen::MatrixXd> displacements) const;  // one state a row
 
   // Moves forces on tied nodes to their masters.
   void collect(Eigen::Ref<Eigen::MatrixXd> force) const;

@@ -13,7 +13,10 @@ namespace {
 constexpr double smallest_pivot = 1e-7;
 
 // Columns collected before they are added to F: enough for a fast product, few enough to be cheap to carry along.
-constexpr Eigen::Index most_pending = 64;
+constexpr Eigen::Index most_pending = 96;
+
+// Of a triangular factor, whose product with itself leaves out the rows above them.
+constexpr Eigen::Index columns_at_once = 96;
 
 }  // namespace
 
@@ -96,7 +99,13 @@ void ActiveWindow::find_outside(const coupling::EquilibriumSystem& system, const
   const Eigen::Index columns = outside_dofs_.empty() ? 0 : outside_dofs_.back() + 1;
   const Eigen::MatrixXd rows = condensation.factor().leftCols(columns)(outside_dofs_, Eigen::all);
   outside_.setZero(rows.rows(), rows.rows());
-  if (rows.size() > 0) outside_.selfadjointView<Eigen::Lower>().rankUpdate(rows);
+  for (Eigen::Index c = 0; c < columns; c += columns_at_once) {
+    const auto reaching = std::lower_bound(outside_dofs_.begin(), outside_dofs_.end(), static_cast<int>(c));
+    const Eigen::Index above = reaching - outside_dofs_.begin(), height = rows.rows() - above;
+    outside_.bottomRightCorner(height, height)
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(rows.block(above, c, height, std::min(columns_at_once, columns - c)));
+  }
   outside_.triangularView<Eigen::StrictlyUpper>() = outside_.transpose();
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     for (int r = 0; r < 4; ++r) {

@@ -11,6 +11,32 @@ namespace {
 // Events in the whole body after which a window is tried again at the latest.
 constexpr int most_patience = 64;
 
+// Adds the time of its scope to a sum of seconds, but for what the system counts on its own.
+class WindowWatch {
+ public:
+  WindowWatch(double& seconds, const coupling::SolverCounters& counters)
+      : seconds_(seconds), counters_(counters), counted_(counted()) {
+    watch_.emplace(elapsed_);
+  }
+  ~WindowWatch() {
+    watch_.reset();
+    seconds_ += elapsed_ - (counted() - counted_);
+  }
+  WindowWatch(const WindowWatch&) = delete;
+  WindowWatch& operator=(const WindowWatch&) = delete;
+
+ private:
+  double counted() const {
+    return counters_.seconds_assembly + counters_.seconds_factorization + counters_.seconds_solve +
+           counters_.seconds_update;
+  }
+
+  double& seconds_;
+  const coupling::SolverCounters& counters_;
+  double counted_, elapsed_ = 0;
+  std::optional<Stopwatch> watch_;
+};
+
 }  // namespace
 
 using coupling::evaluate;
@@ -101,6 +127,7 @@ void CrackEvolution::open_window(double target, const SteppingOptions& options) 
   events_at_opening_ = state_.events;
   bool opened = false;
   try {
+    const WindowWatch watch(seconds_search_, system_.counters());
     opened = lookahead_.open(state_, *next, wanted);
   } catch (const Error& error) {
     // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
@@ -135,7 +162,10 @@ const ForeseenEvent* CrackEvolution::foreseen_event(double target, const Steppin
       mark_start(start);
       complete(*start);
     };
-    if (const ForeseenEvent* event = lookahead_.next(state_.load_factor, keep_start)) return event;
+    {
+      const WindowWatch watch(seconds_search_, system_.counters());
+      if (const ForeseenEvent* event = lookahead_.next(state_.load_factor, keep_start)) return event;
+    }
     if (state_.events > events_at_opening_) {
       patience_ = 1;
       if (lookahead_.needs_whole_body()) whole_body_events_ = 1;

@@ -59,13 +59,13 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
 
 std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const Eigen::MatrixXd& displacements) const {
   std::vector<Classes> result;
-  // Nodes side by side and states innermost: each bond's ends are fetched once for a batch of states.
+  // Each bond's ends are fetched once for a batch of states.
   using Batch = Eigen::Array<double, batch, 1>;
-  Eigen::Array<double, batch, Eigen::Dynamic> u(batch, displacements.rows());
-  for (Eigen::Index c = 0; c < displacements.cols(); c += batch) {
-    const Eigen::Index count = std::min<Eigen::Index>(batch, displacements.cols() - c);
-    u.setZero();
-    u.topRows(count) = displacements.middleCols(c, count).transpose();
+  Eigen::Array<double, batch, Eigen::Dynamic> u;
+  for (Eigen::Index first = 0; first < displacements.rows(); first += batch) {
+    const Eigen::Index count = std::min<Eigen::Index>(batch, displacements.rows() - first);
+    u.setZero(batch, displacements.cols());
+    u.topRows(count) = displacements.middleRows(first, count);
     std::array<Batch, most_classes> largest;
     largest.fill(Batch::Zero());
     for (std::size_t b = 0; b < first_.size(); ++b) {
@@ -100,7 +100,7 @@ void WindowCertificate::take(const std::vector<int>& states) {
     if (!solved.empty()) whole = condensation_.expand(columns, part);
     if (!solved.empty() && solved.back() + 1 == static_cast<int>(states_->size())) {
       solved_state_ = solved.back();
-      solved_ = whole.rightCols(parts);
+      solved_ = whole.bottomRows(parts).transpose();
     }
     // Values at the load factors of interest: the ends of their range, then the state's own checks.
     std::vector<std::pair<int, double>> wanted;
@@ -111,18 +111,22 @@ void WindowCertificate::take(const std::vector<int>& states) {
         for (const OutsideCheck& check : checks_[states[s]]) wanted.emplace_back(states[s], check.load_factor);
       }
     }
-    Eigen::MatrixXd values(whole_first_->rows(), wanted.size());
-    for (std::size_t w = 0; w < wanted.size(); ++w) {
-      const auto [state, load_factor] = wanted[w];
-      const auto column = static_cast<Eigen::Index>(w);
-      if (state == 0) {
-        values.col(column) = load_factor * whole_first_->col(1);
-        if (!proportional_) values.col(column) += whole_first_->col(0);
-        continue;
+    Eigen::MatrixXd values(wanted.size(), whole_first_->rows());
+    if (proportional_ && wanted.size() == solved.size() && lowest_ == 1) {
+      values.swap(whole);
+    } else {
+      for (std::size_t w = 0; w < wanted.size(); ++w) {
+        const auto [state, load_factor] = wanted[w];
+        const auto row = static_cast<Eigen::Index>(w);
+        if (state == 0) {
+          values.row(row) = load_factor * whole_first_->col(1).transpose();
+          if (!proportional_) values.row(row) += whole_first_->col(0).transpose();
+          continue;
+        }
+        const auto at = parts * (std::find(solved.begin(), solved.end(), state) - solved.begin());
+        values.row(row) = whole.row(at);
+        if (!proportional_) values.row(row) += load_factor * whole.row(at + 1);
       }
-      const auto at = parts * (std::find(solved.begin(), solved.end(), state) - solved.begin());
-      values.col(column) = whole.col(at);
-      if (!proportional_) values.col(column) += load_factor * whole.col(at + 1);
     }
     const std::vector<Classes> largest = largest_ratios(values);
     std::size_t next = 0;
@@ -247,7 +251,14 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
       if (is_exceeded(s->first)) end = s->first;
     }
     snapshots_.erase(snapshots_.upper_bound(end), snapshots_.end());
-    wanted = between_snapshots(uncertified(), round);
+    const std::vector<int> doubtful = uncertified();
+    // Further snapshots take nothing away from what is proven.
+    for (int state = 0; state < end; ++state) {
+      if (!snapshots_.contains(state) && !std::binary_search(doubtful.begin(), doubtful.end(), state)) {
+        checks_[state].clear();
+      }
+    }
+    wanted = between_snapshots(doubtful, round);
   }
   return end;
 }

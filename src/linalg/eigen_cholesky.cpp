@@ -55,10 +55,15 @@ class EigenCholesky final : public SparseCholesky {
     rhs = factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * ordered;
   }
 
-  void solve_backward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
-    Eigen::MatrixXd ordered = factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * rhs;
-    factor_.matrixU().solveInPlace(ordered);
-    rhs(order_, Eigen::all) = ordered;
+  void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
+    const SparseMatrix& lower = factor_.matrixL().nestedExpression();  // without its unit diagonal
+    const Eigen::VectorXd pivots = factor_.vectorD();
+    for (Eigen::Index j = lower.cols() - known - 1; j >= 0; --j) {
+      transposed.col(j) /= std::sqrt(pivots[j]);
+      for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+        if (it.row() > j) transposed.col(j) -= it.value() * transposed.col(it.row());
+      }
+    }
   }
 
   Eigen::MatrixXd trailing_factor(int size) const override {

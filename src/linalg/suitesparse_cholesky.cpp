@@ -158,13 +158,25 @@ class SuiteSparseCholesky final : public SparseCholesky {
     rhs = solution();
   }
 
-  void solve_backward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
-    assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
-    if (rhs.size() == 0) return;
-    triangular_solve(CHOLMOD_Lt, rhs);
-    const auto solved = solution();
-    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
-      for (Eigen::Index k = 0; k < rhs.rows(); ++k) rhs(order_[k], c) = solved(k, c);
+  void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
+    assert(has_factor_ && factor_->is_super && transposed.cols() == diagonal_.size());
+    const double* x = static_cast<const double*>(factor_->x);
+    const int* super = static_cast<const int*>(factor_->super);
+    const int* pi = static_cast<const int*>(factor_->pi);
+    const int* px = static_cast<const int*>(factor_->px);
+    const int* row = static_cast<const int*>(factor_->s);
+    const int unknown = static_cast<int>(factor_->n) - known;
+    Eigen::MatrixXd later;  // what a supernode's columns depend on
+    for (auto s = static_cast<std::ptrdiff_t>(factor_->nsuper) - 1; s >= 0; --s) {
+      const int columns = std::min(super[s + 1], unknown) - super[s];
+      if (columns <= 0) continue;
+      const int rows = pi[s + 1] - pi[s];
+      const Eigen::Map<const Eigen::MatrixXd> panel(x + px[s], rows, columns);
+      auto own = transposed.middleCols(super[s], columns);
+      later.resize(transposed.rows(), rows - columns);
+      for (int r = columns; r < rows; ++r) later.col(r - columns) = transposed.col(row[pi[s] + r]);
+      if (rows > columns) own.noalias() -= later * panel.bottomRows(rows - columns);
+      panel.topRows(columns).triangularView<Eigen::Lower>().solveInPlace<Eigen::OnTheRight>(own);
     }
   }
 
