@@ -15,6 +15,7 @@ from typing import Any
 import machine
 import peers
 import plates
+import plot
 from rows import OUT, Table, measure
 
 PARTS = ("paper", "plate", "cracks", "elastic", "stages", "boundary", "memory", "peers")
@@ -85,6 +86,8 @@ def main() -> None:
         machine.memory(arguments)
     if "peers" in wanted:
         peers.compare(arguments, own)
+    if {"plate", "peers"} <= set(wanted):
+        plot.draw()
 
 
 main()
