@@ -26,6 +26,7 @@ def rows_of(arguments: argparse.Namespace, n: int) -> dict[str, dict[str, Any]]:
     if n <= 50 or arguments.full:
         rows["LAMMPS PERI, 20 transits"] = call([sys.executable, str(ROOT / "benchmarks/peers/lammps_plate.py"), str(n),
                                                  str(opening), "20"])
+    if arguments.full:
         rows["phase field AT2, dolfinx"] = call([sys.executable, str(ROOT / "benchmarks/peers/phase_field.py"), str(n),
                                                  str(opening)])
     return rows
