@@ -1,5 +1,4 @@
-"""Other ways to tear the same plate, in the same run: classical peridynamics of this repository, LAMMPS, and phase-field
-fracture in dolfinx. Own rows that part plate has measured are compared with whatever finishes."""
+"""Other ways to tear the same plate, in the same run: classical peridynamics of this repository, and LAMMPS. Own rows that part plate has measured are compared with whatever finishes."""
 
 from __future__ import annotations
 
@@ -26,9 +25,6 @@ def rows_of(arguments: argparse.Namespace, n: int) -> dict[str, dict[str, Any]]:
     if n <= 50 or arguments.full:
         rows["LAMMPS PERI, 20 transits"] = call([sys.executable, str(ROOT / "benchmarks/peers/lammps_plate.py"), str(n),
                                                  str(opening), "20"])
-    if arguments.full:
-        rows["phase field AT2, dolfinx"] = call([sys.executable, str(ROOT / "benchmarks/peers/phase_field.py"), str(n),
-                                                 str(opening)])
     return rows
 
 
