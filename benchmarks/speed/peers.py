@@ -1,5 +1,4 @@
-"""Other ways to tear the same plate, in the same run: classical peridynamics of this repository, LAMMPS, and phase-field
-fracture in dolfinx. Own rows that part plate has measured are compared with whatever finishes."""
+"""Other ways to tear the same plate, in the same run: classical peridynamics of this repository, and LAMMPS. Own rows that part plate has measured are compared with whatever finishes."""
 
 from __future__ import annotations
 
@@ -10,7 +9,6 @@ from typing import Any
 from rows import ROOT, Table, call, measure
 
 WANTED = 10  # times as fast as every peer that finishes
-PEAK_ERROR = 0.01
 
 
 def classical(arguments: argparse.Namespace, n: int, *words: str) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from typing import Any
 import machine
 import peers
 import plates
+import plot
 from rows import OUT, Table, measure
 
 PARTS = ("paper", "plate", "cracks", "elastic", "stages", "boundary", "memory", "peers")
@@ -49,7 +50,7 @@ def paper(arguments: argparse.Namespace) -> None:
 
 def cracks(arguments: argparse.Namespace) -> None:
     table = Table("cracks", "Several cracks, to 0.1 % of the peak force per opening", COLUMNS)
-    for n in (50, 100):
+    for n in (50, 100) if arguments.full else (50,):
         for kind in ("central", "two", "eight"):
             result = measure("plate", {"n": n, "cracks": kind}, {}, "force", 1 if n > 50 else arguments.repeats)
             table.add(row_of(f"{n} x {n}, {kind}", "window, band 0.1 %", result))
@@ -85,6 +86,8 @@ def main() -> None:
         machine.memory(arguments)
     if "peers" in wanted:
         peers.compare(arguments, own)
+    if {"plate", "peers"} <= set(wanted):
+        plot.draw()
 
 
 main()

@@ -35,8 +35,31 @@ static cracked_plate create_layout(const char* scheme) {
   return plate;
 }
 
+static void add_number(summary* table, const char* case_name, const char* scheme, const char* quantity,
+                       const char* unit, double value) {
+  const summary_row row = {
+      .case_name = case_name, .scheme = scheme, .quantity = quantity, .unit = unit, .value = value};
+  summary_add(table, &row);
+}
+
+/* Building the plate's operators and solving once, to compare the runs with: the least of three, for a machine has
+ * other things to do too. */
+static double solve_once(const char* scheme) {
+  const cracked_plate plate = create_layout(scheme);
+  double least = 0.0;
+  int repeat;
+  for (repeat = 0; repeat < 3; ++repeat) {
+    bempd_model* model = cracked_plate_create(scheme, &plate);
+    const double seconds = solve(model);
+    if (repeat == 0 || seconds < least) least = seconds;
+    if (repeat == 2) print_statistics(model, "one elastic solve", scheme, seconds);
+    bempd_model_free(model);
+  }
+  return least;
+}
+
 /* Event by event, or as the paper steps: one solution for each increment. */
-static void run(summary* table, const char* scheme, const char* stepping, known_run known) {
+static void run(summary* table, const char* scheme, const char* stepping, known_run known, double elastic_seconds) {
   const cracked_plate plate = create_layout(scheme);
   bempd_model* model = cracked_plate_create(scheme, &plate);
   char name[64];
@@ -47,22 +70,10 @@ static void run(summary* table, const char* scheme, const char* stepping, known_
   task.limit = cracked_plate_increment_limit;
   result = run_crack(model, &task);
   add_run(table, stepping, scheme, &result, known);
-  bempd_model_free(model);
-}
-
-/* Building the plate's operators and solving once, to compare the runs with. */
-static void solve_once(summary* table, const char* scheme) {
-  const cracked_plate plate = create_layout(scheme);
-  bempd_model* model = cracked_plate_create(scheme, &plate);
-  const double seconds = solve(model);
-  const summary_row row = {.case_name = "one elastic solve",
-                           .scheme = scheme,
-                           .quantity = "wall time",
-                           .unit = "s",
-                           .value = seconds,
-                           .seconds = seconds};
-  summary_add(table, &row);
-  print_statistics(model, row.case_name, scheme, seconds);
+  add_number(table, stepping, scheme, "seconds_total", "s", result.seconds);
+  add_number(table, stepping, scheme, "seconds_one_elastic_solve", "s", elastic_seconds);
+  add_number(table, stepping, scheme, "seconds_total / seconds_one_elastic_solve", "-",
+             result.seconds / elastic_seconds);
   bempd_model_free(model);
 }
 
@@ -76,10 +87,10 @@ int main(int argument_count, char** arguments) {
     const int symmetric = strcmp(schemes.names[s], "symmetric") == 0;
     const known_run events = {NULL, NULL, 278.607, 0};
     const known_run increments = {"278", "406", 279, symmetric ? 383 : 368};
+    const double elastic_seconds = solve_once(schemes.names[s]);
     /* Bond by bond an unsymmetric matrix is dear, so scheme paper goes by increments only, as the paper does. */
-    if (symmetric) run(table, schemes.names[s], "events", events);
-    run(table, schemes.names[s], "increments", increments);
-    solve_once(table, schemes.names[s]);
+    if (symmetric) run(table, schemes.names[s], "events", events, elastic_seconds);
+    run(table, schemes.names[s], "increments", increments, elastic_seconds);
   }
   summary_close(table);
   return EXIT_SUCCESS;
