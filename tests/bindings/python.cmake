@@ -27,6 +27,6 @@ bempd_add_python_test(bindings.python_types -m mypy --config-file "${python_pack
                       --cache-dir "${python_work}/mypy" "${python_package}/bempd")
 set_tests_properties(bindings.python_types PROPERTIES LABELS delivery)
 
-bempd_add_python_test(package.python_wheel "${CMAKE_CURRENT_SOURCE_DIR}/python_wheel.py" "${PROJECT_SOURCE_DIR}"
+bempd_add_python_test(package.python_wheel "${PROJECT_SOURCE_DIR}/tests/package/python_wheel.py" "${PROJECT_SOURCE_DIR}"
                       "${python_work}/wheel")
 set_tests_properties(package.python_wheel PROPERTIES LABELS delivery)

@@ -48,6 +48,6 @@ if(BEMPD_INSTALL)
   bempd_add_rust_test(package.cargo "${CMAKE_COMMAND}" -E env ${rust_environment} "${CMAKE_COMMAND}"
     -D "CARGO=${BEMPD_CARGO}" -D "WORK_DIR=${rust_build}/with space" -D "BUILD_DIR=${PROJECT_BINARY_DIR}"
     -D "LIBDIR=${CMAKE_INSTALL_LIBDIR}" -D "CRATES=${rust_source}" -D "VERSION=${PROJECT_VERSION}"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/rust/package.cmake")
+    -P "${PROJECT_SOURCE_DIR}/tests/package/cargo.cmake")
   set_tests_properties(package.cargo PROPERTIES LABELS delivery)
 endif()

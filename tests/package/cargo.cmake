@@ -5,8 +5,8 @@ execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
 set(consumer "${WORK_DIR}/consumer")
-file(COPY "${CMAKE_CURRENT_LIST_DIR}/consumer/" DESTINATION "${consumer}" PATTERN "*.in" EXCLUDE)
-configure_file("${CMAKE_CURRENT_LIST_DIR}/consumer/Cargo.toml.in" "${consumer}/Cargo.toml" @ONLY)
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/cargo_consumer/" DESTINATION "${consumer}" PATTERN "*.in" EXCLUDE)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/cargo_consumer/Cargo.toml.in" "${consumer}/Cargo.toml" @ONLY)
 
 foreach(name BEMPD_LIB_DIR LD_LIBRARY_PATH PKG_CONFIG_LIBDIR)
   unset(ENV{${name}})
