@@ -6,6 +6,7 @@
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
+#include "linalg/machine_rates.hpp"
 #include "model/incompressible.hpp"
 #include "model/initial_cracks.hpp"
 #include "stopwatch.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 // Reciprocal condition that leaves displacements three or four digits.
 constexpr double poor_condition = 1e-12;
+
+// Systems that take long enough for the rate of the BLAS to matter, and for the milliseconds of measuring it not to.
+constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
 
 // "region 2" or "regions 1 and 3": those that have any of the nodes.
 std::string regions_with(const Discretization& d, const std::vector<int>& nodes) {
@@ -85,6 +89,7 @@ void Model::prepare() {
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
   log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->bonds().size(),
               " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
+  if (log_ && prepared_->system->counters().sparse_unknowns > unknowns_that_need_a_fast_blas) warn_of_blas();
 }
 
 const PreparedScene& Model::prepared() {
@@ -101,6 +106,20 @@ void Model::ensure_equilibrium() {
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
+  }
+}
+
+void Model::warn_of_blas() const {
+  const linalg::MachineRates& rates = linalg::machine_rates();
+  const auto billions = [](double rate) { return std::round(rate / 1e8) / 10; };
+  const std::string measured = text("the BLAS multiplies matrices at ", billions(rates.matrix_product),
+                                    " GFlop/s where one core computes at ", billions(rates.arithmetic));
+  if (linalg::blas_misses_the_processor(rates)) {
+    log(1, measured +
+               "; it may take the processor for an older one: use another BLAS, or name the kind to it "
+               "(OpenBLAS reads OPENBLAS_CORETYPE, for instance Haswell)");
+  } else {
+    log(3, measured);
   }
 }
 

@@ -116,6 +116,7 @@ class Model {
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void ensure_equilibrium();
   void warn_of_condition();
+  void warn_of_blas() const;
   void reload();
   void check_mechanism(const PreparedScene& prepared) const;
   FieldValues compute_field(int region, Field field);

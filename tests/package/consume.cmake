@@ -62,10 +62,4 @@ elseif(WAY MATCHES "^fortran_")
   if((WAY STREQUAL "fortran_modules" AND compiled) OR (WAY STREQUAL "fortran_sources" AND NOT compiled))
     message(FATAL_ERROR "${WAY}: compiled in the host: '${compiled}'")
   endif()
-elseif(WAY STREQUAL "fetch_content")
-  # Unoptimized: what is tested is that it builds inside another project, not how fast it runs.
-  run(${configure} "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}" "-DBEMPD_SOURCE_DIR=${SOURCE_DIR}" -DCMAKE_BUILD_TYPE=None
-      "-DBEMPD_LINALG=${LINALG}")
-  run("${CMAKE_COMMAND}" --build "${consumer_build}" --target consumer)
-  run_consumer()
 endif()

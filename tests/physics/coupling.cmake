@@ -6,6 +6,15 @@ function(bempd_add_host_test name)
   bempd_relax_sanitizers(${name})
   target_precompile_headers(${name} REUSE_FROM bempd_host_test_headers)
   add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS host)
+  add_dependencies(host_tests ${name})
+endfunction()
+
+# Cracks take ten times as long with the permissive backend and under sanitizers: there only the cases of this filter run.
+function(bempd_shorten_host_test name filter)
+  if(NOT BEMPD_LINALG STREQUAL "suitesparse" OR CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "GTEST_FILTER=${filter}")
+  endif()
 endfunction()
 
 if(TARGET bempd)

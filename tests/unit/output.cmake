@@ -12,6 +12,6 @@ if(BEMPD_MESHIO_PYTHON)
                    "$<TARGET_FILE:output_samples>")
   add_test(NAME output_plot_test
            COMMAND "${BEMPD_MESHIO_PYTHON}" -B "${CMAKE_CURRENT_SOURCE_DIR}/output_plot_test.py"
-                   "$<TARGET_FILE:output_crack_samples>" "${CMAKE_SOURCE_DIR}/examples")
+                   "$<TARGET_FILE:output_crack_samples>" "${PROJECT_SOURCE_DIR}/examples")
   set_tests_properties(output_meshio_test output_plot_test PROPERTIES SKIP_RETURN_CODE 77)
 endif()
