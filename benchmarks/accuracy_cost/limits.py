@@ -15,7 +15,7 @@ ROUNDS = 3
 
 def kernel_rates() -> dict[str, float]:
     """Pairs of points per second: in a bare loop, and in the integrals over pairs of elements (kernel_rate.cpp)."""
-    output = subprocess.run([os.environ["BEMPD_KERNEL_RATE"], "--benchmark_format=json"], check=True,
+    output = subprocess.run([os.path.join(os.environ["BEMPD_BENCHMARKS"], "bempd_kernel_rate"), "--benchmark_format=json"], check=True,
                             capture_output=True, text=True).stdout
     return {entry["name"].split("/")[0]: entry["items_per_second"] for entry in json.loads(output)["benchmarks"]}
 

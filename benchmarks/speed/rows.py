@@ -12,7 +12,7 @@ from typing import Any
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-OUT = pathlib.Path("out/speed")
+OUT = pathlib.Path(os.environ["BEMPD_OUTPUT"])
 SECONDS_ALLOWED = 900
 
 # One core for everybody.

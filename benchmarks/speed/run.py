@@ -1,13 +1,14 @@
 """The speed table: what a whole crack run costs, over one elastic solve of the same scene and over other programs.
 
-    /usr/bin/python3 run.py [--full] [--repeats N] [--only PART,...] [--peers FOLDER]
+    benchmarks/run.sh speed [--full] [--repeats N] [--only PART,...] [--with-peers]
 
 Parts: paper, plate, cracks, elastic, stages, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and, after
-plate and peers, docs/speed.png. FOLDER holds bempd_explicit_pd (target of the same name). One core, one process a row."""
+plate and peers, docs/speed.png. One core, one process a row."""
 
 from __future__ import annotations
 
 import argparse
+import os
 import pathlib
 import sys
 from typing import Any
@@ -61,7 +62,7 @@ def main() -> None:
     parser.add_argument("--full", action="store_true")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--only", default=",".join(PARTS))
-    parser.add_argument("--peers", type=pathlib.Path, default=pathlib.Path("build/ci/benchmarks"))
+    parser.set_defaults(peers=pathlib.Path(os.environ["BEMPD_BENCHMARKS"]))
     arguments = parser.parse_args()
     wanted = arguments.only.split(",")
     if unknown := set(wanted) - set(PARTS):
