@@ -104,9 +104,9 @@ class Assembler {
         // Trace part 1/2 of e e^T: a product of integrals here, nothing in the closed loops of D.
         const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
         operators.single_layer.block<2, 2>(2 * y.traction_nodes[b], 2 * x.traction_nodes[a]) +=
-            single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][a][b], m.mass[1][a][b], m.mass[2][a][b]);
+            single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][b][a], m.mass[1][b][a], m.mass[2][b][a]);
         operators.hypersingular.block<2, 2>(2 * y.nodes[b], 2 * x.nodes[a]) +=
-            hyper * symmetric_block(-m.derivative[0][a][b], m.derivative[1][a][b], m.derivative[2][a][b]);
+            hyper * symmetric_block(-m.derivative[0][b][a], m.derivative[1][b][a], m.derivative[2][b][a]);
       }
   }
 
@@ -117,9 +117,9 @@ class Assembler {
       for (int b = 0; b < 6; ++b) {
         const int node = b < 3 ? y.nodes[b] : x.nodes[b - 3];
         const auto& moment = m.double_layer;
-        const double rotation = (1 - 2 * nu_) * moment[1][a][b];
+        const double rotation = (1 - 2 * nu_) * moment[1][b][a];
         Eigen::Matrix2d transposed =
-            symmetric_block((2 - 2 * nu_) * moment[0][a][b], 2 * moment[2][a][b], 2 * moment[3][a][b]);
+            symmetric_block((2 - 2 * nu_) * moment[0][b][a], 2 * moment[2][b][a], 2 * moment[3][b][a]);
         transposed(1, 0) += rotation;
         transposed(0, 1) -= rotation;
         operators.double_layer.block<2, 2>(2 * node, 2 * x.traction_nodes[a]) += factor * transposed;
