@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <numbers>
@@ -53,9 +52,9 @@ template <int count>
   // An integer below 2^52 written into the mantissa of 2^52 is added to it.
   constexpr std::uint64_t two_to_52 = 0x4330000000000000;
   constexpr double exponent_offset = 4503599627370496.0 + 1023;
-  const Bits shifted = std::bit_cast<Bits>(x) + (one - root_of_half);
-  const Values exponent = std::bit_cast<Values>(shifted >> 52 | two_to_52) - exponent_offset;
-  const Values m = std::bit_cast<Values>((shifted & mantissa) + root_of_half);
+  const Bits shifted = reinterpret_cast<Bits>(x) + (one - root_of_half);
+  const Values exponent = reinterpret_cast<Values>(shifted >> 52 | two_to_52) - exponent_offset;
+  const Values m = reinterpret_cast<Values>((shifted & mantissa) + root_of_half);
   const Values above = m + 1, both = 1 / (x * above);
   const Values s = (m - 1) * (x * both), square = s * s;
   // Odd and even powers side by side: they do not wait for each other.
