@@ -1,5 +1,6 @@
 #include "bem/galerkin_operator.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <numbers>
@@ -133,15 +134,23 @@ class Assembler {
   std::vector<std::array<double, 3>> node_lengths_;
 };
 
+// Visits the lower triangle by square tiles, so that the rows of a tile and its columns both stay in the cache.
+template <class Visit>
+void each_in_lower(Eigen::Index size, const Visit& visit) {
+  constexpr Eigen::Index tile = 32;
+  for (Eigen::Index column = 0; column < size; column += tile)
+    for (Eigen::Index row = column; row < size; row += tile)
+      for (Eigen::Index j = column; j < std::min(column + tile, size); ++j)
+        for (Eigen::Index i = std::max(row, j); i < std::min(row + tile, size); ++i) visit(i, j);
+}
+
 // Lower triangle of a + a^T, in place.
 void complete_lower(Eigen::MatrixXd& a) {
-  for (Eigen::Index j = 0; j < a.cols(); ++j)
-    for (Eigen::Index i = j; i < a.rows(); ++i) a(i, j) += a(j, i);
+  each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(i, j) += a(j, i); });
 }
 
 void copy_lower_to_upper(Eigen::MatrixXd& a) {
-  for (Eigen::Index j = 0; j < a.cols(); ++j)
-    for (Eigen::Index i = 0; i < j; ++i) a(i, j) = a(j, i);
+  each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(j, i) = a(i, j); });
 }
 
 }  // namespace
