@@ -27,6 +27,11 @@ void fill_points(const ElementGeometry& element, const Interval& interval, int p
       points.derivative[k][p] = slope[k] * weight;
     }
   }
+  for (int p = point_count; p < max_regular_points; ++p) {
+    points.x[p] = points.x[0];
+    points.y[p] = points.y[0];
+    for (auto& shape : points.shape) shape[p] = 0;
+  }
 }
 
 ScaledBoundary::ScaledBoundary(const BoundaryMesh& mesh) {

@@ -13,7 +13,7 @@ namespace bempd::bem {
 struct ElementPoints {
   using Values = std::array<double, max_regular_points>;
   int count = 0;
-  Values x, y;                       // position
+  Values x, y;                       // position; behind the last point the first one again, for whole vectors
   Values normal_x, normal_y;         // outward normal * Jacobian * weight
   std::array<Values, 3> shape;       // N_k
   std::array<Values, 3> mass;        // N_k * Jacobian * weight

@@ -1,5 +1,6 @@
 #include "bem/galerkin_operator.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <numbers>
@@ -104,9 +105,9 @@ class Assembler {
         // Trace part 1/2 of e e^T: a product of integrals here, nothing in the closed loops of D.
         const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
         operators.single_layer.block<2, 2>(2 * y.traction_nodes[b], 2 * x.traction_nodes[a]) +=
-            single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][a][b], m.mass[1][a][b], m.mass[2][a][b]);
+            single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][b][a], m.mass[1][b][a], m.mass[2][b][a]);
         operators.hypersingular.block<2, 2>(2 * y.nodes[b], 2 * x.nodes[a]) +=
-            hyper * symmetric_block(-m.derivative[0][a][b], m.derivative[1][a][b], m.derivative[2][a][b]);
+            hyper * symmetric_block(-m.derivative[0][b][a], m.derivative[1][b][a], m.derivative[2][b][a]);
       }
   }
 
@@ -117,9 +118,9 @@ class Assembler {
       for (int b = 0; b < 6; ++b) {
         const int node = b < 3 ? y.nodes[b] : x.nodes[b - 3];
         const auto& moment = m.double_layer;
-        const double rotation = (1 - 2 * nu_) * moment[1][a][b];
+        const double rotation = (1 - 2 * nu_) * moment[1][b][a];
         Eigen::Matrix2d transposed =
-            symmetric_block((2 - 2 * nu_) * moment[0][a][b], 2 * moment[2][a][b], 2 * moment[3][a][b]);
+            symmetric_block((2 - 2 * nu_) * moment[0][b][a], 2 * moment[2][b][a], 2 * moment[3][b][a]);
         transposed(1, 0) += rotation;
         transposed(0, 1) -= rotation;
         operators.double_layer.block<2, 2>(2 * node, 2 * x.traction_nodes[a]) += factor * transposed;
@@ -133,15 +134,23 @@ class Assembler {
   std::vector<std::array<double, 3>> node_lengths_;
 };
 
+// Visits the lower triangle by square tiles, so that the rows of a tile and its columns both stay in the cache.
+template <class Visit>
+void each_in_lower(Eigen::Index size, const Visit& visit) {
+  constexpr Eigen::Index tile = 32;
+  for (Eigen::Index column = 0; column < size; column += tile)
+    for (Eigen::Index row = column; row < size; row += tile)
+      for (Eigen::Index j = column; j < std::min(column + tile, size); ++j)
+        for (Eigen::Index i = std::max(row, j); i < std::min(row + tile, size); ++i) visit(i, j);
+}
+
 // Lower triangle of a + a^T, in place.
 void complete_lower(Eigen::MatrixXd& a) {
-  for (Eigen::Index j = 0; j < a.cols(); ++j)
-    for (Eigen::Index i = j; i < a.rows(); ++i) a(i, j) += a(j, i);
+  each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(i, j) += a(j, i); });
 }
 
 void copy_lower_to_upper(Eigen::MatrixXd& a) {
-  for (Eigen::Index j = 0; j < a.cols(); ++j)
-    for (Eigen::Index i = 0; i < j; ++i) a(i, j) = a(j, i);
+  each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(j, i) = a(i, j); });
 }
 
 }  // namespace

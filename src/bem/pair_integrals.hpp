@@ -8,16 +8,20 @@
 
 namespace bempd::bem {
 
+// Three nodes in whole vectors.
+inline constexpr int padded_nodes = 4;
+
 // Double integrals over a pair of elements, x on `outer` and y on `inner`, r = y - x, from which the Galerkin blocks
 // of every operator follow. With e = r / |r| = (cos, sin) the kernels are
 //   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (e e^T without its trace part),
 //   double layer:     (e . n) / r, (n x e) / r, and the first one times the last two of the line above,
 // n being the normal at y.
 struct PairMoments {
-  using Block = std::array<std::array<double, 3>, 3>;      // [outer node][inner node]
-  using WideBlock = std::array<std::array<double, 6>, 3>;  // [outer node][inner nodes, then outer nodes]
-  std::array<Block, 3> mass{};                             // times N_a(x) N_b(y), per length
-  std::array<Block, 3> derivative{};                       // times N_a'(xi) N_b'(eta), per parameter
+  using Column = std::array<double, padded_nodes>;  // outer nodes
+  using Block = std::array<Column, 3>;              // inner nodes
+  using WideBlock = std::array<Column, 6>;          // inner nodes, then outer nodes
+  std::array<Block, 3> mass{};                      // times N_a(x) N_b(y), per length
+  std::array<Block, 3> derivative{};                // times N_a'(xi) N_b'(eta), per parameter
   std::array<WideBlock, 4> double_layer{};  // times N_a(x) (N_b(y) - N_b(x)); the second half holds the terms in N_b(x)
   std::int64_t evaluations = 0;             // point pairs at which kernels were evaluated
 };
@@ -42,13 +46,24 @@ class PairIntegrator {
     int element;
     Interval interval;
   };
-  void apart(const Side& outer, const Side& inner, PairPart part, int depth, PairMoments& moments) const;
+  // A side, with what the choice of its rule depends on.
+  struct Stretch {
+    Side side;
+    std::array<Point, 3> sample;  // ends and middle
+    double half_length;
+    int shape_rule;  // the least rule on account of the element's own functions
+    bool straight;
+  };
+  Stretch stretch(const Side& side) const;
+  void apart(const Stretch& outer, const Stretch& inner, PairPart part, int depth, PairMoments& moments) const;
   void touching(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
   void same(int element, PairMoments& moments) const;
   const ElementPoints& points(const Side& side, int rule, ElementPoints& scratch) const;
 
   std::vector<ElementGeometry> elements_;
   double tolerance_;
+  RegularRules rules_;
+  std::vector<Stretch> whole_stretches_;
   std::vector<std::array<ElementPoints, regular_point_counts.size()>> whole_;  // tables for whole elements
 };
 

@@ -77,4 +77,12 @@ int regular_rule(int points_needed) {
   return index;
 }
 
+RegularRules::RegularRules(double tolerance) {
+  for (std::size_t rule = 0; rule < least_sum_.size(); ++rule) {
+    // rho^(-2 (n - 1)) = tolerance, and the sum of the distances is rho + 1 / rho.
+    const double ellipse = std::pow(tolerance, -0.5 / (regular_point_counts[rule] - 1));
+    least_sum_[rule] = ellipse + 1 / ellipse;
+  }
+}
+
 }  // namespace bempd::bem

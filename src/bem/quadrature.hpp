@@ -30,4 +30,19 @@ inline constexpr int max_regular_points = 16;
 // Index into `regular_point_counts`; `regular_point_counts.size()` when even the largest is too small.
 int regular_rule(int points_needed);
 
+// The same for the points that gauss_points_needed() tells, without a logarithm for every integral.
+class RegularRules {
+ public:
+  explicit RegularRules(double tolerance);
+  // The argument is that of ellipse_size().
+  int rule(double sum_of_distances) const {
+    int index = 0;
+    while (index < static_cast<int>(least_sum_.size()) && sum_of_distances < least_sum_[index]) ++index;
+    return index;
+  }
+
+ private:
+  std::array<double, regular_point_counts.size()> least_sum_;
+};
+
 }  // namespace bempd::bem

@@ -31,8 +31,8 @@ void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMom
   for (int c = 0; c < 3; ++c)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
-        moments.mass[c][a][b] += kernels[c] * jacobians * outer_shape[a] * inner_shape[b];
-        moments.derivative[c][a][b] += kernels[c] * outer_slope[a] * inner_slope[b];
+        moments.mass[c][b][a] += kernels[c] * jacobians * outer_shape[a] * inner_shape[b];
+        moments.derivative[c][b][a] += kernels[c] * outer_slope[a] * inner_slope[b];
       }
 }
 
@@ -51,7 +51,7 @@ void add_point(const PointPair& p, bool weak, PairMoments& moments) {
   for (int c = 0; c < 4; ++c)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 6; ++b)
-        moments.double_layer[c][a][b] += weight * kernels[c] * outer_shape[a] * p.difference[b];
+        moments.double_layer[c][b][a] += weight * kernels[c] * outer_shape[a] * p.difference[b];
 }
 
 // Polynomials of straight elements reach degree five in the radius; curved ones need more, having sines or Jacobians

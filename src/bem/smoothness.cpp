@@ -4,8 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include "bem/quadrature.hpp"
-
 namespace bempd::bem {
 
 namespace {
@@ -36,11 +34,11 @@ void add_angles(const ElementGeometry& arc, const Point& x, Singularities& s) {
 
 }  // namespace
 
-double Singularities::ellipse(const Interval& interval) const {
+double Singularities::sum_of_distances(const Interval& interval) const {
   double closest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count_; ++i)
     closest = std::min(closest, std::abs(at_[i] - interval.from) + std::abs(at_[i] - interval.to));
-  return ellipse_size(2 * closest / std::abs(interval.to - interval.from));
+  return 2 * closest / std::abs(interval.to - interval.from);
 }
 
 Singularities singularities_from(const ElementGeometry& element, const Point& x) {

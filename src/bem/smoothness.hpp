@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "bem/element_geometry.hpp"
+#include "bem/quadrature.hpp"
 
 namespace bempd::bem {
 
@@ -12,8 +13,11 @@ class Singularities {
  public:
   void add(std::complex<double> xi) { at_[count_++] = xi; }
 
-  // Size of the ellipse around the interval in which the integrand is analytic; infinite without singularities.
-  double ellipse(const Interval& interval) const;
+  // Distances of the nearest one from the ends of the interval, added, where the interval has the length 2; infinite
+  // without singularities.
+  double sum_of_distances(const Interval& interval) const;
+  // Size of the ellipse around the interval in which the integrand is analytic.
+  double ellipse(const Interval& interval) const { return ellipse_size(sum_of_distances(interval)); }
 
  private:
   std::array<std::complex<double>, 4> at_;

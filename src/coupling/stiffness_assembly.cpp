@@ -111,6 +111,22 @@ int StiffnessAssembly::place(int row, int column) const {
   return static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
 }
 
+// Both rows stand side by side in both columns, and these are alike below the diagonal block: one search finds all
+// four.
+void StiffnessAssembly::find_block(int row_node, int column_node, int* places) const {
+  const int row_x = unknown_of_[2 * row_node], row_y = unknown_of_[2 * row_node + 1];
+  int below = -1;  // entries from the block's to the end of a column
+  for (int c = 0; c < 2; ++c) {
+    const int column = unknown_of_[2 * column_node + c];
+    if (column < 0) continue;
+    const int end = matrix_.outerIndexPtr()[column + 1];
+    if (below < 0) below = end - place(row_x >= 0 ? row_x : row_y, column);
+    int at = end - below;
+    if (row_x >= 0) places[c] = at++;
+    if (row_y >= 0) places[2 + c] = at;
+  }
+}
+
 void StiffnessAssembly::find_places() {
   const int entries = symmetric_ ? 4 : 8;
   bond_places_.assign(entries * bonds_.size(), -1);
@@ -118,13 +134,8 @@ void StiffnessAssembly::find_places() {
     if (is_tied(b)) continue;
     const int low = std::min(bonds_.first[b], bonds_.second[b]), high = std::max(bonds_.first[b], bonds_.second[b]);
     int* places = bond_places_.data() + entries * b;
-    for (int r = 0; r < 2; ++r) {
-      for (int c = 0; c < 2; ++c) {
-        const int in_low = unknown_of_[2 * low + c], in_high = unknown_of_[2 * high + r];
-        places[2 * r + c] = place(in_high, in_low);
-        if (!symmetric_) places[4 + 2 * r + c] = place(in_low, in_high);
-      }
-    }
+    find_block(high, low, places);
+    if (!symmetric_) find_block(low, high, places + 4);
   }
 }
 

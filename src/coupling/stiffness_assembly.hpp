@@ -38,6 +38,7 @@ class StiffnessAssembly {
   int place(int row, int column) const;  // -1: in the triangle left out
   void add(int row, int column, double value);
   void find_places();
+  void find_block(int row_node, int column_node, int* places) const;
   void add_tied_bond(std::size_t bond, double stiffness);
 
   const std::vector<int>& unknown_of_;

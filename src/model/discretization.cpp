@@ -117,11 +117,11 @@ void tie_lattice_points(const BoundaryPart& part, int panel, const LatticePart& 
   }
 }
 
-void add_lattice(const Scene& scene, int id, Discretization& d, NodeRegistry& registry) {
+void add_lattice(const Scene& scene, int id, Discretization& d, NodeRegistry& registry, int threads) {
   const Region& region = scene.region(id);
   LatticePart part = make_lattice_part(id, region, d.formulation, interface_nodes(d.boundaries, id));
   number_nodes(part, shared_points(scene, d, part), registry);
-  part.network = network_of(part, d.lattices, scene, d.formulation);
+  part.network = network_of(part, d.lattices, scene, d.formulation, threads);
   add_bonds(part, region, scene.material(region.material), d.formulation, d.bonds, d.critical_stretch);
   if (part.network->reduced) {
     d.warnings.push_back(text("region ", id, " has a shape for which no network of positive bonds with horizon ratio ",
@@ -191,7 +191,7 @@ Discretization discretize(const Scene& scene, const Options& options) {
   for (int id = 1; id <= region_count; ++id) {
     const Stopwatch watch(is_lattice(id) ? d.seconds_lattice : d.seconds_boundary);
     if (is_lattice(id)) {
-      add_lattice(scene, id, d, registry);
+      add_lattice(scene, id, d, registry, options.whole_number("threads"));
       continue;
     }
     BoundaryPart& part = d.boundaries[boundary];

@@ -96,7 +96,7 @@ void number_nodes(LatticePart& part, const std::vector<char>& is_shared, NodeReg
 }
 
 std::shared_ptr<const pd::Network> network_of(const LatticePart& part, std::span<const LatticePart> built,
-                                              const Scene& scene, const Formulation& formulation) {
+                                              const Scene& scene, const Formulation& formulation, int threads) {
   const Region& region = scene.region(part.region);
   const PlaneElasticity& elasticity = scene.material(region.material).elasticity;
   for (const LatticePart& other : built) {
@@ -110,7 +110,7 @@ std::shared_ptr<const pd::Network> network_of(const LatticePart& part, std::span
   return std::make_shared<const pd::Network>(
       formulation.paper ? pd::build_uncorrected_network(part.points, part.volumes, faces_in_grid(part),
                                                         region.horizon_ratio, elasticity)
-                        : pd::build_network(*part.lattice, region.horizon_ratio, elasticity));
+                        : pd::build_network(*part.lattice, region.horizon_ratio, elasticity, threads));
 }
 
 void add_bonds(LatticePart& part, const Region& region, const Material& material, const Formulation& formulation,

@@ -57,7 +57,7 @@ void number_nodes(LatticePart& part, const std::vector<char>& is_shared, NodeReg
 
 // Bonds of the part: those of one of the parts built before if they differ by a translation or the spacing only.
 std::shared_ptr<const pd::Network> network_of(const LatticePart& part, std::span<const LatticePart> built,
-                                              const Scene& scene, const Formulation& formulation);
+                                              const Scene& scene, const Formulation& formulation, int threads);
 
 // Adds the bonds to the scene's and their critical stretches.
 void add_bonds(LatticePart& part, const Region& region, const Material& material, const Formulation& formulation,

@@ -128,8 +128,7 @@ CongruentClusters find_congruent(const CellLattice& lattice, const std::vector<V
 
 int find_bond(const DraftBonds& bonds, int first, int second) {
   if (first > second) std::swap(first, second);
-  const auto begin = std::lower_bound(bonds.first.begin(), bonds.first.end(), first) - bonds.first.begin();
-  const auto end = std::upper_bound(bonds.first.begin() + begin, bonds.first.end(), first) - bonds.first.begin();
+  const int begin = bonds.start[first], end = bonds.start[first + 1];
   const auto at =
       std::lower_bound(bonds.second.begin() + begin, bonds.second.begin() + end, second) - bonds.second.begin();
   return at < end && bonds.second[at] == second ? static_cast<int>(at) : -1;

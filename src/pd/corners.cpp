@@ -175,7 +175,7 @@ std::vector<Vector4d> missing_moments(const CellLattice& lattice, const CellGrid
 }
 
 CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
-                           DraftBonds& bonds) {
+                           DraftBonds& bonds, int threads) {
   std::vector<Vector4d> missing = missing_moments(lattice, cells, templates.family, bonds);
   const std::vector<std::uint8_t> near = adjustable_points(lattice, cells, templates.horizon_ratio, missing);
   std::vector<int> free;
@@ -185,7 +185,7 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
   const std::vector<std::vector<int>> clusters = clusters_of(bonds, free, lattice.point_count());
   const CongruentClusters congruent = find_congruent(lattice, missing, bonds, clusters);
   std::vector<LeastChangeResult> results(clusters.size());
-  parallel_for(congruent.originals.size(), 0, [&](std::size_t k) {
+  parallel_for(congruent.originals.size(), threads, [&](std::size_t k) {
     const int c = congruent.originals[k];
     results[c] = solve_least_change(cluster_problem(templates.family, missing, bonds, clusters[c]));
   });

@@ -10,7 +10,8 @@ namespace bempd::pd {
 
 // Bonds during set-up, for C1111 = thickness = 1.
 struct DraftBonds {
-  std::vector<int> first, second;
+  std::vector<int> first, second;  // sorted
+  std::vector<int> start;          // of a point's bonds to points with larger numbers, and the end of the last ones
   std::vector<std::uint16_t> offset;
   std::vector<double> stiffness;
   std::vector<std::uint8_t> adjustable;  // 0: not a bond of the thick part
@@ -26,8 +27,9 @@ struct CornerReport {
   bool positive = true;
 };
 
-// Changes stiffnesses around corners as little as possible so that no point lacks anything.
+// Changes stiffnesses around corners as little as possible so that no point lacks anything. `threads`: 0 for one a
+// core; the result does not depend on it.
 CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
-                           DraftBonds& bonds);
+                           DraftBonds& bonds, int threads);
 
 }  // namespace bempd::pd

@@ -15,6 +15,9 @@ namespace {
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
+// Residual that no further round can improve, for stiffnesses and equations of order one.
+constexpr double rounding = 5e-16;
+
 // Shortest x = B^T lambda with B x = r, for a consistent right-hand side.
 class MinimumNormSolver {
  public:
@@ -63,8 +66,9 @@ class SparseSolver final : public MinimumNormSolver {
     Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
     VectorXd z = precondition(r), p = z;
     double rz = r.dot(z);
-    // One round need not be exact: the next one starts from the residual recomputed from the stiffnesses.
-    const double goal = 1e-5 * r.lpNorm<Eigen::Infinity>();
+    // One round need not be exact: the next one starts from the residual recomputed from the stiffnesses. Nor can it be
+    // more exact than that is.
+    const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
     for (int step = 0; step < 100 && rz > 0; ++step) {
       const VectorXd q = bt_ * p;
       const double alpha = rz / q.squaredNorm();
@@ -91,9 +95,6 @@ class SparseSolver final : public MinimumNormSolver {
   Sparse b_, bt_;
   Eigen::SimplicialLDLT<Sparse> factor_;
 };
-
-// Residual that no further round can improve, for stiffnesses and equations of order one.
-constexpr double rounding = 5e-16;
 
 double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 

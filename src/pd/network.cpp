@@ -81,6 +81,7 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
   for (int i = 0; i < lattice.point_count(); ++i) {
     const Vector2i p = lattice.point(i), deep(2 * m, 2 * m), near(m - 1, m - 1);
     const bool bulk = cells.filled(p - deep, p + deep);
+    bonds.start.push_back(static_cast<int>(bonds.first.size()));
     const bool clear = bulk || cells.filled(p - near, p + near);
     for (std::size_t o = 0; o < templates.family.size(); ++o) {
       const BondOffset& offset = templates.family[o];
@@ -95,6 +96,7 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
       }
     }
   }
+  bonds.start.push_back(static_cast<int>(bonds.first.size()));
   return bonds;
 }
 
@@ -144,7 +146,7 @@ Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family
 
 }  // namespace
 
-Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity) {
+Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads) {
   assert(horizon_ratio >= 2 && horizon_ratio <= 8);
   assert(std::abs(elasticity.c12() * 3 - elasticity.c11()) < 1e-9 * elasticity.c11());
   if (horizon_ratio > 2) {
@@ -153,7 +155,7 @@ Network build_network(const CellLattice& lattice, int horizon_ratio, const Plane
     remove_thin_cells(lattice, thick);
     thick.finish(3 * horizon_ratio);
     DraftBonds bonds = draft_bonds(lattice, thick, templates);
-    const CornerReport corners = close_corners(lattice, thick, templates, bonds);
+    const CornerReport corners = close_corners(lattice, thick, templates, bonds, threads);
     if (corners.positive && corners.residual < 1e-10) {
       add_thin_cells(lattice, thick, templates.family, bonds);
       Network network = finish(lattice, templates.family, bonds, elasticity);

@@ -30,7 +30,8 @@ struct Network {
 };
 
 // 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Poisson's ratio must be that of a
-// bond-based solid. Parts of the body one cell wide get the network of nearest neighbours.
-Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity);
+// bond-based solid. Parts of the body one cell wide get the network of nearest neighbours. `threads`: 0 for one a core.
+Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity,
+                      int threads = 0);
 
 }  // namespace bempd::pd

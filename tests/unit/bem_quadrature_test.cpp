@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bem/boundary_elements.hpp"
+#include "bem/lanes.hpp"
 #include "bem/pair_integrals.hpp"
 #include "bem/quadrature.hpp"
 
@@ -30,6 +31,24 @@ TEST(GaussRule, logarithmic_weights_are_exact_for_polynomials_below_the_point_co
       for (int i = 0; i < n; ++i) sum += rule.log_weights[i] * std::pow(rule.points[i], power);
       EXPECT_NEAR(sum, -1.0 / ((power + 1.0) * (power + 1.0)), 2e-15) << n << " points, power " << power;
     }
+  }
+}
+
+TEST(RegularRules, agree_with_the_point_count_estimate) {
+  for (const double tolerance : {1e-6, 1e-14}) {
+    const RegularRules rules(tolerance);
+    for (double sum = 2; sum < 1000; sum *= 1.003)
+      EXPECT_EQ(rules.rule(sum), regular_rule(gauss_points_needed(ellipse_size(sum), tolerance))) << sum;
+  }
+}
+
+TEST(Lanes, logarithm_and_inverse_are_right_to_the_last_places) {
+  using Values = Lanes<2>::Values;
+  for (double x = 1e-300; x < 1e300; x *= 1.37) {
+    const auto [half_logarithm, inverse] = half_logarithm_and_inverse<2>(Values{x, 1 + 1e-3 * std::sin(x)});
+    EXPECT_NEAR(half_logarithm[0], 0.5 * std::log(x), 4e-16 * std::abs(std::log(x))) << x;
+    EXPECT_NEAR(inverse[0] * x, 1, 6e-16) << x;
+    EXPECT_NEAR(half_logarithm[1], 0.5 * std::log1p(1e-3 * std::sin(x)), 1e-16) << x;
   }
 }
 
@@ -129,7 +148,7 @@ TEST(PairIntegrator, touching_elements_agree_with_their_halves) {
     // A test function that vanishes at the common end leaves the double layer of a constant integrable.
     for (int c = 0; c < 4; ++c) {
       const auto start = [c](const PairMoments& m) {
-        return m.double_layer[c][0][3] + m.double_layer[c][0][4];  // N_b(x) of the nodes apart from the common one
+        return m.double_layer[c][3][0] + m.double_layer[c][4][0];  // N_b(x) of the nodes apart from the common one
       };
       EXPECT_NEAR(start(whole), start(near) + start(far), 3e-14) << c << ", bulge " << bulge;
     }

@@ -1,0 +1,156 @@
+#include "bem/kernel_sums.hpp"
+
+// Functions that pass whole vectors are inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+#include "bem/lanes.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+enum Kernel { logarithm, cosine, sine, along, across, along_cosine, along_sine, kernel_count };
+constexpr int weak_count = 3, strong_count = 4;
+
+using Row = ElementPoints::Values;  // a value for every outer point
+
+// Kernels at all pairs of points, a row of outer points for every inner one.
+struct KernelTable {
+  alignas(64) Row at[kernel_count][max_regular_points];
+};
+
+// Functions of the outer element's nodes, side by side for every point.
+using NodeWeights = double[max_regular_points][padded_nodes];
+
+// All of it with a given number of lanes, so that it can be compiled for several instruction sets.
+template <int lanes>
+class Sums {
+ public:
+  using Values = typename Lanes<lanes>::Values;
+
+  [[gnu::always_inline]] static void add(const ElementPoints& outer, const ElementPoints& inner, bool weak,
+                                         PairMoments& moments) {
+    KernelTable table;
+    evaluate(outer, inner, table);
+    alignas(64) NodeWeights mass, derivative;
+    gather(outer.count, outer.mass, mass);
+    Row rows[6];
+    for (int k = 0; k < strong_count; ++k) {
+      sum_inner(outer.count, inner.count, table.at[weak_count + k], inner.shape, rows);
+      append_own_nodes(outer, rows);
+      sum_outer(outer.count, rows, mass, &moments.double_layer[k][0]);
+      sum_outer(outer.count, rows + 3, mass, &moments.double_layer[k][3]);
+    }
+    if (!weak) return;
+    gather(outer.count, outer.derivative, derivative);
+    for (int k = 0; k < weak_count; ++k) {
+      sum_inner(outer.count, inner.count, table.at[k], inner.mass, rows);
+      sum_outer(outer.count, rows, mass, moments.mass[k].data());
+      sum_inner(outer.count, inner.count, table.at[k], inner.derivative, rows);
+      sum_outer(outer.count, rows, derivative, moments.derivative[k].data());
+    }
+  }
+
+ private:
+  [[gnu::always_inline]] static void evaluate(const ElementPoints& outer, const ElementPoints& inner,
+                                              KernelTable& table) {
+    for (int q = 0; q < inner.count; ++q) {
+      const double nx = inner.normal_x[q], ny = inner.normal_y[q];
+      for (int p = 0; p < outer.count; p += lanes) {
+        const Values rx = inner.x[q] - load<Values>(&outer.x[p]), ry = inner.y[q] - load<Values>(&outer.y[p]);
+        const auto [ln, inverse] = half_logarithm_and_inverse<lanes>(rx * rx + ry * ry);
+        const Values x = rx * inverse, y = ry * inverse;
+        const Values c = 0.5 * (rx * x - ry * y), s = rx * y, a = nx * x + ny * y;
+        store(ln, &table.at[logarithm][q][p]);
+        store(c, &table.at[cosine][q][p]);
+        store(s, &table.at[sine][q][p]);
+        store(a, &table.at[along][q][p]);
+        store(Values(nx * y - ny * x), &table.at[across][q][p]);
+        store(Values(a * c), &table.at[along_cosine][q][p]);
+        store(Values(a * s), &table.at[along_sine][q][p]);
+      }
+    }
+  }
+
+  // Sums of the same vectors times three numbers each.
+  struct Three {
+    Values a{}, b{}, c{};
+    [[gnu::always_inline]] void add(double for_a, double for_b, double for_c, const Values& v) {
+      a += for_a * v;
+      b += for_b * v;
+      c += for_c * v;
+    }
+    [[gnu::always_inline]] void keep(Row* rows, int p) const {
+      store(a, &rows[0][p]);
+      store(b, &rows[1][p]);
+      store(c, &rows[2][p]);
+    }
+  };
+
+  // Adds over inner points three functions times the kernel: a row for each function.
+  [[gnu::always_inline]] static void sum_inner(int outer_count, int count, const Row (&kernel)[max_regular_points],
+                                               const std::array<Row, 3>& f, Row* rows) {
+    for (int p = 0; p < outer_count; p += 2 * lanes) {
+      Three near, far;
+      if (p + lanes < outer_count) {
+        for (int q = 0; q < count; ++q) {
+          near.add(f[0][q], f[1][q], f[2][q], load<Values>(&kernel[q][p]));
+          far.add(f[0][q], f[1][q], f[2][q], load<Values>(&kernel[q][p + lanes]));
+        }
+        far.keep(rows, p + lanes);
+      } else {
+        for (int q = 0; q < count; ++q) near.add(f[0][q], f[1][q], f[2][q], load<Values>(&kernel[q][p]));
+      }
+      near.keep(rows, p);
+    }
+  }
+
+  // The inner shape functions add to one, so that their sums add to that of the bare kernel, which goes with the outer
+  // shape functions.
+  [[gnu::always_inline]] static void append_own_nodes(const ElementPoints& outer, Row* rows) {
+    for (int p = 0; p < outer.count; p += lanes) {
+      const Values minus_bare = -(load<Values>(&rows[0][p]) + load<Values>(&rows[1][p]) + load<Values>(&rows[2][p]));
+      for (int b = 0; b < 3; ++b) store(Values(minus_bare * load<Values>(&outer.shape[b][p])), &rows[3 + b][p]);
+    }
+  }
+
+  [[gnu::always_inline]] static void gather(int count, const std::array<Row, 3>& functions, NodeWeights& weights) {
+    for (int p = 0; p < count; ++p) {
+      double* weight = weights[p];
+      weight[0] = functions[0][p], weight[1] = functions[1][p], weight[2] = functions[2][p], weight[3] = 0;
+    }
+  }
+
+  // Adds over outer points three rows times the functions of the outer nodes: a column for each row.
+  [[gnu::always_inline]] static void sum_outer(int count, const Row* rows, const NodeWeights& weights,
+                                               PairMoments::Column* columns) {
+    for (int node = 0; node < padded_nodes; node += lanes) {
+      Three sum;
+      for (int p = 0; p < count; ++p) sum.add(rows[0][p], rows[1][p], rows[2][p], load<Values>(&weights[p][node]));
+      store(Values(load<Values>(&columns[0][node]) + sum.a), &columns[0][node]);
+      store(Values(load<Values>(&columns[1][node]) + sum.b), &columns[1][node]);
+      store(Values(load<Values>(&columns[2][node]) + sum.c), &columns[2][node]);
+    }
+  }
+};
+
+#if defined(__x86_64__)
+[[gnu::target("avx2,fma")]] void add_with_avx2(const ElementPoints& outer, const ElementPoints& inner, bool weak,
+                                               PairMoments& moments) {
+  Sums<4>::add(outer, inner, weak, moments);
+}
+const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
+
+}  // namespace
+
+void add_kernel_sums(const ElementPoints& outer, const ElementPoints& inner, PairPart part, PairMoments& moments) {
+  const bool weak = part == PairPart::everything;
+  moments.evaluations += static_cast<std::int64_t>(outer.count) * inner.count;
+#if defined(__x86_64__)
+  if (has_avx2) return add_with_avx2(outer, inner, weak, moments);
+#endif
+  Sums<2>::add(outer, inner, weak, moments);
+}
+
+}  // namespace bempd::bem
