@@ -91,11 +91,13 @@ def square(model: bempd.Model, elements: int) -> None:
 
 def clamped(model: bempd.Model, name: str, element_length: float) -> None:
     """An elastic plate of benchmarks/accuracy_cost."""
-    ACCURACY_SCENES[name].build(model, {"element_length": element_length})
+    scene = ACCURACY_SCENES[name]
+    scene.build(model, scene.knobs | {"element_length": element_length})
 
 
 def clamped_error(model: bempd.Model, name: str, element_length: float) -> float:
-    return float(ACCURACY_SCENES[name].error(model, {"element_length": element_length}))
+    scene = ACCURACY_SCENES[name]
+    return float(scene.error(model, scene.knobs | {"element_length": element_length}))
 
 
 SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack, "square": square,
