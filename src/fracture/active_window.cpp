@@ -14,7 +14,7 @@ namespace {
 constexpr double smallest_pivot = 1e-7;
 
 // Columns collected before they are added to F: enough for a fast product, few enough to be cheap to carry along.
-const Eigen::Index most_pending = 96;
+constexpr Eigen::Index most_pending = 96;
 
 // Of a triangular factor, whose product with itself leaves out the rows above them.
 constexpr Eigen::Index columns_at_once = 96;

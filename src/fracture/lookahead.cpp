@@ -12,10 +12,10 @@ namespace {
 constexpr std::size_t most_unknowns = 2600;
 constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
 
-// Bonds between two looks at what is left behind, and what is: lattice spacings behind bonds with this share of the
-// largest ratio.
-const std::size_t breaks_between_narrowings = 96;
-const double least_narrowing = 0.15, hot_share = TUNE("SHARE", 0.5), behind_hot = TUNE("BEHIND", 1);
+// Bonds broken between two looks at what can be left behind; the least share of what is followed that is worth it; and
+// where it lies: so many lattice spacings behind the bonds with this share of the largest ratio.
+constexpr std::size_t breaks_between_narrowings = 96;
+constexpr double least_narrowing = 0.15, hot_share = 0.5, behind_hot = 1;
 
 // Events computed at once: few at first, in case the host wants few, then up to this many.
 constexpr int first_events = 4, most_events_at_once = 256;

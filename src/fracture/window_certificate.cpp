@@ -8,7 +8,7 @@ namespace bempd::fracture {
 namespace {
 
 // Bonds that may break between two states that are computed for the whole body.
-const int breaks_between = 40;
+constexpr int breaks_between = 40;
 // After so many rounds every state in doubt is computed.
 constexpr int most_rounds = 6;
 // States computed at once: enough for fast solutions, few enough for the caches.

@@ -23,8 +23,8 @@ struct Zone {
 };
 
 struct ZoneShape {
-  double ahead = 18, back = 4, half_width = TUNE("HALF", 4);  // in lattice spacings
-  double hot = 0.7;  // share of the largest ratio from which on a bond belongs to a zone
+  double ahead = 18, back = 4, half_width = 4;  // in lattice spacings
+  double hot = 0.7;                             // share of the largest ratio from which on a bond belongs to a zone
 };
 
 // Zones of the hot bonds at a load factor, one for every crowd of them. `spacing` is that of the lattice at a node.
