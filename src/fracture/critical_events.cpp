@@ -53,6 +53,17 @@ std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, 
   return next;
 }
 
+double AffineRatios::steepest() const {
+  const auto count = static_cast<Eigen::Index>(proportional.size());
+  return count > 0 ? Eigen::Map<const Eigen::ArrayXd>(proportional.data(), count).maxCoeff() : 0;
+}
+
+std::optional<double> AffineRatios::next_proportional_break(double from) const {
+  const double largest = steepest();
+  if (!(largest > 0)) return std::nullopt;
+  return from * largest > 1 + excess_tolerance ? from : std::max(from, 1 / largest);
+}
+
 std::vector<int> AffineRatios::overstretched(const std::vector<char>& intact, double load_factor) const {
   std::vector<int> chosen;
   for (std::size_t b = 0; b < intact.size(); ++b) {
@@ -67,10 +78,15 @@ std::vector<int> AffineRatios::most_stretched(const std::vector<char>& intact, d
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b]) largest = std::max(largest, at(b, load_factor));
   }
+  return most_stretched(intact, load_factor, band, limit, largest);
+}
+
+std::vector<int> AffineRatios::most_stretched(const std::vector<char>& intact, double load_factor, double band,
+                                              int limit, double largest) const {
   const double threshold = tie_limit(band) * largest;
   std::vector<int> chosen;
   for (std::size_t b = 0; b < intact.size(); ++b) {
-    if (intact[b] && at(b, load_factor) >= threshold) chosen.push_back(static_cast<int>(b));
+    if (at(b, load_factor) >= threshold && intact[b]) chosen.push_back(static_cast<int>(b));
   }
   if (limit > 0 && static_cast<int>(chosen.size()) > limit) {
     std::stable_sort(chosen.begin(), chosen.end(),

@@ -18,12 +18,18 @@ struct AffineRatios {
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
   std::optional<double> next_break(const std::vector<char>& intact, double from, double to) const;
 
+  // The same upwards to any load factor, where all constant parts are 0, and the ratios of broken bonds too.
+  std::optional<double> next_proportional_break(double from) const;
+  double steepest() const;  // largest proportional part
+
   // Intact bonds at or beyond their critical stretch at this load factor, in bond order.
   std::vector<int> overstretched(const std::vector<char>& intact, double load_factor) const;
 
   // Intact bonds within the relative band of the largest ratio at this load factor, in bond order; at most
   // `limit` of them (0: all), the most stretched ones.
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit) const;
+  std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit,
+                                  double largest) const;
 };
 
 // Share of the largest ratio from which on bonds break together with it; wider than the band by the rounding in which

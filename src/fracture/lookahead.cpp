@@ -12,6 +12,11 @@ namespace {
 constexpr std::size_t most_unknowns = 2600;
 constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
 
+// Bonds broken between two looks at what can be left behind; the least share of what is followed that is worth it; and
+// where it lies: so many lattice spacings behind the bonds with this share of the largest ratio.
+constexpr std::size_t breaks_between_narrowings = 96;
+constexpr double least_narrowing = 0.15, hot_share = 0.5, behind_hot = 1;
+
 // Events computed at once: few at first, in case the host wants few, then up to this many.
 constexpr int first_events = 4, most_events_at_once = 256;
 
@@ -194,6 +199,7 @@ bool Lookahead::open(const EvolutionState& state, double load_factor, const Opti
   largest_force_ = state.largest_force;
   has_ended_ = needs_whole_body_ = system_has_changed_ = false;
   position_ = 0;
+  next_narrowing_ = breaks_between_narrowings;
   states_ = {window_->displacement()};
   return true;
 }
@@ -224,9 +230,9 @@ Affine Lookahead::displacement(int position) const {
 
 void Lookahead::compute(double load_factor) {
   events_.clear();
-  states_ = {window_->displacement()};
   checks_.clear();
   position_ = 0;
+  foreseen_ = {window_->state()};
   double from = load_factor;
   while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
     if (!foresee(from)) {
@@ -236,18 +242,23 @@ void Lookahead::compute(double load_factor) {
     }
   }
   most_events_ = std::min(2 * most_events_, most_events_at_once);
+  states_ = window_->complete(foreseen_);
   certify();
   for (const ForeseenEvent& event : events_) system_.set_parted(event.bonds, false);
 }
 
 bool Lookahead::foresee(double from) {
+  leave_behind(from);
   const double infinity = std::numeric_limits<double>::infinity();
   const AffineRatios& ratios = window_->ratios();
-  const std::optional<double> next = ratios.next_break(window_->intact(), from, infinity);
+  const std::optional<double> next =
+      proportional_ ? ratios.next_proportional_break(from) : ratios.next_break(window_->intact(), from, infinity);
   if (!next) return false;
   const double f = *next;
   const std::vector<int> chosen =
-      ratios.most_stretched(window_->intact(), f, options_.tie_band, options_.max_breaks_per_solve);
+      proportional_ ? ratios.most_stretched(window_->intact(), f, options_.tie_band, options_.max_breaks_per_solve,
+                                            f * ratios.steepest())
+                    : ratios.most_stretched(window_->intact(), f, options_.tie_band, options_.max_breaks_per_solve);
   ForeseenEvent event{f, 0, {}, {}, {}, 0, 0, {}};
   std::vector<double> elongation;
   for (int b : chosen) {
@@ -286,27 +297,21 @@ bool Lookahead::foresee(double from) {
   }
   has_ended_ = 0.5 * event.after.proportional < options_.separated_energy;
   events_.push_back(std::move(event));
-  states_.push_back(window_->displacement());
+  foreseen_.push_back(window_->state());
   return true;
 }
 
 // Keeps the events that the whole body would go through in the same way.
 void Lookahead::certify() {
   if (events_.empty()) return;
+  keep_first(window_->left_behind().first_violation(states_, checks_));
+  if (events_.empty()) return;
   std::vector<int> breaks{0};
   for (const ForeseenEvent& event : events_) breaks.push_back(breaks.back() + static_cast<int>(event.bonds.size()));
-  const int sure =
-      std::min(certificate_->first_violation(states_, breaks, checks_, whole_), static_cast<int>(events_.size()));
-  if (sure < static_cast<int>(events_.size())) {
-    has_ended_ = true;
-    needs_whole_body_ = false;
-    for (std::size_t e = sure; e < events_.size(); ++e) system_.set_parted(events_[e].bonds, false);
-    events_.resize(sure);
-    states_.resize(sure + 1);
-    if (sure == 0) return;  // whole_ is that of the state 0
-  }
+  keep_first(certificate_->first_violation(states_, breaks, checks_, whole_));
+  if (events_.empty()) return;  // whole_ is that of the state 0
   const Affine before = std::move(whole_);
-  whole_ = certificate_->last_displacement(sure);
+  whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
   const double f = events_.back().load_factor;
   const Eigen::VectorXd force = system_.internal_force(coupling::evaluate(whole_, f));
   const Eigen::VectorXd load = coupling::evaluate(system_.force(), f);
@@ -318,11 +323,57 @@ void Lookahead::certify() {
   largest_force_ = std::max(largest_force_, force.lpNorm<Eigen::Infinity>());
   residual_ = largest_force_ > 0 ? unbalanced / largest_force_ : unbalanced;
   if (residual_ <= acceptable_residual) return;
-  has_ended_ = true;
-  for (const ForeseenEvent& event : events_) system_.set_parted(event.bonds, false);
-  events_.clear();
-  states_.resize(1);
+  keep_first(0);
   whole_ = before;
+}
+
+void Lookahead::keep_first(int count) {
+  if (count >= static_cast<int>(events_.size())) return;
+  has_ended_ = true;
+  needs_whole_body_ = false;
+  for (std::size_t e = count; e < events_.size(); ++e) system_.set_parted(events_[e].bonds, false);
+  events_.resize(count);
+  states_.resize(count + 1);
+  std::erase_if(checks_, [&](const OutsideCheck& check) { return check.state >= count; });
+}
+
+// Behind the bonds that are hot in a zone nothing breaks any more.
+void Lookahead::leave_behind(double load_factor) {
+  const std::size_t broken = window_->breaks();
+  if (broken < next_narrowing_) return;
+  next_narrowing_ = broken + breaks_between_narrowings;
+  const AffineRatios& ratios = window_->ratios();
+  const coupling::BondSet& bonds = system_.bonds();
+  double largest = 0;
+  for (std::size_t b = 0; b < window_->bonds().size(); ++b) {
+    if (window_->intact()[b]) largest = std::max(largest, ratios.at(b, load_factor));
+  }
+  std::vector<double> rear(zones_.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t b = 0; b < window_->bonds().size(); ++b) {
+    if (!window_->intact()[b] || ratios.at(b, load_factor) < hot_share * largest) continue;
+    const int i = bonds.first[window_->bonds()[b]], j = bonds.second[window_->bonds()[b]];
+    for (std::size_t z = 0; z < zones_.size(); ++z) {
+      if (!zones_[z].contains(positions_[i]) && !zones_[z].contains(positions_[j])) continue;
+      const double place = std::min(zones_[z].coordinates(positions_[i]).x(), zones_[z].coordinates(positions_[j]).x());
+      rear[z] = std::isfinite(rear[z]) ? std::min(rear[z], place) : place;
+    }
+  }
+  std::vector<char> leaves;
+  int leaving = 0;
+  for (int dof : condensation_->dofs()) {
+    const int node = dof / 2;
+    const auto needs = [&](std::size_t z) {
+      if (!zones_[z].contains(positions_[node])) return false;
+      const Point place = zones_[z].coordinates(positions_[node]);
+      return place.x() > rear[z] - behind_hot * spacing_[node];
+    };
+    bool needed = false;
+    for (std::size_t z = 0; z < zones_.size(); ++z) needed = needed || needs(z);
+    leaves.push_back(needed ? 0 : 1);
+    leaving += needed ? 0 : 1;
+  }
+  const int followed = window_->followed(), gone = static_cast<int>(leaves.size()) - followed;
+  if (leaving - gone >= least_narrowing * followed) window_->narrow(leaves);
 }
 
 }  // namespace bempd::fracture

@@ -74,7 +74,9 @@ class Lookahead {
  private:
   void compute(double load_factor);
   bool foresee(double load_factor);
+  void leave_behind(double load_factor);
   void certify();
+  void keep_first(int count);  // of the events computed
   double length_ahead() const;
   bool choose_nodes(const EvolutionState& state, double load_factor);
   std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
@@ -109,7 +111,9 @@ class Lookahead {
 
   std::vector<ForeseenEvent> events_;
   std::vector<coupling::Affine> states_;
+  std::vector<LeftBehind::State> foreseen_;  // the states, while events are computed
   std::vector<OutsideCheck> checks_;
+  std::size_t next_narrowing_ = 0;  // bonds broken then
   int position_ = 0;
   bool system_has_changed_ = false;
   double residual_ = 0, largest_force_ = 0;

@@ -164,7 +164,7 @@ std::vector<int> WindowCertificate::uncertified() const {
   struct Question {
     int state;
     double limit;
-    const Classes *before, *after;
+    Classes mean;  // bound of the ratios in the mean
   };
   std::vector<Question> questions;
   std::vector<Eigen::VectorXd> differences;
@@ -176,7 +176,7 @@ std::vector<int> WindowCertificate::uncertified() const {
         const Eigen::VectorXd here = on_boundary(state, check.load_factor) - start;
         const double length = way.squaredNorm();
         const double t = length > 0 ? std::clamp(way.dot(here) / length, 0.0, 1.0) : 0.0;
-        questions.push_back({state, check.limit * (1 - margin), &a->second.bound, &b->second.bound});
+        questions.push_back({state, check.limit * (1 - margin), (1 - t) * a->second.bound + t * b->second.bound});
         differences.push_back(here - t * way);
       }
     }
@@ -189,7 +189,7 @@ std::vector<int> WindowCertificate::uncertified() const {
   for (std::size_t q = 0; q < questions.size(); ++q) {
     const auto column = static_cast<Eigen::Index>(q);
     const double energy = std::max(0.0, d.col(column).dot(force.col(column))) + rounding_ * d.col(column).squaredNorm();
-    const Classes ratio = questions[q].before->max(*questions[q].after) + std::sqrt(energy) * compliance_;
+    const Classes ratio = questions[q].mean + std::sqrt(energy) * compliance_;
     const bool sure = ratio.maxCoeff() < questions[q].limit;
     if (!sure && (found.empty() || found.back() != questions[q].state)) found.push_back(questions[q].state);
   }

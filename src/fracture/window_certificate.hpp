@@ -9,21 +9,14 @@
 
 namespace bempd::fracture {
 
-// No bond outside the window may reach `limit` (a stretch over the critical one) at this load factor in this state.
-struct OutsideCheck {
-  int state;
-  double load_factor;
-  double limit;
-};
-
 // Proves that what happened in a window is what would have happened in the whole body, because no bond outside was more
 // critical.
 //
 // Some states are computed for the whole body. Between two of them, a and b, take any of their means, (1 - t) a + t b,
-// 0 <= t <= 1: in it no bond is stretched more than in a or in b. A state differs from the mean by a displacement d of
-// the window's nodes to which the outside answers without load, with the strain energy d^T S d / 2, S being its
-// stiffness as the window feels it. All bonds outside share that energy and none has a negative one, so
-// k e^2 <= d^T S d for the elongation e that d gives to any of them.
+// 0 <= t <= 1: in it no bond is stretched more than by that mean of the largest stretches in a and in b. A state
+// differs from the mean by a displacement d of the window's nodes to which the outside answers without load, with the
+// strain energy d^T S d / 2, S being its stiffness as the window feels it. All bonds outside share that energy and none
+// has a negative one, so k e^2 <= d^T S d for the elongation e that d gives to any of them.
 class WindowCertificate {
  public:
   WindowCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,

@@ -12,8 +12,8 @@ namespace {
 // of a crowd the crack is; the rim of a zone in front and behind, and beside.
 constexpr double crowd_distance = 6;
 constexpr double crack_distance = 8;
-constexpr double front_rim = 3, side_rim = 0.75;
-constexpr double beside_hot = 3;
+constexpr double front_rim = 3, side_rim = 0;
+constexpr double beside_hot = 2.4;
 
 // Of the largest ratio in a crowd: bonds that tell in which direction a crack opens.
 constexpr double opening_share = 0.85;

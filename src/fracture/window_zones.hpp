@@ -23,7 +23,7 @@ struct Zone {
 };
 
 struct ZoneShape {
-  double ahead = 18, back = 4, half_width = 5;  // in lattice spacings
+  double ahead = 18, back = 4, half_width = 4;  // in lattice spacings
   double hot = 0.7;                             // share of the largest ratio from which on a bond belongs to a zone
 };
 
