@@ -85,6 +85,7 @@ void Lookahead::close() {
   events_.clear();
   states_.clear();
   if (system_has_changed_) system_.forget_factor();
+  if (needs_whole_body_) system_.keep_last({});  // what comes next factorizes, twice, and needs no window for it
 }
 
 std::vector<int> Lookahead::nodes_of(const std::vector<Zone>& zones) const {
