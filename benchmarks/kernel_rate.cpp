@@ -1,14 +1,18 @@
-// The limit of boundary assembly on this machine, the kernels of a pair of points in the simplest loop that computes
-// them with everything in the first cache, and the integrals of pairs of elements, which also weigh them with the
-// functions of six nodes. Both are compiled for the same instruction sets. Items are pairs of points. Prints JSON with
-// --benchmark_format=json.
+// The limits of boundary assembly on this machine, the kernels of a pair of points in the simplest loop that computes
+// them with everything in the first cache, once with Eigen's logarithm and once with that of the library in whole
+// vectors, and the integrals of pairs of elements, which also weigh them with the functions of six nodes. All are
+// compiled for the same instruction sets. Items are pairs of points. Prints JSON with --benchmark_format=json.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
 #include <cmath>
 #include <vector>
 
+#include "bem/lanes.hpp"
 #include "bem/pair_integrals.hpp"
+
+// Functions that pass whole vectors are inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace {
 
@@ -31,18 +35,49 @@ void add_kernels(const Values& x, const Values& y, Values& square, Values& sum) 
   sum += 0.5 * square.log();
 }
 
+template <int lanes>
+[[gnu::always_inline]] inline void add_in_lanes(const Values& x, const Values& y, Values& sum) {
+  using namespace bempd::bem;
+  using Vector = typename Lanes<lanes>::Values;
+  const double normal_x = 0.6, normal_y = 0.8;
+  for (Eigen::Index p = 0; p < x.size(); p += lanes) {
+    const Vector rx = load<Vector>(&x[p]), ry = load<Vector>(&y[p]);
+    const auto [logarithm, inverse] = half_logarithm_and_inverse<lanes>(rx * rx + ry * ry);
+    const Vector unit_x = rx * inverse, unit_y = ry * inverse;
+    const Vector cosine = 0.5 * (rx * unit_x - ry * unit_y), sine = rx * unit_y;
+    const Vector along = normal_x * unit_x + normal_y * unit_y, across = normal_x * unit_y - normal_y * unit_x;
+    const Vector all = logarithm + cosine + sine + along + across + along * cosine + along * sine;
+    store(Vector(load<Vector>(&sum[p]) + all), &sum[p]);
+  }
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2,fma")]] void add_in_four_lanes(const Values& x, const Values& y, Values& sum) {
+  add_in_lanes<4>(x, y, sum);
+}
+#endif
+
+void kernels_in_lanes(const Values& x, const Values& y, Values&, Values& sum) {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return add_in_four_lanes(x, y, sum);
+#endif
+  add_in_lanes<2>(x, y, sum);
+}
+
+template <auto add>
 void kernels(benchmark::State& state) {
   const Eigen::Index count = state.range(0);
   const Values x = Values::LinSpaced(count, 0, 1), y = 0.3 * x + 1;
   Values square(count), sum = Values::Zero(count);
   for (auto _ : state) {
-    add_kernels(x, y, square, sum);
+    add(x, y, square, sum);
     benchmark::DoNotOptimize(sum.data());
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * count);
 }
-BENCHMARK(kernels)->Arg(256);
+BENCHMARK(kernels<add_kernels>)->Name("kernels")->Arg(256);
+BENCHMARK(kernels<kernels_in_lanes>)->Name("kernels_in_lanes")->Arg(256);
 
 // All pairs that do not touch among elements around a polygon.
 void pair_integrals(benchmark::State& state) {
