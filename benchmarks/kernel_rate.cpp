@@ -2,6 +2,9 @@
 // them with everything in the first cache, once with Eigen's logarithm and once with that of the library in whole
 // vectors, and the integrals of pairs of elements, which also weigh them with the functions of six nodes. All are
 // compiled for the same instruction sets. Items are pairs of points. Prints JSON with --benchmark_format=json.
+// Functions that pass whole vectors are inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
@@ -10,9 +13,6 @@
 
 #include "bem/lanes.hpp"
 #include "bem/pair_integrals.hpp"
-
-// Functions that pass whole vectors are inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace {
 

@@ -1,9 +1,10 @@
 #include "coupling/rigid_motion.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::coupling {
 
@@ -13,11 +14,16 @@ namespace {
 constexpr double rank_tolerance = 1e-12;
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(gram, Eigen::ComputeFullV);
-  const double largest = svd.singularValues()(0);
-  int rank = 0;
-  while (rank < 3 && largest > 0 && svd.singularValues()(rank) > rank_tolerance * largest) ++rank;
-  return svd.matrixV().rightCols(3 - rank);
+  const linalg::SymmetricModes modes = linalg::symmetric_modes(gram);
+  const double largest = modes.values[2];
+  int free = 0;
+  while (free < 3 && !(largest > 0 && modes.values[free] > rank_tolerance * largest)) ++free;
+  return modes.vectors.leftCols(free);
+}
+
+// An orthonormal basis whose last vector lies along `row`.
+Eigen::MatrixXd basis_along(const Eigen::RowVectorXd& row) {
+  return linalg::symmetric_modes(row.transpose() * row).vectors;
 }
 
 }  // namespace
@@ -38,12 +44,11 @@ RigidMotion::RigidMotion(const std::vector<Point>& positions, const std::vector<
   free_ = null_space(gram);
   if (radius == 0) {
     // A single node does not rotate.
-    Eigen::Matrix2d translation = gram.topLeftCorner<2, 2>();
-    const Eigen::JacobiSVD<Eigen::Matrix2d> svd(translation, Eigen::ComputeFullV);
-    int rank = 0;
-    while (rank < 2 && svd.singularValues()(rank) > rank_tolerance) ++rank;
-    free_.setZero(3, 2 - rank);
-    free_.topRows<2>() = svd.matrixV().rightCols(2 - rank);
+    const linalg::SymmetricModes modes = linalg::symmetric_modes(gram.topLeftCorner<2, 2>());
+    int free = 0;
+    while (free < 2 && modes.values[free] <= rank_tolerance) ++free;
+    free_.setZero(3, free);
+    free_.topRows<2>() = modes.vectors.leftCols(free);
   }
 }
 
@@ -81,8 +86,7 @@ std::vector<HeldDirection> RigidMotion::missing_supports(const std::vector<Point
     supports.push_back(*best);
     // Take the motion now held out of the remaining ones.
     const Eigen::RowVectorXd held = row(positions[best->node], best->cosine, best->sine) * remaining;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(held, Eigen::ComputeFullV);
-    remaining = (remaining * svd.matrixV().rightCols(remaining.cols() - 1)).eval();
+    remaining = (remaining * basis_along(held).leftCols(remaining.cols() - 1)).eval();
   }
   return supports;
 }
@@ -97,14 +101,13 @@ std::string RigidMotion::describe() const {
     return "translate along (" + std::to_string(m.x()) + ", " + std::to_string(m.y()) + ")";
   };
   // Among the free motions look for pure translations first: they are what a person recognises.
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(free_.row(2), Eigen::ComputeFullV);
   const bool rotates = free_count() > 0 && free_.row(2).norm() > 1e-9;
-  const Eigen::MatrixXd sorted = free_ * svd.matrixV();
+  const Eigen::MatrixXd sorted = free_ * basis_along(free_.row(2));
   const int translations = free_count() - (rotates ? 1 : 0);
   if (translations == 2) {
     add("translate in x and y");
   } else if (translations == 1) {
-    add(translation(sorted.col(free_count() - 1)));
+    add(translation(sorted.col(0)));
   }
   if (rotates) add("rotate");
   return sentence;

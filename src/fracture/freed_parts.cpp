@@ -1,10 +1,10 @@
 #include "fracture/freed_parts.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/rigid_motion.hpp"
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::fracture {
 
@@ -84,10 +84,10 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
   if (resistance.isZero(0)) return;  // a piece of its own
   if (system_.is_prescribed(2 * node)) add(1, 0, spring_stiffness_);
   if (system_.is_prescribed(2 * node + 1)) add(0, 1, spring_stiffness_);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(resistance);
-  const double limit = collinearity_tolerance * eigen.eigenvalues()[1];
-  if (eigen.eigenvalues()[0] > limit) return;
-  const Eigen::Vector2d weak = eigen.eigenvectors().col(0);
+  const linalg::SymmetricModes modes = linalg::symmetric_modes(resistance);
+  const double limit = collinearity_tolerance * modes.values[1];
+  if (modes.values[0] > limit) return;
+  const Eigen::Vector2d weak = modes.vectors.col(0);
   const Eigen::RowVector2d push = weak.transpose() * system_.force().middleRows<2>(2 * node);
   if (push.norm() > balance_tolerance * system_.force().middleRows<2>(2 * node).norm()) {
     found.nodes_with_lost_loads.push_back(node);

@@ -1,8 +1,9 @@
 #include "fracture/window_zones.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::fracture {
 
@@ -78,7 +79,7 @@ class Builder {
     zone.centre /= weight;
     const double dx = spacing_[bonds().first[crowd.front()]];
     // A crack runs across the direction in which it opens.
-    zone.axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(opening).eigenvectors().col(0);
+    zone.axis = linalg::symmetric_modes(opening).vectors.col(0);
     Point crack = Point::Zero();
     for (const Point& p : parted) {
       if ((p - zone.centre).norm() < crack_distance * dx) crack += p - zone.centre;
@@ -144,7 +145,7 @@ std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Bon
     for (int k : crowd) mean += middles[k] / static_cast<double>(crowd.size());
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     for (int k : crowd) spread += (middles[k] - mean) * (middles[k] - mean).transpose();
-    const Point along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    const Point along = linalg::symmetric_modes(spread).vectors.col(1);
     for (const Point& axis : {along, Point(-along)}) {
       double end = 0;
       for (int k : crowd) end = std::max(end, axis.dot(middles[k] - mean));

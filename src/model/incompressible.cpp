@@ -1,9 +1,8 @@
 #include "model/incompressible.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include "bem/boundary_loads.hpp"
 #include "error.hpp"
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::model {
 
@@ -37,13 +36,13 @@ void require_determined_pressure(const Scene& scene, const Discretization& d, co
   }
   for (Eigen::Index dof = 0; dof < dofs; ++dof)
     if (prescribed[static_cast<std::size_t>(dof)]) flows.row(dof).setZero();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(flows.transpose() * flows);
+  const linalg::SymmetricModes spectrum = linalg::symmetric_modes(flows.transpose() * flows);
   constexpr double none = 1e-18;  // of squares
-  if (spectrum.eigenvalues()[0] > none) return;
+  if (spectrum.values[0] > none) return;
   std::string regions;
   int count = 0;
   for (std::size_t p = 0; p < parts.size(); ++p)
-    if (std::abs(spectrum.eigenvectors()(static_cast<Eigen::Index>(p), 0)) > 1e-6)
+    if (std::abs(spectrum.vectors(static_cast<Eigen::Index>(p), 0)) > 1e-6)
       regions += text(count++ == 0 ? "" : ", ", parts[p]->region);
   fail(Failure::unsolvable, "the pressure in the incompressible region", count > 1 ? "s " : " ", regions,
        " is undetermined: supports hold the whole boundary; leave a part of it free, or use a Poisson's ratio below "

@@ -1,10 +1,11 @@
 #include "pd/deformation.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <numbers>
 #include <optional>
+
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::pd {
 
@@ -21,12 +22,12 @@ Vector3d dyad(const Vector2d& e) { return {e.x() * e.x(), e.y() * e.y(), std::nu
 
 // Solves a x = b; what no bond resists (single rows of points) is not strained.
 Vector3d solve_semidefinite(const Matrix3d& a, const Vector3d& b) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> modes(a);
+  const linalg::SymmetricModes modes = linalg::symmetric_modes(a);
   Vector3d x = Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
-    const double value = modes.eigenvalues()[k];
-    if (value <= 1e-10 * modes.eigenvalues()[2]) continue;
-    x += modes.eigenvectors().col(k).dot(b) / value * modes.eigenvectors().col(k);
+    const double value = modes.values[k];
+    if (value <= 1e-10 * modes.values[2]) continue;
+    x += modes.vectors.col(k).dot(b) / value * modes.vectors.col(k);
   }
   return x;
 }
@@ -56,10 +57,10 @@ struct LinearFit {
   }
   // Nothing if there are too few bonds to tell.
   std::optional<Vector3d> strain() const {
-    const Eigen::SelfAdjointEigenSolver<Matrix7d> modes(response);
-    if (modes.eigenvalues()[0] < 1e-4 * modes.eigenvalues()[6]) return {};
-    const Vector7d parts = modes.eigenvectors().transpose() * carried;
-    return (modes.eigenvectors() * parts.cwiseQuotient(modes.eigenvalues())).head<3>();
+    const linalg::SymmetricModes modes = linalg::symmetric_modes(response);
+    if (modes.values[0] < 1e-4 * modes.values[6]) return {};
+    const Vector7d parts = modes.vectors.transpose() * carried;
+    return (modes.vectors * parts.cwiseQuotient(modes.values)).head<3>();
   }
 };
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "bem/boundary_loads.hpp"
+#include "dense.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
 
@@ -121,7 +121,7 @@ inline Eigen::VectorXd solve_supported(const Eigen::MatrixXd& k, const Eigen::Ve
     matrix(i, i) = diagonal;
     right[i] = diagonal * values[i];
   }
-  return matrix.llt().solve(right);
+  return dense::solve(matrix, right);
 }
 
 inline std::vector<bool> fixed_on_panel(const BoundaryMesh& mesh, int panel) {

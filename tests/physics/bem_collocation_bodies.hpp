@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "physics/bem_bodies.hpp"
 
 // What the tests of the collocation operator share beyond the bodies: its stiffness is not symmetric.
@@ -19,7 +17,7 @@ inline Eigen::VectorXd solve_unsymmetric(const Eigen::MatrixXd& k, const Eigen::
     matrix(i, i) = diagonal;
     right[i] = diagonal * values[i];
   }
-  return matrix.partialPivLu().solve(right);
+  return dense::solve(matrix, right);
 }
 
 // |K - K^T| / |K|, Frobenius.
