@@ -10,7 +10,7 @@ cd "$root"
 name=${1:-}
 case "$name" in
   accuracy_cost) programs=(bempd_kernel_rate) peers=(freefem++ python3-dolfinx calculix-ccx python3-gmsh) ;;
-  speed) programs=(bempd_explicit_pd) peers=(lammps) ;;
+  speed) programs=(bempd_explicit_pd bempd_kernel_rate) peers=(lammps) ;;
   *) sed -n '2,5s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift

@@ -14,6 +14,7 @@ import matplotlib.pyplot as plt
 from measure import Row
 from peers import PROBLEMS, TARGET
 
+Columns = Sequence[tuple[str, Callable[[Row], Any]]]
 COLOURS = {"bempd": "#1f4e79", "FreeFem++": "#b3261e", "dolfinx": "#d08a00", "CalculiX": "#5b8c3a"}
 
 
@@ -25,7 +26,7 @@ def write_csv(path: Path, rows: Sequence[Row]) -> None:
         writer.writerows(rows)
 
 
-def table(columns: Sequence[tuple[str, Callable[[Row], Any]]], rows: Sequence[Row]) -> str:
+def table(columns: Columns, rows: Sequence[Row]) -> str:
     lines = ["| " + " | ".join(name for name, _ in columns) + " |", "|" + "---|" * len(columns)]
     lines += ["| " + " | ".join(str(value(row)) for _, value in columns) + " |" for row in rows]
     return "\n".join(lines) + "\n"
@@ -35,10 +36,13 @@ def milliseconds(seconds: float) -> str:
     return f"{1e3 * seconds:.3g}"
 
 
-def sweep_tables(rows: Sequence[Row]) -> str:
-    columns = [("scene", lambda r: r["scene"]), ("setting", lambda r: r["shown"]),
-               ("error", lambda r: f"{r['error']:.1e}"), ("time [ms]", lambda r: milliseconds(r["seconds"])),
-               ("memory [MB]", lambda r: f"{r['megabytes']:.1f}"), ("unknowns", lambda r: r["unknowns"])]
+SWEEP_COLUMNS: Columns = [
+    ("scene", lambda r: r["scene"]), ("setting", lambda r: r["shown"]), ("error", lambda r: f"{r['error']:.1e}"),
+    ("time [ms]", lambda r: milliseconds(r["seconds"])), ("memory [MB]", lambda r: f"{r['megabytes']:.1f}"),
+    ("unknowns", lambda r: r["unknowns"])]
+
+
+def sweep_tables(rows: Sequence[Row], columns: Columns) -> str:
     text = ""
     for knob in dict.fromkeys(row["knob"] for row in rows):
         own = [row for row in rows if row["knob"] == knob]

@@ -7,14 +7,14 @@ import json
 import os
 from pathlib import Path
 
+from cracks import crack_columns, crack_trials, relate
 from limits import limits
 from measure import Row, bempd_command, measure
 from peers import TARGET, duel, installed
-from report import draw, duel_table, limits_table, shown, sweep_tables, write_csv
+from report import SWEEP_COLUMNS, draw, duel_table, limits_table, shown, sweep_tables, write_csv
 from sweeps import Trial, all_trials
 
 ROUNDS, BUDGET = 2, 0.15  # seconds of repeats per round
-CRACK = "centre_crack"
 
 
 def run_trials(trials: list[Trial]) -> list[Row]:
@@ -28,16 +28,7 @@ def run_trials(trials: list[Trial]) -> list[Row]:
     for trial in trials:
         rows.append({"scene": trial.scene, "program": "bempd", "knob": trial.knob, "settings": trial.settings,
                      "setting": json.dumps(trial.settings), "shown": shown(trial.settings, trial.key), **results[id(trial)]})
-    relate_crack_runs(rows)
     return rows
-
-
-def relate_crack_runs(rows: list[Row]) -> None:
-    """A torn plate has no closed form: its released energy is compared with that of bonds breaking one by one."""
-    alone = next(r["error"] for r in rows if r["scene"] == CRACK and r["settings"].get("stepping.tie_band") == 0)
-    for row in rows:
-        if row["scene"] == CRACK and "refused" not in row:
-            row["error"] = abs(row["error"] / alone - 1)
 
 
 def main() -> None:
@@ -46,14 +37,17 @@ def main() -> None:
     tried, best = duel()
     machine = limits()
     trials = run_trials(all_trials())
-    write_csv(folder / "rows.csv", trials + [{**row, "scene": row["problem"], "seconds": row["seconds_solve"],
-                                              "knob": "against peers"} for row in tried])
+    cracks = run_trials(crack_trials())
+    relate(cracks)
+    write_csv(folder / "rows.csv", trials + cracks + [
+        {**row, "scene": row["problem"], "seconds": row["seconds_solve"], "knob": "against peers"} for row in tried])
     text = "\n".join([
         f"## The fastest way to a displacement within {TARGET:g}, one core\n", duel_table(best),
         f"Peers installed: {', '.join(installed()) or 'none'}.\n",
-        "## Machine limits\n", limits_table(machine), "## Every knob\n", sweep_tables(trials)])
+        "## Machine limits\n", limits_table(machine), "## Every knob\n", sweep_tables(trials, SWEEP_COLUMNS),
+        "## Plates torn apart\n", sweep_tables(cracks, crack_columns())])
     (folder / "table.md").write_text(text)
-    draw(folder / "accuracy_cost.png", trials, [row for row in tried if row["error"] > 0])
+    draw(folder / "accuracy_cost.png", trials + cracks, [row for row in tried if row["error"] > 0])
     print((folder / "rows.csv").read_text())
     print(text)
 

@@ -43,8 +43,4 @@ def all_trials() -> list[Trial]:
     trials += over("coupled_cantilever", "horizon ratio", "horizon_ratio", (2, 3, 4, 5, 6))
     for scene in ("plate", "shear", "hole", "coupled_cantilever"):
         trials += over(scene, "accuracy", "accuracy", ("draft", "standard", "fine"))
-    crack = "centre_crack"
-    trials += over(crack, "tie band", "stepping.tie_band", (0.0, 1e-2, 0.1), slow=True)
-    trials += over(crack, "accuracy", "accuracy", ("draft", "standard", "fine"), slow=True)
-    trials += over(crack, "horizon ratio", "horizon_ratio", (3, 5), slow=True)
     return trials

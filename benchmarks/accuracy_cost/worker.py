@@ -16,6 +16,7 @@ from typing import Any
 
 import bempd
 
+from cracks import CRACKS
 from scenes import SCENES
 
 
@@ -26,7 +27,7 @@ def peak_megabytes() -> float:
 
 
 def main() -> None:
-    scene, settings, budget = SCENES[sys.argv[1]], json.loads(sys.argv[2]), float(sys.argv[3])
+    scene, settings, budget = (SCENES | CRACKS)[sys.argv[1]], json.loads(sys.argv[2]), float(sys.argv[3])
     knobs = {**scene.knobs, **{key: value for key, value in settings.items() if key in scene.knobs}}
     options = {key: value for key, value in settings.items() if key not in scene.knobs}
     idle = peak_megabytes()
@@ -52,6 +53,7 @@ def main() -> None:
         statistics.append(again.statistics())
     print(json.dumps({
         "error": scene.error(model, knobs),
+        **(scene.outcome(model) if scene.outcome else {}),
         "seconds": min(elapsed[1:] or elapsed),
         "megabytes": megabytes,
         "unknowns": 2 * (statistics[0].boundary_nodes + statistics[0].material_points),
