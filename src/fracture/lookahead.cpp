@@ -332,6 +332,7 @@ void Lookahead::keep_first(int count) {
   if (count >= static_cast<int>(events_.size())) return;
   has_ended_ = true;
   needs_whole_body_ = false;
+  most_events_ = std::max(first_events, 2 * count);  // more would be in vain again
   for (std::size_t e = count; e < events_.size(); ++e) system_.set_parted(events_[e].bonds, false);
   events_.resize(count);
   states_.resize(count + 1);

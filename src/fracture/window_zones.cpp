@@ -16,8 +16,13 @@ constexpr double crack_distance = 8;
 constexpr double front_rim = 3, side_rim = 0;
 constexpr double beside_hot = 2.4;
 
-// Of the largest ratio in a crowd: bonds that tell in which direction a crack opens.
-constexpr double opening_share = 0.85;
+// Of the largest ratio in a crowd: bonds in whose middle it is.
+constexpr double centre_share = 0.85;
+
+// Which bonds tell in which direction a crack opens: those with this share of the largest ratio in a crowd, up to so
+// many lattice spacings from it. The few that are about to break would tell the next step of a path that goes to and
+// fro.
+constexpr double opening_share = 0.5, opening_reach = 16;
 
 // Groups of points each of which is near to another one of its group.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
@@ -55,31 +60,29 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
 
 class Builder {
  public:
-  Builder(const StretchRatios& ratios, double load_factor, const std::vector<Point>& positions,
-          const std::vector<double>& spacing)
-      : ratios_(ratios), load_factor_(load_factor), positions_(positions), spacing_(spacing) {}
+  Builder(const StretchRatios& ratios, double load_factor, const std::vector<char>& intact,
+          const std::vector<Point>& positions, const std::vector<double>& spacing)
+      : ratios_(ratios), load_factor_(load_factor), intact_(intact), positions_(positions), spacing_(spacing) {}
 
   Point middle(int b) const { return 0.5 * (positions_[bonds().first[b]] + positions_[bonds().second[b]]); }
 
   Zone zone(const std::vector<int>& crowd, const std::vector<Point>& parted, const ZoneShape& shape) const {
     double largest = 0;
     for (int b : crowd) largest = std::max(largest, ratios_.at(b, load_factor_));
-    Eigen::Matrix2d opening = Eigen::Matrix2d::Zero();
     Zone zone;
     zone.centre.setZero();
     double weight = 0;
     for (int b : crowd) {
       const double ratio = ratios_.at(b, load_factor_);
-      if (ratio < opening_share * largest) continue;
-      const Point direction(bonds().cosine[b], bonds().sine[b]);
-      opening += ratio * direction * direction.transpose();
+      if (ratio < centre_share * largest) continue;
       zone.centre += ratio * middle(b);
       weight += ratio;
     }
     zone.centre /= weight;
     const double dx = spacing_[bonds().first[crowd.front()]];
     // A crack runs across the direction in which it opens.
-    zone.axis = linalg::symmetric_modes(opening).vectors.col(0);
+    zone.axis =
+        linalg::symmetric_modes(opening(zone.centre, opening_reach * dx, opening_share * largest)).vectors.col(0);
     Point crack = Point::Zero();
     for (const Point& p : parted) {
       if ((p - zone.centre).norm() < crack_distance * dx) crack += p - zone.centre;
@@ -95,8 +98,20 @@ class Builder {
  private:
   const coupling::BondSet& bonds() const { return ratios_.bonds(); }
 
+  Eigen::Matrix2d opening(const Point& centre, double reach, double least_ratio) const {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    for (std::size_t b = 0; b < bonds().size(); ++b) {
+      const double ratio = intact_[b] ? ratios_.at(b, load_factor_) : 0;
+      if (ratio < least_ratio || (middle(static_cast<int>(b)) - centre).norm() > reach) continue;
+      const Point direction(bonds().cosine[b], bonds().sine[b]);
+      sum += ratio * direction * direction.transpose();
+    }
+    return sum;
+  }
+
   const StretchRatios& ratios_;
   double load_factor_;
+  const std::vector<char>& intact_;
   const std::vector<Point>& positions_;
   const std::vector<double>& spacing_;
 };
@@ -116,7 +131,7 @@ bool Zone::is_inner(const Point& p) const {
 std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape) {
-  const Builder builder(ratios, load_factor, positions, spacing);
+  const Builder builder(ratios, load_factor, intact, positions, spacing);
   std::vector<Point> parted;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (!intact[b]) parted.push_back(builder.middle(static_cast<int>(b)));
