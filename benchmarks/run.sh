@@ -2,7 +2,7 @@
 # Builds the library and runs a benchmark; results go to out/<name>/. Installs missing Debian packages first.
 #   benchmarks/run.sh accuracy_cost   what accuracy costs, by every knob; peers that are installed take part
 #   benchmarks/run.sh speed [...]     what whole crack runs cost; options as in benchmarks/speed/README.md
-#   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX, or LAMMPS
+#   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX, or LAMMPS and dolfinx
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -10,7 +10,7 @@ cd "$root"
 name=${1:-}
 case "$name" in
   accuracy_cost) programs=(bempd_kernel_rate) peers=(freefem++ python3-dolfinx calculix-ccx python3-gmsh) ;;
-  speed) programs=(bempd_explicit_pd bempd_kernel_rate) peers=(lammps) ;;
+  speed) programs=(bempd_explicit_pd bempd_kernel_rate) peers=(lammps python3-dolfinx) ;;
   *) sed -n '2,5s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift

@@ -72,6 +72,24 @@ def stages(limit: Limits, arguments: argparse.Namespace) -> None:
         table.add([name, "solution", s["seconds_solve"], bandwidth, "GB/s of factor", bandwidth / copy])
 
 
+def profile(arguments: argparse.Namespace) -> None:
+    """Where a whole run spends its time, in elastic solves of the same scene."""
+    table = Table("profile", "Where a whole run spends its time, in elastic solves of the same scene",
+                  ["scene", "elastic solve [s]", "lattice, boundary, assembly", "factorizations", "their time",
+                   "solutions of the whole body", "windows: inverse, events, certificate", "the rest", "sum"])
+    for scene, settings in (("paper_crack", {}), ("plate", {"n": 100}), ("plate", {"n": 200})):
+        name = f"plate {settings['n']}^2" if settings else "centre crack"
+        result = measure(scene, settings, {}, "separation", 1 if settings.get("n", 0) > 100 else arguments.repeats)
+        if "failed" in result:
+            table.add([name, result["failed"]] + [""] * 7)
+            continue
+        s, unit = result["run_statistics"], result["elastic"]
+        set_up = s["seconds_lattice"] + s["seconds_boundary"] + s["seconds_assembly"]
+        parts = [set_up, s["seconds_factorization"], s["seconds_solve"] + s["seconds_update"], s["seconds_search"]]
+        table.add([name, unit, set_up / unit, s["sparse_factorizations"], parts[1] / unit, parts[2] / unit, parts[3] / unit,
+                   (result["seconds"] - sum(parts)) / unit, result["seconds"] / unit])
+
+
 def boundary(arguments: argparse.Namespace) -> None:
     table = Table("boundary", "Dense operators of one boundary element region, a square pulled at one side",
                   ["elements", "nodes", "seconds", "memory [MB]", "kernels", "million kernels/s"])

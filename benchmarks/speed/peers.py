@@ -1,4 +1,5 @@
-"""Other ways to tear the same plate, in the same run: classical peridynamics of this repository, and LAMMPS. Own rows that part plate has measured are compared with whatever finishes."""
+"""Other ways to tear the same plate, in the same run: classical peridynamics of this repository, LAMMPS, and a phase field
+in dolfinx. Own rows that part plate has measured are compared with whatever finishes."""
 
 from __future__ import annotations
 
@@ -23,8 +24,9 @@ def rows_of(arguments: argparse.Namespace, n: int) -> dict[str, dict[str, Any]]:
         rows[f"classical, explicit, {transits} transits"] = classical(arguments, n, "explicit", str(transits))
     opening = rows["classical, explicit, 20 transits"].get("opening", 0.01)
     if n <= 50 or arguments.full:
-        rows["LAMMPS PERI, 20 transits"] = call([sys.executable, str(ROOT / "benchmarks/peers/lammps_plate.py"), str(n),
-                                                 str(opening), "20"])
+        peers = ROOT / "benchmarks/peers"
+        rows["LAMMPS PERI, 20 transits"] = call([sys.executable, str(peers / "lammps_plate.py"), str(n), str(opening), "20"])
+        rows["phase field, 20 increments"] = call([sys.executable, str(peers / "phase_field.py"), str(n), str(opening), "20"])
     return rows
 
 

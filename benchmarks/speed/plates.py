@@ -32,6 +32,8 @@ def plate(arguments: argparse.Namespace, columns: list[str],
         repeats = arguments.repeats if n <= 100 else 1
         scene = f"{n} x {n}"
         for band, until in ((1e-3, "force"), (1e-3, "separation"), (0.05, "force")):
+            if n > 200 and band > 1e-3 or n > 400 and until == "force":
+                continue  # minutes
             history = str(OUT / f"history_{n}_window.npz") if until == "separation" else None
             result = measure("plate", {"n": n}, {"stepping.tie_band": band}, until, repeats, history=history)
             end = "0.1 % of the force" if until == "force" else "separation"

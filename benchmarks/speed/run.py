@@ -2,8 +2,8 @@
 
     benchmarks/run.sh speed [--full] [--repeats N] [--only PART,...] [--with-peers]
 
-Parts: paper, plate, cracks, elastic, stages, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and, after
-plate and peers, docs/speed.png. One core, one process a row."""
+Parts: paper, plate, cracks, elastic, stages, profile, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and,
+after plate and peers, docs/speed.png. One core, one process a row."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ import plates
 import plot
 from rows import OUT, Table, measure
 
-PARTS = ("paper", "plate", "cracks", "elastic", "stages", "boundary", "memory", "peers")
+PARTS = ("paper", "plate", "cracks", "elastic", "stages", "profile", "boundary", "memory", "peers")
 COLUMNS = ["scene", "way", "seconds", "elastic solve [s]", "ratio", "events", "bonds", "peak force", "memory [MB]",
            "residual"]
 
@@ -81,6 +81,8 @@ def main() -> None:
         plates.elastic(arguments)
     if "stages" in wanted:
         machine.stages(limits, arguments)
+    if "profile" in wanted:
+        machine.profile(arguments)
     if "boundary" in wanted:
         machine.boundary(arguments)
     if "memory" in wanted:

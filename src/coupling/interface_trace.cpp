@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pd/least_change.hpp"
+#include "linalg/least_change.hpp"
 
 namespace bempd::coupling {
 
@@ -66,7 +66,7 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   const auto count = static_cast<Eigen::Index>(entries.size());
 
   // Equations: per point sum N = 1 and sum N x_a = x_i (relative to the point), per node the forces.
-  pd::LeastChange problem;
+  linalg::LeastChange problem;
   problem.lower = -std::numeric_limits<double>::infinity();
   problem.start.resize(count);
   problem.scale.setOnes(count);
@@ -85,9 +85,9 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   for (int a = 0; a < elements.node_count(); ++a) problem.target[2 * (length + 1) + a] = elements.share(a);
   problem.constraints.resize(problem.target.size(), count);
   problem.constraints.setFromTriplets(equations.begin(), equations.end());
-  const pd::LeastChangeResult result = pd::solve_least_change(problem);
+  const linalg::LeastChangeResult result = linalg::solve_least_change(problem);
   if (!(result.residual <= largest_residual)) return std::nullopt;
-  const Eigen::VectorXd& weights = result.stiffness;
+  const Eigen::VectorXd& weights = result.values;
 
   std::vector<Eigen::Triplet<double>> values;
   for (Eigen::Index k = 0; k < count; ++k) {

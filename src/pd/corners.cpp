@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "linalg/least_change.hpp"
 #include "parallel.hpp"
 #include "pd/congruent_clusters.hpp"
-#include "pd/least_change.hpp"
 
 namespace bempd::pd {
 
@@ -78,7 +78,7 @@ std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::ve
 }
 
 // The unknown is the change of the stiffness in units of the bulk value, which keeps the columns of one size.
-LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::vector<Vector4d>& missing,
+linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::vector<Vector4d>& missing,
                             const DraftBonds& bonds, const std::vector<int>& cluster) {
   std::vector<int> points;
   for (const int b : cluster) points.insert(points.end(), {bonds.first[b], bonds.second[b]});
@@ -88,7 +88,7 @@ LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::ve
     return 4 * static_cast<int>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
   };
   const int count = static_cast<int>(cluster.size());
-  LeastChange problem;
+  linalg::LeastChange problem;
   problem.lower = smallest_ratio;
   problem.start.resize(count);
   problem.scale.resize(count);
@@ -184,17 +184,17 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
   }
   const std::vector<std::vector<int>> clusters = clusters_of(bonds, free, lattice.point_count());
   const CongruentClusters congruent = find_congruent(lattice, missing, bonds, clusters);
-  std::vector<LeastChangeResult> results(clusters.size());
+  std::vector<linalg::LeastChangeResult> results(clusters.size());
   parallel_for(congruent.originals.size(), threads, [&](std::size_t k) {
     const int c = congruent.originals[k];
-    results[c] = solve_least_change(cluster_problem(templates.family, missing, bonds, clusters[c]));
+    results[c] = linalg::solve_least_change(cluster_problem(templates.family, missing, bonds, clusters[c]));
   });
   CornerReport report;
   for (std::size_t c = 0; c < clusters.size(); ++c) {
     const CongruentClusters::Image& image = congruent.images[c];
-    const LeastChangeResult& result = results[image.original];
+    const linalg::LeastChangeResult& result = results[image.original];
     for (std::size_t k = 0; k < clusters[c].size(); ++k) {
-      bonds.stiffness[clusters[c][k]] = result.stiffness[image.bonds.empty() ? k : image.bonds[k]];
+      bonds.stiffness[clusters[c][k]] = result.values[image.bonds.empty() ? k : image.bonds[k]];
     }
     report.bounded += result.bounded;
   }

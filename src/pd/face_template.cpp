@@ -7,7 +7,7 @@
 #include <memory>
 #include <mutex>
 
-#include "pd/least_change.hpp"
+#include "linalg/least_change.hpp"
 
 namespace bempd::pd {
 
@@ -34,8 +34,8 @@ class Equations {
   }
 
   // Rows have very different sizes, which says nothing about their importance.
-  LeastChangeResult solve(const Eigen::VectorXd& bulk, double lower) {
-    LeastChange problem;
+  linalg::LeastChangeResult solve(const Eigen::VectorXd& bulk, double lower) {
+    linalg::LeastChange problem;
     problem.start = problem.scale = bulk;
     problem.lower = lower;
     problem.target = Eigen::VectorXd(targets_.size());
@@ -49,7 +49,7 @@ class Equations {
     }
     problem.constraints.resize(static_cast<int>(rows_.size()), unknowns_);
     problem.constraints.setFromTriplets(entries.begin(), entries.end());
-    return solve_least_change(problem);
+    return linalg::solve_least_change(problem);
   }
 
  private:
@@ -178,11 +178,11 @@ double solve_face(int m, const std::vector<Kind>& kinds, FaceTemplate& face) {
   const Layers half_plane = [&](int row, int across, int away) { return stiffness(row, across, away); };
   for (int row = 0; row < 2 * m; ++row) add_moments(equations, kinds, half_plane, row, 1 << 20);
   add_face_fluxes(equations, kinds, half_plane, m);
-  const LeastChangeResult result =
+  const linalg::LeastChangeResult result =
       equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), smallest_ratio);
   for (const Kind& kind : kinds) {
     for (int row = 0; row < m; ++row) {
-      face.ratio(row, kind.across, kind.away) = result.stiffness[number[slot(row, kind.across, kind.away)]] / kind.bulk;
+      face.ratio(row, kind.across, kind.away) = result.values[number[slot(row, kind.across, kind.away)]] / kind.bulk;
     }
   }
   return result.residual;
@@ -209,12 +209,12 @@ double solve_strip(int m, int cells, const std::vector<Kind>& kinds, FaceTemplat
   Equations equations(static_cast<int>(bulk.size()));
   for (int row = 0; row <= cells; ++row) add_moments(equations, kinds, layers, row, cells);
   add_strip_fluxes(equations, kinds, layers, cells);
-  const LeastChangeResult result =
+  const linalg::LeastChangeResult result =
       equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), smallest_ratio);
   for (const Kind& kind : kinds) {
     for (int row = 0; row + kind.away <= cells; ++row) {
       strip.ratio(row, kind.across, kind.away) =
-          result.stiffness[number[slot(row, kind.across, kind.away)]] / kind.bulk;
+          result.values[number[slot(row, kind.across, kind.away)]] / kind.bulk;
     }
   }
   return result.residual;

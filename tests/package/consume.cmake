@@ -33,7 +33,7 @@ elseif(WAY STREQUAL "find_package")
   # The library's own needs must not become the host's.
   run(${configure} "-DCMAKE_PREFIX_PATH=${prefix} moved" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON
       -DCMAKE_DISABLE_FIND_PACKAGE_OpenMP=ON -DCMAKE_DISABLE_FIND_PACKAGE_BLAS=ON
-      -DCMAKE_DISABLE_FIND_PACKAGE_CHOLMOD=ON -DCMAKE_DISABLE_FIND_PACKAGE_UMFPACK=ON "-DVERSION=${VERSION}")
+      -DCMAKE_DISABLE_FIND_PACKAGE_SuiteSparse=ON "-DVERSION=${VERSION}")
   run("${CMAKE_COMMAND}" --build "${consumer_build}")
   run_consumer()
 elseif(WAY STREQUAL "pkg_config")

@@ -1,4 +1,4 @@
-#include "pd/least_change.hpp"
+#include "linalg/least_change.hpp"
 
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
@@ -8,14 +8,14 @@
 #include <memory>
 #include <vector>
 
-namespace bempd::pd {
+namespace bempd::linalg {
 
 namespace {
 
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
-// Residual that no further round can improve, for stiffnesses and equations of order one.
+// Residual that no further round can improve, for values and equations of order one.
 constexpr double rounding = 5e-16;
 
 // Shortest x = B^T lambda with B x = r, for a consistent right-hand side.
@@ -66,7 +66,7 @@ class SparseSolver final : public MinimumNormSolver {
     Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
     VectorXd z = precondition(r), p = z;
     double rz = r.dot(z);
-    // One round need not be exact: the next one starts from the residual recomputed from the stiffnesses. Nor can it be
+    // One round need not be exact: the next one starts from the residual recomputed from the values. Nor can it be
     // more exact than that is.
     const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
     for (int step = 0; step < 100 && rz > 0; ++step) {
@@ -99,17 +99,17 @@ class SparseSolver final : public MinimumNormSolver {
 double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
 struct Candidate {
-  VectorXd stiffness, lambda;
+  VectorXd values, lambda;
   double residual = 0;
 };
 
-// Least change with some of the stiffnesses held at the bound.
+// Least change with some of the values held at the bound.
 Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held, int& steps) {
   Candidate c{problem.start, VectorXd::Zero(problem.target.size()), 0};
   VectorXd free_scale = problem.scale;
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (!held[i]) continue;
-    c.stiffness[i] = problem.lower * problem.scale[i];
+    c.values[i] = problem.lower * problem.scale[i];
     free_scale[i] = 0;
   }
   const Sparse scaled = problem.constraints * free_scale.asDiagonal();
@@ -119,15 +119,15 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   } else {
     solver = std::make_unique<SparseSolver>(scaled);
   }
-  VectorXd missing = problem.target - problem.constraints * c.stiffness;
+  VectorXd missing = problem.target - problem.constraints * c.values;
   c.residual = largest(missing);
   for (int round = 0; round < 30 && c.residual > rounding; ++round) {
     const MinimumNormSolver::Step step = solver->solve(missing, steps);
-    const VectorXd next = c.stiffness + free_scale.cwiseProduct(step.change);
+    const VectorXd next = c.values + free_scale.cwiseProduct(step.change);
     missing = problem.target - problem.constraints * next;
     const double residual = largest(missing), before = c.residual;
     if (!(residual < before)) break;
-    c.stiffness = next;
+    c.values = next;
     c.lambda += step.lambda;
     c.residual = residual;
     if (residual > 0.5 * before) break;
@@ -138,21 +138,21 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
 }  // namespace
 
 // Primal-dual active sets (Hintermueller, Ito, Kunisch 2002): a semismooth Newton method for the dual problem, in which
-// k = max(lower * scale, start + scale^2 A^T lambda).
+// x = max(lower * scale, start + scale^2 A^T lambda).
 LeastChangeResult solve_least_change(const LeastChange& problem) {
   assert(problem.constraints.cols() == problem.start.size() && problem.start.size() == problem.scale.size());
   LeastChangeResult result;
   std::vector<char> held(problem.start.size(), 0);
   for (int round = 0; round < 30; ++round) {
     const Candidate c = solve_with_held(problem, held, result.conjugate_steps);
-    result.stiffness = c.stiffness;
+    result.values = c.values;
     result.residual = c.residual;
     result.bounded = static_cast<int>(std::count(held.begin(), held.end(), 1));
     const VectorXd pull = problem.constraints.transpose() * c.lambda;
     std::vector<char> next(held.size(), 0);
     for (std::size_t i = 0; i < held.size(); ++i) {
       const double wanted = problem.start[i] + problem.scale[i] * problem.scale[i] * pull[i];
-      // A margin keeps rounding from letting a bond change sides for ever.
+      // A margin keeps rounding from letting a value change sides for ever.
       const double margin = held[i] ? 1e-12 : -1e-12;
       next[i] = wanted < (problem.lower + margin) * problem.scale[i];
     }
@@ -162,4 +162,4 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   return result;
 }
 
-}  // namespace bempd::pd
+}  // namespace bempd::linalg
