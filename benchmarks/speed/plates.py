@@ -29,7 +29,7 @@ def plate(arguments: argparse.Namespace, columns: list[str],
     table = Table("plate", "Lattice plate with a central crack", columns)
     own, compared = {}, []
     for n in (50, 100, 200) + ((400, 700) if arguments.full else ()):
-        repeats = arguments.repeats if n <= 100 else 1
+        repeats = arguments.repeats if n <= 200 else 1
         scene = f"{n} x {n}"
         for band, until in ((1e-3, "force"), (1e-3, "separation"), (0.05, "force")):
             if n > 200 and band > 1e-3 or n > 400 and until == "force":

@@ -112,9 +112,9 @@ void EquilibriumSystem::condense() {
   const Stopwatch watch(counters_.seconds_assembly);
   operators_.clear();  // what an attempt that failed has left
   operators_.reserve(pending_.size());
-  for (DenseOperator& op : pending_) {
-    operators_.emplace_back(op, kind_);
-    counters_.dense_factorizations += operators_.back().has_private_unknowns() ? 1 : 0;
+  for (const DenseOperator& op : pending_) {
+    operators_.emplace_back(op, kind_, operators_);
+    counters_.dense_factorizations += operators_.back().has_factorized() ? 1 : 0;
     counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, operators_.back().reciprocal_condition());
   }
   pending_.clear();

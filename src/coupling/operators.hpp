@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace bempd::coupling {
@@ -12,7 +13,7 @@ namespace bempd::coupling {
 // symmetric.
 struct DenseOperator {
   std::vector<int> nodes;
-  Eigen::MatrixXd stiffness;
+  std::shared_ptr<const Eigen::MatrixXd> stiffness;  // operators that are alike have one
   bool symmetric = true;
 };
 

@@ -8,8 +8,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// Unknowns that a window may have: its costs grow with their square per bond and their cube once.
-constexpr std::size_t most_unknowns = 2600;
+// How far a window reaches, in lattice spacings, and how many unknowns it may have. Its own costs grow with the square
+// of its length per bond and with the cube once; the longer it is, the fewer factorizations of the whole body it takes,
+// whose cost grows with the size of the system to the power 1.5. Both sides balance where the length grows with the
+// root.
+constexpr double length_at_20000_unknowns = 46, least_length = 8, most_length = 320;
+constexpr double least_most_unknowns = 2600, most_unknowns_per_length = 46;
 constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
 
 // Bonds broken between two looks at what can be left behind; the least share of what is followed that is worth it; and
@@ -18,7 +22,7 @@ constexpr std::size_t breaks_between_narrowings = 96;
 constexpr double least_narrowing = 0.15, hot_share = 0.5, behind_hot = 1;
 
 // Events computed at once: few at first, in case the host wants few, then up to this many.
-constexpr int first_events = 4, most_events_at_once = 256;
+constexpr int first_events = 16, most_events_at_once = 1024;
 
 // Worst residual with which computed events are taken; what is left is rounding.
 constexpr double acceptable_residual = 1e-11;
@@ -48,7 +52,7 @@ void Lookahead::expect_cracks(const std::vector<int>& cut) {
   shape.ahead = length_ahead();
   std::vector<Zone> zones = zones_at_ends(cut, whole_ratios_.bonds(), positions_, spacing_, shape);
   std::vector<int> nodes = nodes_of(zones);
-  if (2 * nodes.size() > most_unknowns) return;
+  if (is_too_large(nodes)) return;
   keep(std::move(zones), std::move(nodes));
   expected_zones_ = zones_;
   expected_nodes_ = nodes_;
@@ -66,7 +70,12 @@ void Lookahead::keep(std::vector<Zone> zones, std::vector<int> nodes) {
 double Lookahead::length_ahead() const {
   if (options_.ahead > 0) return options_.ahead;
   const double size = static_cast<double>(system_.counters().sparse_unknowns);
-  return std::clamp(28 * std::cbrt(size / 20000), 8.0, 48.0);
+  return std::clamp(length_at_20000_unknowns * std::sqrt(size / 20000), least_length, most_length);
+}
+
+bool Lookahead::is_too_large(const std::vector<int>& nodes) const {
+  return 2 * static_cast<double>(nodes.size()) >
+         std::max(least_most_unknowns, most_unknowns_per_length * length_ahead());
 }
 
 void Lookahead::forget() {
@@ -150,7 +159,7 @@ bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
     }
     std::vector<Zone> zones = zones_of(hot, whole_ratios_, load_factor, state.intact, positions_, spacing_, shape);
     std::vector<int> nodes = nodes_of(zones);
-    if (nodes.empty() || 2 * nodes.size() > most_unknowns) continue;
+    if (nodes.empty() || is_too_large(nodes)) continue;
     keep(std::move(zones), std::move(nodes));
     return true;
   }
@@ -242,7 +251,7 @@ void Lookahead::compute(double load_factor) {
       from = events_.back().load_factor;
     }
   }
-  most_events_ = std::min(2 * most_events_, most_events_at_once);
+  most_events_ = std::min(4 * most_events_, most_events_at_once);
   states_ = window_->complete(foreseen_);
   certify();
   for (const ForeseenEvent& event : events_) system_.set_parted(event.bonds, false);

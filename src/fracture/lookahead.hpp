@@ -78,6 +78,7 @@ class Lookahead {
   void certify();
   void keep_first(int count);  // of the events computed
   double length_ahead() const;
+  bool is_too_large(const std::vector<int>& nodes) const;
   bool choose_nodes(const EvolutionState& state, double load_factor);
   std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
   bool is_far_from_rim(const std::vector<int>& bonds) const;
@@ -107,7 +108,7 @@ class Lookahead {
   bool proportional_ = false;
   bool has_ended_ = false;
   bool needs_whole_body_ = false;
-  int most_events_ = 4;  // to compute at once
+  int most_events_ = 16;  // to compute at once
 
   std::vector<ForeseenEvent> events_;
   std::vector<coupling::Affine> states_;

@@ -11,7 +11,9 @@ namespace {
 constexpr int breaks_between = 40;
 // After so many rounds every state in doubt is computed.
 constexpr int most_rounds = 6;
-// States computed at once: enough for fast solutions, few enough for the caches.
+// States solved at once: enough for fast products.
+constexpr std::size_t solved_at_once = 64;
+// States whose bonds are looked at at once: few enough for the caches.
 constexpr std::size_t batch = 16;
 // Relative margin of all comparisons.
 constexpr double margin = 1e-9;
@@ -84,8 +86,8 @@ std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const 
 void WindowCertificate::take(const std::vector<int>& states) {
   const auto kept = static_cast<Eigen::Index>(condensation_.dofs().size());
   const int parts = proportional_ ? 1 : 2;
-  for (std::size_t begin = 0; begin < states.size(); begin += batch) {
-    const std::size_t end = std::min(states.size(), begin + batch);
+  for (std::size_t begin = 0; begin < states.size(); begin += solved_at_once) {
+    const std::size_t end = std::min(states.size(), begin + solved_at_once);
     std::vector<int> solved(states.begin() + begin, states.begin() + end);
     std::erase(solved, 0);
     Eigen::MatrixXd columns(kept, parts * solved.size());

@@ -52,7 +52,9 @@ struct BoundaryPart {
   const Eigen::MatrixXd& mesh_stiffness() const {
     return stiffness.size() > 0 ? stiffness : boundary_operator->stiffness();
   }
-  coupling::DenseOperator dense_operator() const;
+  // Matrix and all are taken over from one of those that parts have had before if they are the same.
+  coupling::DenseOperator dense_operator(std::span<const BoundaryPart> before,
+                                         std::span<const coupling::DenseOperator> theirs) const;
 };
 
 void number_nodes(BoundaryPart& part, const Formulation& formulation, NodeRegistry& registry);

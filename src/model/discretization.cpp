@@ -148,7 +148,9 @@ const LatticePart* Discretization::lattice_of(int region) const {
 
 std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   std::vector<coupling::DenseOperator> operators;
-  for (const BoundaryPart& part : boundaries) operators.push_back(part.dense_operator());
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    operators.push_back(boundaries[i].dense_operator(std::span(boundaries).first(i), operators));
+  }
   return operators;
 }
 

@@ -79,7 +79,7 @@ std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::ve
 
 // The unknown is the change of the stiffness in units of the bulk value, which keeps the columns of one size.
 linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::vector<Vector4d>& missing,
-                            const DraftBonds& bonds, const std::vector<int>& cluster) {
+                                    const DraftBonds& bonds, const std::vector<int>& cluster) {
   std::vector<int> points;
   for (const int b : cluster) points.insert(points.end(), {bonds.first[b], bonds.second[b]});
   std::sort(points.begin(), points.end());

@@ -213,8 +213,7 @@ double solve_strip(int m, int cells, const std::vector<Kind>& kinds, FaceTemplat
       equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), smallest_ratio);
   for (const Kind& kind : kinds) {
     for (int row = 0; row + kind.away <= cells; ++row) {
-      strip.ratio(row, kind.across, kind.away) =
-          result.values[number[slot(row, kind.across, kind.away)]] / kind.bulk;
+      strip.ratio(row, kind.across, kind.away) = result.values[number[slot(row, kind.across, kind.away)]] / kind.bulk;
     }
   }
   return result.residual;

@@ -92,6 +92,52 @@ static void new_load_values_touch_the_right_hand_side_only(void) {
   bempd_model_free(model);
 }
 
+static double largest_displacement(bempd_model* model, int32_t region) {
+  int64_t count = 0, k;
+  int32_t components = 0;
+  double values[400], largest = 0.0;
+  CHECK_OK(model, bempd_field_size(model, region, BEMPD_DISPLACEMENT, &count, &components));
+  CHECK(count * components <= 400);
+  CHECK_OK(model, bempd_copy_field(model, region, BEMPD_DISPLACEMENT, 400, values));
+  for (k = 0; k < count * components; ++k) largest = fmax(largest, fabs(values[k]));
+  return largest;
+}
+
+static void equal_regions_are_built_and_factorized_once(void) {
+  const double loads[] = {1.0, 2.0};
+  bempd_model *alone = bem_block(), *model = bem_block();
+  bempd_statistics once, twice;
+  double expected;
+  int32_t k;
+  add_bem_rectangle(model, 1, 20.0, 5.0, 30.0, 13.0, 2.0);
+  for (k = 0; k < 2; ++k) {
+    CHECK_OK(model, bempd_fix_edge(model, k + 1, 4, BEMPD_BOTH, NULL));
+    CHECK_OK(model, bempd_add_traction(model, k + 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &loads[k], NULL));
+  }
+  CHECK_OK(alone, bempd_fix_edge(alone, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(alone, bempd_add_traction(alone, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &loads[0], NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(alone, bempd_step(alone, 1.0, NULL));
+  once = statistics_of(alone);
+  twice = statistics_of(model);
+  CHECK(twice.boundary_nodes == 2 * once.boundary_nodes && twice.kernel_evaluations == once.kernel_evaluations);
+  CHECK(once.dense_factorizations == 1 && twice.dense_factorizations == 1);
+  expected = largest_displacement(alone, 1);
+  CHECK(expected > 0.0 && fabs(largest_displacement(model, 1) - expected) <= 1e-12 * expected);
+  CHECK(fabs(largest_displacement(model, 2) - 2.0 * expected) <= 1e-12 * expected);
+  bempd_model_free(model);
+  /* Held elsewhere, a region needs a factorization of its own. */
+  model = bem_block();
+  CHECK_OK(model, bempd_set_option_text(model, "bem.grading", "none"));
+  add_bem_rectangle(model, 1, 20.0, 5.0, 30.0, 13.0, 2.0);
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 2, 2, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK(statistics_of(model).dense_factorizations == 2);
+  bempd_model_free(model);
+  bempd_model_free(alone);
+}
+
 int main(void) {
   const double first_event = coupled_plate_first_event();
   boundary_scene_has_no_lattice_and_no_sparse_factor();
@@ -100,5 +146,6 @@ int main(void) {
   step_without_event_makes_no_solve(first_event);
   looking_at_results_builds_nothing_twice(first_event);
   new_load_values_touch_the_right_hand_side_only();
+  equal_regions_are_built_and_factorized_once();
   return check_finish();
 }

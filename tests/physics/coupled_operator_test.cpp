@@ -43,7 +43,7 @@ Eigen::MatrixXd assemble(const Discretization& d) {
   for (const coupling::DenseOperator& op : d.dense_operators()) {
     std::vector<int> dofs;
     for (int node : op.nodes) dofs.insert(dofs.end(), {2 * node, 2 * node + 1});
-    matrix(dofs, dofs) += op.stiffness;
+    matrix(dofs, dofs) += *op.stiffness;
   }
   const coupling::BondSet& bonds = d.bonds;
   for (std::size_t b = 0; b < bonds.size(); ++b) {

@@ -21,7 +21,7 @@ struct Chain {
     const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(6, 6, [](Eigen::Index i, Eigen::Index j) {
       return std::sin(static_cast<double>(3 * i * j + i * i + 7 * j + 1));
     });
-    op.stiffness = a * a.transpose() + Eigen::MatrixXd::Identity(6, 6);
+    op.stiffness = std::make_shared<const Eigen::MatrixXd>(a * a.transpose() + Eigen::MatrixXd::Identity(6, 6));
     bond(2, 3, 1, 0, 3.0);
     bond(2, 3, 0.6, 0.8, 2.0);
     bond(3, 4, 1, 0, 5.0);
@@ -39,7 +39,7 @@ struct Chain {
   }
   Eigen::MatrixXd full(const std::vector<char>& intact) const {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(10, 10);
-    matrix.topLeftCorner(6, 6) = op.stiffness;
+    matrix.topLeftCorner(6, 6) = *op.stiffness;
     for (std::size_t b = 0; b < bonds.size(); ++b) {
       if (!intact[b]) continue;
       Eigen::VectorXd d = Eigen::VectorXd::Zero(10);
@@ -69,8 +69,9 @@ Affine expected_solution(const Chain& chain, const std::vector<char>& intact, co
 TEST(EquilibriumSystem, unsymmetric_operators_are_solved_also_after_breaks) {
   Chain chain;
   chain.op.symmetric = false;
-  chain.op.stiffness += Eigen::MatrixXd::NullaryExpr(
+  const Eigen::MatrixXd skew = Eigen::MatrixXd::NullaryExpr(
       6, 6, [](Eigen::Index i, Eigen::Index j) { return 0.3 * std::sin(static_cast<double>(5 * i + 11 * j)); });
+  chain.op.stiffness = std::make_shared<const Eigen::MatrixXd>(*chain.op.stiffness + skew);
   EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
   EXPECT_FALSE(system.is_symmetric());
   Affine force = Affine::Zero(10, 2), given = Affine::Zero(10, 2);
