@@ -132,6 +132,7 @@ static void equal_regions_are_built_and_factorized_once(void) {
   add_bem_rectangle(model, 1, 20.0, 5.0, 30.0, 13.0, 2.0);
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 2, 2, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &loads[0], NULL));
   CHECK_OK(model, bempd_step(model, 1.0, NULL));
   CHECK(statistics_of(model).dense_factorizations == 2);
   bempd_model_free(model);
