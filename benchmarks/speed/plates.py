@@ -12,9 +12,9 @@ from rows import OUT, Table, measure
 ACCURACY = 1e-4
 
 
-def same_sequence(n: int) -> str:
+def same_sequence(name: str) -> str:
     """Whether window and plain broke the same bonds in the same events at the same loads."""
-    window, plain = (np.load(OUT / f"history_{n}_{way}.npz") for way in ("window", "plain"))
+    window, plain = (np.load(OUT / f"history_{name}_{way}.npz") for way in ("window", "plain"))
     a, b = window["events"], plain["events"]
     if a.shape != b.shape:
         return f"NO: {len(a)} events against {len(b)}"
@@ -44,9 +44,23 @@ def plate(arguments: argparse.Namespace, columns: list[str],
             result = measure("plate", {"n": n}, {"stepping.solver": "plain"}, "separation", 1,
                              history=str(OUT / f"history_{n}_plain.npz"))
             table.add(row_of(scene, "plain, band 0.001, to separation", result))
-            compared.append(f"N = {n}: {same_sequence(n)}")
+            compared.append(f"N = {n}: {same_sequence(str(n))}")
     print("\nSequences of window and plain are the same: " + "; ".join(compared))
     return own
+
+
+def paper_sequences(arguments: argparse.Namespace, columns: list[str],
+                    row_of: Callable[[str, str, dict[str, Any]], list[Any]]) -> None:
+    """The paper's three cracks, followed to separation by both solvers."""
+    table = Table("sequences", "The paper's three cracks by both solvers", columns)
+    compared = []
+    for scene in ("paper_crack", "paper_slanted_crack", "paper_edge_cracks"):
+        for way in ("window", "plain"):
+            result = measure(scene, {}, {"stepping.solver": way}, "separation", 1,
+                             history=str(OUT / f"history_{scene}_{way}.npz"))
+            table.add(row_of(scene, way, result))
+        compared.append(f"{scene}: {same_sequence(scene)}")
+    print("\nSequences of window and plain are the same: " + "; ".join(compared))
 
 
 def elastic(arguments: argparse.Namespace) -> None:

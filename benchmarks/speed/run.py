@@ -2,7 +2,7 @@
 
     benchmarks/run.sh speed [--full] [--repeats N] [--only PART,...] [--with-peers]
 
-Parts: paper, plate, cracks, elastic, stages, profile, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and,
+Parts: paper, sequences, plate, cracks, elastic, stages, profile, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and,
 once there are plate and peers, docs/speed.png. One core, one process a row."""
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import plates
 import plot
 from rows import OUT, Table, measure
 
-PARTS = ("paper", "plate", "cracks", "elastic", "stages", "profile", "boundary", "memory", "peers")
+PARTS = ("paper", "sequences", "plate", "cracks", "elastic", "stages", "profile", "boundary", "memory", "peers")
 COLUMNS = ["scene", "way", "seconds", "elastic solve [s]", "ratio", "events", "bonds", "peak force", "memory [MB]",
            "residual"]
 
@@ -73,6 +73,8 @@ def main() -> None:
     own: dict[int, dict[str, Any]] = {}
     if "paper" in wanted:
         paper(arguments)
+    if "sequences" in wanted:
+        plates.paper_sequences(arguments, COLUMNS, row_of)
     if "plate" in wanted:
         own = plates.plate(arguments, COLUMNS, row_of)
     if "cracks" in wanted:

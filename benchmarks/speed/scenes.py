@@ -81,6 +81,36 @@ def paper_crack(model: bempd.Model, scheme: str = "symmetric") -> None:
     model.fix_point((0, 0.5 * height), "y")
 
 
+def paper_slanted_crack(model: bempd.Model) -> None:
+    """The plate of examples/mixed_mode_crack: the crack at 45 degrees runs between the points."""
+    mm, half = 1e-3, 5e-3 * math.sqrt(0.5)
+    left, right, side = 14.75 * mm, 35.25 * mm, 50 * mm
+    material = model.add_material(young_modulus=30e9, poisson_ratio=1 / 3, critical_stretch=8e-4)
+    model.add_bem_region(material, bempd.rectangle(0, 0, left, side), 5 * mm)
+    model.add_pd_region(material, bempd.rectangle(left, 0, right, side), 0.5 * mm, 4)
+    model.add_bem_region(material, bempd.rectangle(right, 0, side, side), 5 * mm)
+    model.add_crack([(side / 2 - half,) * 2, (side / 2 + half,) * 2])
+    model.prescribe_edge(1, 4, "x", -2e-8)
+    model.prescribe_edge(3, 2, "x", 2e-8)
+    model.fix_point((0, side / 2), "y")
+
+
+def paper_edge_cracks(model: bempd.Model) -> None:
+    """The plate of examples/two_edge_cracks, pulled by tractions on both edges."""
+    mm, side, traction = 1e-3, 50e-3, 0.1e6
+    low, high, middle = 17.25 * mm, 32.75 * mm, side / 2
+    material = model.add_material(young_modulus=72e9, poisson_ratio=1 / 3, fracture_energy=3.28876)
+    model.add_bem_region(material, bempd.rectangle(0, 0, side, low), 5 * mm)
+    model.add_pd_region(material, bempd.rectangle(0, low, side, high), 0.5 * mm, 4)
+    model.add_bem_region(material, bempd.rectangle(0, high, side, side), 5 * mm)
+    model.add_crack([(0, middle - mm), (2 * mm, middle - mm)])
+    model.add_crack([(side, middle + mm), (side - 2 * mm, middle + mm)])
+    model.add_traction(1, 1, "y", -traction)
+    model.add_traction(3, 3, "y", traction)
+    model.fix_point((middle, 0), "both")
+    model.fix_point((middle, side), "x")
+
+
 def square(model: bempd.Model, elements: int) -> None:
     """Boundary elements only: the unit square, a quarter of the elements on each side."""
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3)
@@ -100,5 +130,6 @@ def clamped_error(model: bempd.Model, name: str, element_length: float) -> float
     return float(scene.error(model, scene.knobs | {"element_length": element_length}))
 
 
-SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack, "square": square,
-                                          "clamped": clamped}
+SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack,
+                                          "paper_slanted_crack": paper_slanted_crack,
+                                          "paper_edge_cracks": paper_edge_cracks, "square": square, "clamped": clamped}

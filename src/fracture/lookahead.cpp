@@ -12,7 +12,9 @@ namespace {
 // of its length per bond and with the cube once; the longer it is, the fewer factorizations of the whole body it takes,
 // whose cost grows with the size of the system to the power 1.5. Both sides balance where the length grows with the
 // root.
-constexpr double length_at_20000_unknowns = 46, least_length = 8, most_length = 320;
+constexpr double length_at_20000_unknowns = 31, least_length = 8, most_length = 320;
+// At the ends of initial cracks, where a straight run is to take one factorization, windows are longer by this factor.
+constexpr double length_of_expected = 1.5;
 constexpr double least_most_unknowns = 2600, most_unknowns_per_length = 46;
 constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
 
@@ -49,10 +51,10 @@ Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder&
 void Lookahead::expect_cracks(const std::vector<int>& cut) {
   if (!system_.is_symmetric() || cut.empty() || cut.size() > most_cut_bonds) return;
   ZoneShape shape;
-  shape.ahead = length_ahead();
+  shape.ahead = length_of_expected * length_ahead();
   std::vector<Zone> zones = zones_at_ends(cut, whole_ratios_.bonds(), positions_, spacing_, shape);
   std::vector<int> nodes = nodes_of(zones);
-  if (is_too_large(nodes)) return;
+  if (is_too_large(nodes, shape)) return;
   keep(std::move(zones), std::move(nodes));
   expected_zones_ = zones_;
   expected_nodes_ = nodes_;
@@ -73,9 +75,8 @@ double Lookahead::length_ahead() const {
   return std::clamp(length_at_20000_unknowns * std::sqrt(size / 20000), least_length, most_length);
 }
 
-bool Lookahead::is_too_large(const std::vector<int>& nodes) const {
-  return 2 * static_cast<double>(nodes.size()) >
-         std::max(least_most_unknowns, most_unknowns_per_length * length_ahead());
+bool Lookahead::is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const {
+  return 2 * static_cast<double>(nodes.size()) > std::max(least_most_unknowns, most_unknowns_per_length * shape.ahead);
 }
 
 void Lookahead::forget() {
@@ -159,7 +160,7 @@ bool Lookahead::choose_nodes(const EvolutionState& state, double load_factor) {
     }
     std::vector<Zone> zones = zones_of(hot, whole_ratios_, load_factor, state.intact, positions_, spacing_, shape);
     std::vector<int> nodes = nodes_of(zones);
-    if (nodes.empty() || is_too_large(nodes)) continue;
+    if (nodes.empty() || is_too_large(nodes, shape)) continue;
     keep(std::move(zones), std::move(nodes));
     return true;
   }

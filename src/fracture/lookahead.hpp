@@ -78,7 +78,7 @@ class Lookahead {
   void certify();
   void keep_first(int count);  // of the events computed
   double length_ahead() const;
-  bool is_too_large(const std::vector<int>& nodes) const;
+  bool is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const;
   bool choose_nodes(const EvolutionState& state, double load_factor);
   std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
   bool is_far_from_rim(const std::vector<int>& bonds) const;
