@@ -8,8 +8,6 @@ namespace {
 
 // States checked at once: each bond's ends are fetched once for all of them.
 constexpr Eigen::Index batch = 16;
-// Relative margin of comparisons.
-constexpr double margin = 1e-9;
 
 }  // namespace
 
@@ -84,7 +82,7 @@ int LeftBehind::first_violation(const std::vector<Affine>& states, const std::ve
       largest = largest.max(ratio);
     }
     for (std::size_t c = begin; c < end; ++c) {
-      const bool holds = largest[static_cast<Eigen::Index>(c - begin)] < checks[c].limit * (1 - margin);
+      const bool holds = largest[static_cast<Eigen::Index>(c - begin)] < checks[c].bound();
       if (!holds) return checks[c].state;
     }
   }

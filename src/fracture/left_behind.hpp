@@ -14,6 +14,9 @@ struct OutsideCheck {
   int state;
   double load_factor;
   double limit;
+
+  // With a margin for the rounding in which plain and condensed equations differ.
+  double bound() const { return limit * (1 - 1e-9); }
 };
 
 // The displacements that a window no longer follows from event to event because nothing breaks there any more.

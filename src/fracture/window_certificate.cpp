@@ -15,8 +15,6 @@ constexpr int most_rounds = 6;
 constexpr std::size_t solved_at_once = 64;
 // States whose bonds are looked at at once: few enough for the caches.
 constexpr std::size_t batch = 16;
-// Relative margin of all comparisons.
-constexpr double margin = 1e-9;
 
 }  // namespace
 
@@ -149,7 +147,7 @@ void WindowCertificate::take(const std::vector<int>& states) {
 bool WindowCertificate::is_exceeded(int state) const {
   const Snapshot& snapshot = snapshots_.at(state);
   for (std::size_t c = 0; c < checks_[state].size(); ++c) {
-    if (!(snapshot.largest[c] < checks_[state][c].limit * (1 - margin))) return true;
+    if (!(snapshot.largest[c] < checks_[state][c].bound())) return true;
   }
   return false;
 }
@@ -178,7 +176,7 @@ std::vector<int> WindowCertificate::uncertified() const {
         const Eigen::VectorXd here = on_boundary(state, check.load_factor) - start;
         const double length = way.squaredNorm();
         const double t = length > 0 ? std::clamp(way.dot(here) / length, 0.0, 1.0) : 0.0;
-        questions.push_back({state, check.limit * (1 - margin), (1 - t) * a->second.bound + t * b->second.bound});
+        questions.push_back({state, check.bound(), (1 - t) * a->second.bound + t * b->second.bound});
         differences.push_back(here - t * way);
       }
     }

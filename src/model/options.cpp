@@ -26,7 +26,7 @@ struct PresetValue {
   double value;
 };
 
-// Crack runs have no draft: a wider tie band breaks more bonds at once, but takes no less time.
+// Crack runs have no draft: a tie band of 1 % breaks more bonds at once, but takes no less time.
 constexpr PresetValue draft_values[] = {{"bem.quadrature_tolerance", 1e-6}};
 constexpr PresetValue fine_values[] = {{"bem.quadrature_tolerance", 1e-15}, {"stepping.tie_band", 0}};
 
@@ -132,8 +132,9 @@ const std::vector<OptionDescription>& option_descriptions() {
           "a solution of the whole body each.",
           "plain | window", "window"),
       number_option("stepping.window_length",
-                    "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose.", 0,
-                    0, 1e4, false),
+                    "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose, as "
+                    "it always does for the first window at initial cracks.",
+                    0, 0, 1e4, false),
       number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0, 1e9,
                     true),
       number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),

@@ -2,6 +2,7 @@
 
 #include "bem/boundary_loads.hpp"
 #include "bem/galerkin_operator.hpp"
+#include "dense.hpp"
 #include "physics/bem_bodies.hpp"
 
 namespace {
