@@ -1,7 +1,7 @@
 #include "coupling/stiffness_assembly.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 
 namespace bempd::coupling {
 
@@ -64,34 +64,26 @@ void StiffnessAssembly::each_pair(const Visit& visit) const {
   }
 }
 
-StiffnessAssembly::Partners StiffnessAssembly::partners() const {
+linalg::Adjacency StiffnessAssembly::partners() const {
   const auto has_column = [&](int column, int row) { return column != row && (!symmetric_ || column < row); };
-  Partners partners;
-  partners.start.assign(unknown_of_.size() / 2 + 1, 0);
-  each_pair([&](int a, int b) {
-    if (has_column(a, b)) ++partners.start[a + 1];
-    if (has_column(b, a)) ++partners.start[b + 1];
+  return linalg::make_adjacency(unknown_of_.size() / 2, [&](const auto& add) {
+    each_pair([&](int a, int b) {
+      if (has_column(a, b)) add(a, b);
+      if (has_column(b, a)) add(b, a);
+    });
   });
-  std::partial_sum(partners.start.begin(), partners.start.end(), partners.start.begin());
-  partners.node.resize(static_cast<std::size_t>(partners.start.back()));
-  std::vector<int> next(partners.start.begin(), partners.start.end() - 1);
-  each_pair([&](int a, int b) {
-    if (has_column(a, b)) partners.node[next[a]++] = b;
-    if (has_column(b, a)) partners.node[next[b]++] = a;
-  });
-  return partners;
 }
 
 void StiffnessAssembly::make_pattern() {
-  Partners partners = this->partners();
+  linalg::Adjacency partners = this->partners();
   const auto size =
       static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) { return u >= 0; }));
   matrix_.resize(size, size);
   std::vector<int> rows, column_start{0};
-  rows.reserve(4 * partners.node.size() + 2 * static_cast<std::size_t>(size));
+  rows.reserve(4 * partners.value.size() + 2 * static_cast<std::size_t>(size));
   for (int node = 0; node < static_cast<int>(unknown_of_.size() / 2); ++node) {
-    const auto begin = partners.node.begin() + partners.start[node],
-               end = partners.node.begin() + partners.start[node + 1];
+    const std::span<int> own = partners.of(node);
+    const auto begin = own.begin(), end = own.end();
     std::sort(begin, end);
     const auto last = std::unique(begin, end);
     for (int column = 2 * node; column < 2 * node + 2; ++column) {

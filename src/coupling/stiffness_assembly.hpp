@@ -6,6 +6,7 @@
 #include "coupling/condensed_operator.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "linalg/adjacency.hpp"
 
 namespace bempd::coupling {
 
@@ -37,10 +38,7 @@ class StiffnessAssembly {
   template <class Visit>
   void each_pair(const Visit& visit) const;
   // Nodes coupled to each node, those with a smaller number left out where the matrix is symmetric.
-  struct Partners {
-    std::vector<int> start, node;
-  };
-  Partners partners() const;
+  linalg::Adjacency partners() const;
   void make_pattern();
   std::vector<int> nodes_pulled(std::size_t term) const;
   bool is_general(std::size_t term) const;
