@@ -4,6 +4,7 @@
 
 #include "bem/collocation_operator.hpp"
 #include "bem/galerkin_operator.hpp"
+#include "coupling/unsymmetric_solution.hpp"
 #include "error.hpp"
 
 namespace bempd::model {
@@ -111,12 +112,14 @@ coupling::DenseOperator BoundaryPart::dense_operator(std::span<const BoundaryPar
            (stiffness.size() == 0 || other.stiffness == stiffness) && other.trace.rows() == trace.rows() &&
            other.trace.cols() == trace.cols() && other.trace.isApprox(trace, 0);
   };
+  const coupling::SolutionMethod& method =
+      boundary_operator->symmetric() ? coupling::symmetric_solution() : coupling::unsymmetric_solution();
   const auto same = std::find_if(before.begin(), before.end(), is_same);
   if (same != before.end()) {
-    return {nodes, theirs[static_cast<std::size_t>(same - before.begin())].stiffness, boundary_operator->symmetric()};
+    return {nodes, theirs[static_cast<std::size_t>(same - before.begin())].stiffness, &method};
   }
   const Eigen::MatrixXd half = mesh_stiffness() * trace;
-  return {nodes, std::make_shared<const Eigen::MatrixXd>(trace.transpose() * half), boundary_operator->symmetric()};
+  return {nodes, std::make_shared<const Eigen::MatrixXd>(trace.transpose() * half), &method};
 }
 
 void number_nodes(BoundaryPart& part, const Formulation& formulation, NodeRegistry& registry) {
