@@ -9,7 +9,7 @@
 #include "fracture/critical_events.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
-#include "fracture/lookahead.hpp"
+#include "fracture/window/lookahead.hpp"
 
 namespace bempd::fracture {
 

@@ -1,4 +1,4 @@
-#include "fracture/active_window.hpp"
+#include "fracture/window/active_window.hpp"
 
 #include <algorithm>
 #include <cmath>

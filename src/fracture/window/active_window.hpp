@@ -8,7 +8,7 @@
 
 #include "coupling/condensation.hpp"
 #include "fracture/critical_events.hpp"
-#include "fracture/left_behind.hpp"
+#include "fracture/window/left_behind.hpp"
 
 namespace bempd::fracture {
 

@@ -1,4 +1,4 @@
-#include "fracture/lookahead.hpp"
+#include "fracture/window/lookahead.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fracture/window_zones.hpp"
+#include "fracture/window/window_zones.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fracture/left_behind.hpp"
+#include "fracture/window/left_behind.hpp"
 
 #include <algorithm>
 

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "fracture/active_window.hpp"
+#include "fracture/window/active_window.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
-#include "fracture/window_certificate.hpp"
-#include "fracture/window_zones.hpp"
+#include "fracture/window/window_certificate.hpp"
+#include "fracture/window/window_zones.hpp"
 
 namespace bempd::fracture {
 

@@ -1,4 +1,4 @@
-#include "fracture/window_certificate.hpp"
+#include "fracture/window/window_certificate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coupling/condensation.hpp"
-#include "fracture/active_window.hpp"
+#include "fracture/window/active_window.hpp"
 
 namespace bempd::fracture {
 
