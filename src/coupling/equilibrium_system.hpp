@@ -68,6 +68,7 @@ class EquilibriumSystem {
   void set_load(Affine force, Affine prescribed);
   const Affine& force() const { return force_; }
   const Affine& prescribed() const { return prescribed_; }
+  const NodeTies& ties() const { return ties_; }
 
   // Breaking takes two calls, so that the parts it frees can be found in between and held before the matrix loses
   // their resistance: mark the bonds, then change the matrix (rank-one changes of the factor where there is one).
