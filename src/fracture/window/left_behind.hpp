@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
+#include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
@@ -16,7 +17,7 @@ struct OutsideCheck {
   double limit;
 
   // With a margin for the rounding in which plain and condensed equations differ.
-  double bound() const { return limit * (1 - 1e-9); }
+  double bound() const { return limit * (1 - WindowSettings::certificate_margin); }
 };
 
 // The displacements that a window no longer follows from event to event because nothing breaks there any more.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fracture/critical_events.hpp"
+#include "fracture/window/window_settings.hpp"
 #include "geometry/point.hpp"
 
 namespace bempd::fracture {
@@ -22,9 +23,11 @@ struct Zone {
   bool is_inner(const Point& p) const;
 };
 
+// In lattice spacings.
 struct ZoneShape {
-  double ahead = 18, back = 4, half_width = 4;  // in lattice spacings
-  double hot = 0.7;                             // share of the largest ratio from which on a bond belongs to a zone
+  double ahead;
+  double back = WindowSettings::back;
+  double half_width = WindowSettings::half_width;
 };
 
 // Zones of the hot bonds at a load factor, one for every crowd of them. `spacing` is that of the lattice at a node.

@@ -1,23 +1,13 @@
-#include "fracture/window_certificate.hpp"
+#include "fracture/window/window_certificate.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/window/window_settings.hpp"
+
 namespace bempd::fracture {
 
-namespace {
-
-// Bonds that may break between two states that are computed for the whole body.
-constexpr int breaks_between = 40;
-// After so many rounds every state in doubt is computed.
-constexpr int most_rounds = 6;
-// States solved at once: enough for fast products.
-constexpr std::size_t solved_at_once = 64;
-// States whose bonds are looked at at once: few enough for the caches.
-constexpr std::size_t batch = 16;
-
-}  // namespace
-
+using S = WindowSettings;
 using coupling::Affine;
 
 WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
@@ -25,19 +15,20 @@ WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
                                      const StretchRatios& ratios, bool proportional)
     : condensation_(condensation), window_(window), proportional_(proportional) {
   collect_bonds(system, ratios);
-  rounding_ = 1e-13 * window.outside_stiffness().diagonal().lpNorm<Eigen::Infinity>();
+  rounding_ = S::energy_rounding * window.outside_stiffness().diagonal().lpNorm<Eigen::Infinity>();
 }
 
 void WindowCertificate::collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios) {
   const coupling::BondSet& bonds = system.bonds();
   std::vector<double> compliance;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const double scale = 1 / (bonds.length[b] * ratios.critical_stretch()[b]);
+    const double c = ratios.directions().cosine[b], s = ratios.directions().sine[b];
+    const double scale = std::hypot(c, s);
     if (!system.intact()[b] || window_.contains(static_cast<int>(b)) || scale == 0) continue;
     first_.push_back(2 * bonds.first[b]);
     second_.push_back(2 * bonds.second[b]);
-    cosine_.push_back(bonds.cosine[b] * scale);
-    sine_.push_back(bonds.sine[b] * scale);
+    cosine_.push_back(c);
+    sine_.push_back(s);
     compliance.push_back(scale / std::sqrt(bonds.stiffness[b]));
   }
   classify(compliance);
@@ -48,7 +39,7 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
   class_of_.assign(compliance.size(), 0);
   if (compliance.empty()) return;
   const auto [least, most] = std::minmax_element(compliance.begin(), compliance.end());
-  const double lowest = std::log(*least), width = std::max(std::log(*most) - lowest, 1e-12);
+  const double lowest = std::log(*least), width = std::max(std::log(*most) - lowest, S::least_class_width);
   for (std::size_t b = 0; b < compliance.size(); ++b) {
     const int k =
         std::min(most_classes - 1, static_cast<int>(most_classes * (std::log(compliance[b]) - lowest) / width));
@@ -60,10 +51,11 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
 std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const Eigen::MatrixXd& displacements) const {
   std::vector<Classes> result;
   // Each bond's ends are fetched once for a batch of states.
+  constexpr Eigen::Index batch = S::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   Eigen::Array<double, batch, Eigen::Dynamic> u;
   for (Eigen::Index first = 0; first < displacements.rows(); first += batch) {
-    const Eigen::Index count = std::min<Eigen::Index>(batch, displacements.rows() - first);
+    const Eigen::Index count = std::min(batch, displacements.rows() - first);
     u.setZero(batch, displacements.cols());
     u.topRows(count) = displacements.middleRows(first, count);
     std::array<Batch, most_classes> largest;
@@ -82,66 +74,79 @@ std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const 
 }
 
 void WindowCertificate::take(const std::vector<int>& states) {
-  const auto kept = static_cast<Eigen::Index>(condensation_.dofs().size());
+  for (std::size_t begin = 0; begin < states.size(); begin += S::states_solved_at_once) {
+    const std::size_t end = std::min(states.size(), begin + S::states_solved_at_once);
+    take_together(
+        {states.begin() + static_cast<std::ptrdiff_t>(begin), states.begin() + static_cast<std::ptrdiff_t>(end)});
+  }
+}
+
+void WindowCertificate::take_together(const std::vector<int>& states) {
+  std::vector<int> solved = states;
+  std::erase(solved, 0);
+  Eigen::MatrixXd whole = solve(solved);
+  // Values at the load factors of interest: the ends of their range, then the state's own checks.
+  std::vector<std::pair<int, double>> wanted;
+  for (int state : states) {
+    wanted.emplace_back(state, lowest_);
+    if (proportional_) continue;
+    wanted.emplace_back(state, highest_);
+    for (const OutsideCheck& check : checks_[state]) wanted.emplace_back(state, check.load_factor);
+  }
+  const bool are_these = proportional_ && wanted.size() == solved.size() && lowest_ == 1;
+  const std::vector<Classes> largest = largest_ratios(are_these ? std::move(whole) : values(wanted, solved, whole));
+  std::size_t next = 0;
+  for (int state : states) {
+    Snapshot& snapshot = snapshots_[state];
+    snapshot.bound = largest[next++];
+    if (proportional_) {
+      snapshot.largest.assign(checks_[state].size(), snapshot.bound.maxCoeff());
+      continue;
+    }
+    snapshot.bound = snapshot.bound.max(largest[next++]);
+    for (std::size_t c = 0; c < checks_[state].size(); ++c) snapshot.largest.push_back(largest[next++].maxCoeff());
+  }
+}
+
+// One row for the proportional part of each state, or two for both parts.
+Eigen::MatrixXd WindowCertificate::solve(const std::vector<int>& states) {
+  if (states.empty()) return {};
   const int parts = proportional_ ? 1 : 2;
-  for (std::size_t begin = 0; begin < states.size(); begin += solved_at_once) {
-    const std::size_t end = std::min(states.size(), begin + solved_at_once);
-    std::vector<int> solved(states.begin() + begin, states.begin() + end);
-    std::erase(solved, 0);
-    Eigen::MatrixXd columns(kept, parts * solved.size());
-    std::vector<int> part;
-    for (std::size_t s = 0; s < solved.size(); ++s) {
-      for (int p = 0; p < parts; ++p) {
-        part.push_back(proportional_ ? 1 : p);
-        columns.col(static_cast<Eigen::Index>(part.size() - 1)) = (*states_)[solved[s]].col(part.back());
-      }
-    }
-    Eigen::MatrixXd whole;
-    if (!solved.empty()) whole = condensation_.expand(columns, part);
-    if (!solved.empty() && solved.back() + 1 == static_cast<int>(states_->size())) {
-      solved_state_ = solved.back();
-      solved_ = whole.bottomRows(parts).transpose();
-    }
-    // Values at the load factors of interest: the ends of their range, then the state's own checks.
-    std::vector<std::pair<int, double>> wanted;
-    for (std::size_t s = begin; s < end; ++s) {
-      wanted.emplace_back(states[s], lowest_);
-      if (!proportional_) wanted.emplace_back(states[s], highest_);
-      if (!proportional_) {
-        for (const OutsideCheck& check : checks_[states[s]]) wanted.emplace_back(states[s], check.load_factor);
-      }
-    }
-    Eigen::MatrixXd values(wanted.size(), whole_first_->rows());
-    if (proportional_ && wanted.size() == solved.size() && lowest_ == 1) {
-      values.swap(whole);
-    } else {
-      for (std::size_t w = 0; w < wanted.size(); ++w) {
-        const auto [state, load_factor] = wanted[w];
-        const auto row = static_cast<Eigen::Index>(w);
-        if (state == 0) {
-          values.row(row) = load_factor * whole_first_->col(1).transpose();
-          if (!proportional_) values.row(row) += whole_first_->col(0).transpose();
-          continue;
-        }
-        const auto at = parts * (std::find(solved.begin(), solved.end(), state) - solved.begin());
-        values.row(row) = whole.row(at);
-        if (!proportional_) values.row(row) += load_factor * whole.row(at + 1);
-      }
-    }
-    const std::vector<Classes> largest = largest_ratios(values);
-    std::size_t next = 0;
-    for (std::size_t s = begin; s < end; ++s) {
-      Snapshot& snapshot = snapshots_[states[s]];
-      snapshot.bound = largest[next++];
-      if (proportional_) {
-        snapshot.largest.assign(checks_[states[s]].size(), snapshot.bound.maxCoeff());
-        continue;
-      }
-      snapshot.bound = snapshot.bound.max(largest[next++]);
-      for (std::size_t c = 0; c < checks_[states[s]].size(); ++c)
-        snapshot.largest.push_back(largest[next++].maxCoeff());
+  const auto kept = static_cast<Eigen::Index>(condensation_.dofs().size());
+  Eigen::MatrixXd columns(kept, parts * static_cast<Eigen::Index>(states.size()));
+  std::vector<int> part;
+  for (int state : states) {
+    for (int p = 0; p < parts; ++p) {
+      part.push_back(proportional_ ? 1 : p);
+      columns.col(static_cast<Eigen::Index>(part.size() - 1)) = (*states_)[state].col(part.back());
     }
   }
+  Eigen::MatrixXd whole = condensation_.expand(columns, part);
+  if (states.back() + 1 == static_cast<int>(states_->size())) {
+    solved_state_ = states.back();
+    solved_ = whole.bottomRows(parts).transpose();
+  }
+  return whole;
+}
+
+// Displacements of states at load factors, from the solutions of the states solved; that of the state 0 is known.
+Eigen::MatrixXd WindowCertificate::values(const std::vector<std::pair<int, double>>& wanted,
+                                          const std::vector<int>& solved, const Eigen::MatrixXd& whole) const {
+  const int parts = proportional_ ? 1 : 2;
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(wanted.size()), whole_first_->rows());
+  for (std::size_t w = 0; w < wanted.size(); ++w) {
+    const auto [state, load_factor] = wanted[w];
+    auto row = result.row(static_cast<Eigen::Index>(w));
+    if (state == 0) {
+      row = load_factor * whole_first_->col(1).transpose();
+      if (!proportional_) row += whole_first_->col(0).transpose();
+      continue;
+    }
+    const auto at = parts * (std::find(solved.begin(), solved.end(), state) - solved.begin());
+    row = whole.row(at);
+    if (!proportional_) row += load_factor * whole.row(at + 1);
+  }
+  return result;
 }
 
 bool WindowCertificate::is_exceeded(int state) const {
@@ -198,7 +203,7 @@ std::vector<int> WindowCertificate::uncertified() const {
 
 // A third of every run of states in doubt; in the end all.
 std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& states, int round) const {
-  if (round >= most_rounds) return states;
+  if (round >= S::most_rounds) return states;
   std::vector<int> chosen;
   for (std::size_t begin = 0; begin < states.size();) {
     std::size_t end = begin + 1;
@@ -237,9 +242,9 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
     highest_ = std::max(highest_, check.load_factor);
   }
   std::vector<int> wanted;
-  int counted = -breaks_between;
+  int counted = -S::breaks_between_snapshots;
   for (int s = 0; s < static_cast<int>(states.size()); ++s) {
-    if (breaks[s] - counted < breaks_between && s + 1 < static_cast<int>(states.size())) continue;
+    if (breaks[s] - counted < S::breaks_between_snapshots && s + 1 < static_cast<int>(states.size())) continue;
     wanted.push_back(s);
     counted = breaks[s];
   }

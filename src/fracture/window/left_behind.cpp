@@ -1,15 +1,10 @@
-#include "fracture/left_behind.hpp"
+#include "fracture/window/left_behind.hpp"
 
 #include <algorithm>
 
+#include "fracture/window/window_settings.hpp"
+
 namespace bempd::fracture {
-
-namespace {
-
-// States checked at once: each bond's ends are fetched once for all of them.
-constexpr Eigen::Index batch = 16;
-
-}  // namespace
 
 using coupling::Affine;
 
@@ -60,6 +55,8 @@ std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool 
 }
 
 int LeftBehind::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
+  // Each bond's ends are fetched once for a batch of states.
+  constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   if (ratios_.empty() || checks.empty()) return static_cast<int>(states.size());
   Eigen::Array<double, batch, Eigen::Dynamic> u;

@@ -1,4 +1,4 @@
-#include "fracture/window_zones.hpp"
+#include "fracture/window/window_zones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,20 +9,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// In lattice spacings: hot bonds nearer to each other than this are one crowd; broken bonds as near tell on which side
-// of a crowd the crack is; the rim of a zone in front and behind, and beside.
-constexpr double crowd_distance = 6;
-constexpr double crack_distance = 8;
-constexpr double front_rim = 3, side_rim = 0;
-constexpr double beside_hot = 2.4;
-
-// Of the largest ratio in a crowd: bonds in whose middle it is.
-constexpr double centre_share = 0.85;
-
-// Which bonds tell in which direction a crack opens: those with this share of the largest ratio in a crowd, up to so
-// many lattice spacings from it. The few that are about to break would tell the next step of a path that goes to and
-// fro.
-constexpr double opening_share = 0.5, opening_reach = 16;
+using S = WindowSettings;
 
 // Groups of points each of which is near to another one of its group.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
@@ -51,11 +38,11 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - beside_hot * dx)};
-  zone.high = {high.x() + shape.ahead * dx, std::max(shape.half_width * dx, high.y() + beside_hot * dx)};
+  zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - S::beside_hot * dx)};
+  zone.high = {high.x() + shape.ahead * dx, std::max(shape.half_width * dx, high.y() + S::beside_hot * dx)};
   // Behind the tip nothing is expected to break.
-  zone.inner_low = zone.low + Point((back == shape.back ? side_rim : front_rim) * dx, side_rim * dx);
-  zone.inner_high = zone.high - Point(front_rim * dx, side_rim * dx);
+  zone.inner_low = zone.low + Point(back == shape.back ? 0 : S::front_rim * dx, 0);
+  zone.inner_high = zone.high - Point(S::front_rim * dx, 0);
 }
 
 class Builder {
@@ -74,7 +61,7 @@ class Builder {
     double weight = 0;
     for (int b : crowd) {
       const double ratio = ratios_.at(b, load_factor_);
-      if (ratio < centre_share * largest) continue;
+      if (ratio < S::centre_share * largest) continue;
       zone.centre += ratio * middle(b);
       weight += ratio;
     }
@@ -82,10 +69,10 @@ class Builder {
     const double dx = spacing_[bonds().first[crowd.front()]];
     // A crack runs across the direction in which it opens.
     zone.axis =
-        linalg::symmetric_modes(opening(zone.centre, opening_reach * dx, opening_share * largest)).vectors.col(0);
+        linalg::symmetric_modes(opening(zone.centre, S::opening_reach * dx, S::opening_share * largest)).vectors.col(0);
     Point crack = Point::Zero();
     for (const Point& p : parted) {
-      if ((p - zone.centre).norm() < crack_distance * dx) crack += p - zone.centre;
+      if ((p - zone.centre).norm() < S::crack_distance * dx) crack += p - zone.centre;
     }
     if (zone.axis.dot(crack) > 0) zone.axis = -zone.axis;
     const bool one_way = -zone.axis.dot(crack) > 0.5 * crack.norm() && crack.norm() > 0;
@@ -140,7 +127,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   for (int b : hot) middles.push_back(builder.middle(b));
   const double dx = hot.empty() ? 0 : spacing[ratios.bonds().first[hot.front()]];
   std::vector<Zone> zones;
-  for (const std::vector<int>& crowd : crowds(middles, crowd_distance * dx)) {
+  for (const std::vector<int>& crowd : crowds(middles, S::crowd_distance * dx)) {
     std::vector<int> members;
     for (int k : crowd) members.push_back(hot[k]);
     zones.push_back(builder.zone(members, parted, shape));
@@ -155,7 +142,7 @@ std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Bon
   for (int b : cut) middles.push_back(0.5 * (positions[bonds.first[b]] + positions[bonds.second[b]]));
   const double dx = spacing[bonds.first[cut.front()]];
   std::vector<Zone> zones;
-  for (const std::vector<int>& crowd : crowds(middles, crowd_distance * dx)) {
+  for (const std::vector<int>& crowd : crowds(middles, S::crowd_distance * dx)) {
     Point mean = Point::Zero();
     for (int k : crowd) mean += middles[k] / static_cast<double>(crowd.size());
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();

@@ -1,30 +1,25 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
-#include "fracture/active_window.hpp"
+#include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
-#include "fracture/window_certificate.hpp"
-#include "fracture/window_zones.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/narrowing.hpp"
+#include "fracture/window/window_certificate.hpp"
+#include "fracture/window/window_functions.hpp"
+#include "fracture/window/window_place.hpp"
 
 namespace bempd::fracture {
 
-// Energy of the displacement u0 + f u1 at the load factor f.
-struct EnergyForm {
-  double constant = 0, mixed = 0, proportional = 0;
-  double at(double f) const { return 0.5 * (constant + 2 * f * mixed + f * f * proportional); }
-};
-
 // What an event will do once it happens.
 struct ForeseenEvent {
-  double load_factor;
-  double ratio;            // largest stretch over the critical one
-  std::vector<int> bonds;  // that break, ascending
+  Event event;
   EnergyForm before, after;
   double work = 0, released = 0;  // of the break itself
+  double largest_force = 0;       // internal nodal force that is known to be reached until then
   std::vector<double> reactions;  // after it
 };
 
@@ -37,8 +32,7 @@ class Lookahead {
   struct Options {
     double tie_band;
     int max_breaks_per_solve;
-    double ahead;             // of a crack tip, in lattice spacings; 0: chosen by the size of the system
-    double separated_energy;  // of the proportional load alone, below which the body is in pieces
+    double ahead;  // of a crack tip, in lattice spacings; 0: chosen by the size of the system
     bool operator==(const Options&) const = default;
   };
 
@@ -46,60 +40,54 @@ class Lookahead {
             const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs);
 
   // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
-  void expect_cracks(const std::vector<int>& cut);
+  void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }
 
   // Around the bonds that are hot at the load factor of the next event. False if there is no window that would be
   // smaller than the problem.
-  bool open(const EvolutionState& state, double load_factor, const Options& options);
+  bool open(const BodyState& state, double load_factor, const Options& options);
   bool is_open() const { return window_ != nullptr; }
   void close();
   void forget();  // and where the window was: a new one is what it would be in a fresh run
 
   const Options& options() const { return options_; }
 
-  // The next event on the way up from a load factor; null if the window has come to its end. Computes more events where
-  // none is left; `before_computing` is called first, while the present states can still be asked for.
-  const ForeseenEvent* next(double load_factor, const std::function<void()>& before_computing);
+  // True where no event is left but more may come.
+  bool must_compute() const { return position_ == static_cast<int>(events_.size()) && !has_ended_; }
+  // More events on the way up from the state, which is that of the present position.
+  void compute(const BodyState& state);
+
+  // The next of the events computed; null if there is none.
+  const ForeseenEvent* next() const;
+  void take();  // the system's bonds break
   // True if the window has come to its end before an event that no window can perform.
   bool needs_whole_body() const { return needs_whole_body_; }
-  void take();  // the system's bonds break
 
   // States since the events were computed last, 0 first; only these can be asked for and returned to.
   int position() const { return position_; }
   void return_to(int position);
   coupling::Affine displacement(int position) const;
+  std::vector<char> intact(int position) const;
   // Of the whole body after the last of the events computed together; it stands for all of them.
   double residual() const { return residual_; }
 
  private:
-  void compute(double load_factor);
-  bool foresee(double load_factor);
-  void leave_behind(double load_factor);
+  bool foresee(double from, const BodyState& start);
+  double largest_force_before(double load_factor, const BodyState& start) const;
+  std::vector<int> choose(double load_factor) const;
+  bool perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen);
+  void add_checks(double from, const Event& event);
   void certify();
+  void check_whole_body();
   void keep_first(int count);  // of the events computed
-  double length_ahead() const;
-  bool is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const;
-  bool choose_nodes(const EvolutionState& state, double load_factor);
-  std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
-  bool is_far_from_rim(const std::vector<int>& bonds) const;
-  void keep(std::vector<Zone> zones, std::vector<int> nodes);
-  void mark_rim();
-  std::vector<ActiveWindow::Function> functions() const;
-  EnergyForm energy(const Eigen::Matrix<double, Eigen::Dynamic, 2>& values) const;
 
   coupling::EquilibriumSystem& system_;
   const FreedPartFinder& freed_parts_;
   const StretchRatios& whole_ratios_;
-  const std::vector<Point>& positions_;
-  const std::vector<std::vector<int>>& reaction_dofs_;
-  std::vector<double> spacing_;  // of the lattice at a node
+  WindowPlace place_;
+  WindowFunctions functions_;
+  Narrowing narrowing_;
   Options options_{};
 
-  std::vector<Zone> zones_;
-  std::vector<int> nodes_;            // in the zones
-  std::vector<Zone> expected_zones_;  // of initial cracks
-  std::vector<int> expected_nodes_;
-  std::vector<char> touches_outside_, on_rim_;  // per node
   std::unique_ptr<coupling::Condensation> condensation_;
   std::unique_ptr<ActiveWindow> window_;
   std::unique_ptr<WindowCertificate> certificate_;
@@ -108,16 +96,15 @@ class Lookahead {
   bool proportional_ = false;
   bool has_ended_ = false;
   bool needs_whole_body_ = false;
-  int most_events_ = 16;  // to compute at once
+  int most_events_;  // to compute at once
 
   std::vector<ForeseenEvent> events_;
   std::vector<coupling::Affine> states_;
   std::vector<LeftBehind::State> foreseen_;  // the states, while events are computed
   std::vector<OutsideCheck> checks_;
-  std::size_t next_narrowing_ = 0;  // bonds broken then
   int position_ = 0;
   bool system_has_changed_ = false;
-  double residual_ = 0, largest_force_ = 0;
+  double residual_ = 0;
 };
 
 }  // namespace bempd::fracture

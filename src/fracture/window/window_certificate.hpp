@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "coupling/condensation.hpp"
-#include "fracture/active_window.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
@@ -32,7 +34,7 @@ class WindowCertificate {
 
  private:
   // Bonds outside, those that answer alike to an energy together.
-  static constexpr int most_classes = 8;
+  static constexpr int most_classes = WindowSettings::classes;
   using Classes = Eigen::Array<double, most_classes, 1>;
 
   struct Snapshot {
@@ -44,6 +46,10 @@ class WindowCertificate {
   void classify(const std::vector<double>& compliance);
   std::vector<Classes> largest_ratios(const Eigen::MatrixXd& displacements) const;
   void take(const std::vector<int>& states);
+  void take_together(const std::vector<int>& states);
+  Eigen::MatrixXd solve(const std::vector<int>& states);
+  Eigen::MatrixXd values(const std::vector<std::pair<int, double>>& wanted, const std::vector<int>& solved,
+                         const Eigen::MatrixXd& whole) const;
   bool is_exceeded(int state) const;
   std::vector<int> uncertified() const;
   std::vector<int> between_snapshots(const std::vector<int>& uncertified, int round) const;
