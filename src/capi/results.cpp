@@ -20,11 +20,11 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
 }  // namespace
 
 bempd_status bempd_load_factor(const bempd_model* model, double* load_factor) {
-  return with_model(model, __func__, [&](model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });
 }
 
 bempd_status bempd_generation(const bempd_model* model, int64_t* generation) {
-  return with_model(model, __func__, [&](model::Model& m) { out(generation, "generation") = m.generation(); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(generation, "generation") = m.generation(); });
 }
 
 bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count) {
@@ -120,7 +120,7 @@ bempd_status bempd_statistics_init(bempd_statistics* statistics, int64_t struct_
 }
 
 bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     bempd_statistics s{};
     s.reciprocal_condition = 1;
     if (const model::PreparedScene* p = m.prepared_or_null()) {
@@ -159,14 +159,14 @@ bempd_status bempd_history_entry_init(bempd_history_entry* entry, int64_t struct
 }
 
 bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     const model::PreparedScene* p = m.prepared_or_null();
     out(count, "count") = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
   });
 }
 
 bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     const model::PreparedScene* p = m.prepared_or_null();
     const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
     require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");

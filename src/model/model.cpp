@@ -73,6 +73,7 @@ void Model::prepare() {
   if (prepared_) return;
   if (scene_.regions().empty()) fail(Failure::order, "the scene has no region; add one first");
   auto p = std::make_unique<PreparedScene>();
+  p->fingerprint = fingerprint(scene_, options_);
   p->discretization = discretize(scene_, options_);
   Discretization& d = p->discretization;
   p->conditions = apply_conditions(scene_, d);
