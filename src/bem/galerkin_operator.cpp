@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
 #include <numbers>
 
 #include "bem/pair_integrals.hpp"
+#include "error.hpp"
 #include "parallel.hpp"
 
 namespace bempd::bem {
