@@ -1,6 +1,7 @@
 #include <cstring>
 
 #include "capi/guard.hpp"
+#include "linalg/blas.hpp"
 #include "linalg/sparse_cholesky.hpp"
 
 using namespace bempd;
@@ -12,7 +13,8 @@ const char* bempd_build_info(void) {
   static const std::string info = [] {
     return std::string("bempd ") + BEMPD_VERSION + ", sparse factorization " + linalg::backend_name() + ", Eigen " +
            std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-           std::to_string(EIGEN_MINOR_VERSION) + ", compiler " + __VERSION__;
+           std::to_string(EIGEN_MINOR_VERSION) + ", compiler " + __VERSION__ + ", " +
+           linalg::describe(linalg::running_blas());
   }();
   return info.c_str();
 }
