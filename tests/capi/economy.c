@@ -142,7 +142,7 @@ static void equal_regions_are_built_and_factorized_once(void) {
 /** A cracked lattice in some unit of length. */
 static int64_t factor_entries(double unit) {
   const rectangle r = rectangle_of(0.0, 0.0, 70.0 * unit, 50.0 * unit);
-  const double crack[4] = {20.5 * unit, 0.0, 20.5 * unit, 15.0 * unit};
+  const double crack[4] = {20.5 * unit, 0.0, 20.5 * unit, 15.3 * unit};
   bempd_model* model = new_model();
   int64_t entries;
   CHECK_OK(model, bempd_add_pd_region(model, add_sound_material(model), 4, r.vertices, unit, 3, NULL));
