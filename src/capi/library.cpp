@@ -59,6 +59,10 @@ void bempd_model_free(bempd_model* model) {
   if (model && model->use.exchange(Use::to_be_freed) == Use::idle) delete model;
 }
 
+bempd_status bempd_option_info_init(bempd_option_info* info, int64_t struct_size) {
+  return init_struct(__func__, "info", info, struct_size, {});
+}
+
 bempd_status bempd_option_count(int64_t* count) {
   return without_model(__func__,
                        [&] { out(count, "count") = static_cast<int64_t>(model::option_descriptions().size()); });

@@ -17,6 +17,20 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
   require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
 }
 
+bempd_status get_history_entry(const bempd_model* model, const char* function, std::int64_t index,
+                               bempd_history_entry* entry) {
+  return with_model(model, function, [&](const model::Model& m) {
+    const model::PreparedScene* p = m.prepared_or_null();
+    const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
+    require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
+    const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
+    write_struct(entry,
+                 {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
+                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
+                 "entry");
+  });
+}
+
 }  // namespace
 
 bempd_status bempd_load_factor(const bempd_model* model, double* load_factor) {
@@ -165,15 +179,10 @@ bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
   });
 }
 
+bempd_status bempd_get_history_entry(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
+  return get_history_entry(model, __func__, index, entry);
+}
+
 bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
-  return with_model(model, __func__, [&](const model::Model& m) {
-    const model::PreparedScene* p = m.prepared_or_null();
-    const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
-    require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
-    const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
-    write_struct(entry,
-                 {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
-                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
-                 "entry");
-  });
+  return get_history_entry(model, __func__, index, entry);
 }
