@@ -12,6 +12,7 @@
 #include "fracture/crack_evolution.hpp"
 #include "model/boundary_conditions.hpp"
 #include "model/discretization.hpp"
+#include "model/fingerprint.hpp"
 #include "model/options.hpp"
 #include "model/scene.hpp"
 
@@ -47,13 +48,14 @@ struct PointValue {
 
 // State of a run, tied to a scene by its fingerprint.
 struct SavedState {
-  std::uint64_t scene_fingerprint = 0;
+  SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
 };
 
 // Everything that is built from a finished scene.
 struct PreparedScene {
+  SceneFingerprint fingerprint;
   Discretization discretization;
   DofConditions conditions;
   std::vector<int> cut_bonds;
@@ -121,8 +123,6 @@ class Model {
   void check_mechanism(const PreparedScene& prepared) const;
   FieldValues compute_field(int region, Field field);
   Eigen::VectorXd boundary_tractions(const BoundaryPart& part) const;
-  std::uint64_t scene_fingerprint() const;
-  std::uint64_t load_fingerprint() const;
   void log(int level, const std::string& message) const;
 
   Options options_;
@@ -142,7 +142,7 @@ class Model {
   bool warned_of_energies_ = false, warned_of_condition_ = false;
 };
 
-// Bytes of a saved state and back (state.cpp); throws Error (argument) for damaged bytes.
+// Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.
 std::vector<std::uint8_t> to_bytes(const SavedState& state);
 SavedState from_bytes(const std::uint8_t* bytes, std::size_t size);
 
