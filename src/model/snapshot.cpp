@@ -7,7 +7,9 @@
 #include "output/csv.hpp"
 #include "output/file.hpp"
 #include "output/pvd.hpp"
+#include "output/utf8.hpp"
 #include "output/vtu.hpp"
+#include "output/xml.hpp"
 
 namespace bempd::model {
 
@@ -76,6 +78,9 @@ FieldValues node_tractions(const BoundaryMesh& mesh, const FieldValues& element_
 }  // namespace
 
 void Model::write_snapshot(const std::string& prefix) {
+  require(output::fits_xml(output::path_from_utf8(prefix).filename().native()), "prefix is ", output::printable(prefix),
+          ", and prefix.pvd cannot name such files: XML holds neither bytes that are not UTF-8 nor ",
+          "control characters; give another name");
   ensure_equilibrium();
   const Discretization& d = prepared_->discretization;
   const std::filesystem::path base = output::path_from_utf8(prefix);
