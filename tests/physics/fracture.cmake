@@ -1,6 +1,7 @@
 if(TARGET bempd)
   bempd_add_host_test(fracture_increments_test fracture_increments_test.cpp)
   bempd_add_host_test(fracture_centre_crack_test fracture_centre_crack_test.cpp)
+  bempd_add_host_test(fracture_griffith_test fracture_griffith_test.cpp)
   bempd_add_host_test(fracture_path_test fracture_path_test.cpp)
   bempd_add_host_test(fracture_stepping_test fracture_stepping_test.cpp)
   bempd_add_host_test(fracture_window_test fracture_window_test.cpp)
