@@ -79,10 +79,19 @@ void expect_claims(int horizon_ratio, const claims::Target& first, const claims:
             largest.margin);
 }
 
-TEST(Griffith, a_crack_grows_at_the_claimed_share_of_the_load) {
+TEST(Griffith, share_of_the_load_with_a_horizon_of_3) {
   expect_claims(3, claims::griffith_first_3, claims::griffith_peak_3);
+}
+
+TEST(Griffith, share_of_the_load_with_a_horizon_of_4) {
   expect_claims(4, claims::griffith_first_4, claims::griffith_peak_4);
+}
+
+TEST(Griffith, share_of_the_load_with_a_horizon_of_5) {
   expect_claims(5, claims::griffith_first_5, claims::griffith_peak_5);
+}
+
+TEST(Griffith, share_of_the_load_with_a_horizon_of_6) {
   expect_claims(6, claims::griffith_first_6, claims::griffith_peak_6);
 }
 
