@@ -7,8 +7,8 @@
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
 #include "linalg/machine_rates.hpp"
-#include "model/incompressible.hpp"
-#include "model/initial_cracks.hpp"
+#include "regions/incompressible.hpp"
+#include "regions/initial_cracks.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::model {

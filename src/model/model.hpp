@@ -10,10 +10,10 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
-#include "model/boundary_conditions.hpp"
-#include "model/discretization.hpp"
-#include "model/options.hpp"
-#include "model/scene.hpp"
+#include "regions/boundary_conditions.hpp"
+#include "regions/discretization.hpp"
+#include "scene/options.hpp"
+#include "scene/scene.hpp"
 
 namespace bempd::model {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "dense.hpp"
-#include "model/discretization.hpp"
+#include "regions/discretization.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Regions that differ by a translation share what is dear to build; of lattices the spacing may differ too.
 #include <gtest/gtest.h>
 
-#include "model/discretization.hpp"
+#include "regions/discretization.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include "coupling/operators.hpp"
 #include "geometry/rectilinear.hpp"
-#include "model/formulation.hpp"
-#include "model/node_registry.hpp"
-#include "model/scene.hpp"
+#include "regions/formulation.hpp"
+#include "regions/node_registry.hpp"
+#include "scene/scene.hpp"
 #include "pd/cell_lattice.hpp"
 #include "pd/network.hpp"
 

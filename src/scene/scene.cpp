@@ -1,4 +1,4 @@
-#include "model/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <cmath>
 #include <limits>

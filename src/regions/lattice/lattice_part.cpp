@@ -1,4 +1,4 @@
-#include "model/lattice_part.hpp"
+#include "regions/lattice/lattice_part.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 #include "coupling/operators.hpp"
 #include "geometry/arrangement.hpp"
 #include "geometry/boundary_mesh.hpp"
-#include "model/formulation.hpp"
-#include "model/node_registry.hpp"
-#include "model/scene.hpp"
+#include "regions/formulation.hpp"
+#include "regions/node_registry.hpp"
+#include "scene/scene.hpp"
 
 namespace bempd::model {
 

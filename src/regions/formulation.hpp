@@ -1,7 +1,7 @@
 #pragma once
 
 #include "geometry/boundary_mesh.hpp"
-#include "model/options.hpp"
+#include "scene/options.hpp"
 
 namespace bempd::model {
 

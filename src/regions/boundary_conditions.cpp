@@ -1,4 +1,4 @@
-#include "model/boundary_conditions.hpp"
+#include "regions/boundary_conditions.hpp"
 
 #include <algorithm>
 #include <cmath>

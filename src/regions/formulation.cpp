@@ -1,4 +1,4 @@
-#include "model/formulation.hpp"
+#include "regions/formulation.hpp"
 
 namespace bempd::model {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "model/boundary_part.hpp"
-#include "model/corner_grading.hpp"
+#include "regions/boundary/boundary_part.hpp"
+#include "regions/boundary/corner_grading.hpp"
 
 namespace bempd::model {
 

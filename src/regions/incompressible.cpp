@@ -1,4 +1,4 @@
-#include "model/incompressible.hpp"
+#include "regions/incompressible.hpp"
 
 #include "bem/boundary_loads.hpp"
 #include "error.hpp"

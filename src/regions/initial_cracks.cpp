@@ -1,4 +1,4 @@
-#include "model/initial_cracks.hpp"
+#include "regions/initial_cracks.hpp"
 
 #include <algorithm>
 

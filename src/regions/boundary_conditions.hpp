@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "model/discretization.hpp"
+#include "regions/discretization.hpp"
 
 namespace bempd::model {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/discretization.hpp"
+#include "regions/discretization.hpp"
 
 namespace bempd::model {
 

@@ -1,4 +1,4 @@
-#include "model/options.hpp"
+#include "scene/options.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "model/discretization.hpp"
+#include "regions/discretization.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "model/node_registry.hpp"
+#include "regions/node_registry.hpp"
 
 #include <cmath>
 

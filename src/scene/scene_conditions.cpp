@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "model/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace bempd::model {
 

@@ -1,4 +1,4 @@
-#include "model/boundary_part.hpp"
+#include "regions/boundary/boundary_part.hpp"
 
 #include <algorithm>
 

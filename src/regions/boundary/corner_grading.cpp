@@ -1,4 +1,4 @@
-#include "model/corner_grading.hpp"
+#include "regions/boundary/corner_grading.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -7,10 +7,10 @@
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "geometry/arrangement.hpp"
-#include "model/boundary_part.hpp"
-#include "model/lattice_part.hpp"
-#include "model/options.hpp"
-#include "model/scene.hpp"
+#include "regions/boundary/boundary_part.hpp"
+#include "regions/lattice/lattice_part.hpp"
+#include "scene/options.hpp"
+#include "scene/scene.hpp"
 
 namespace bempd::model {
 
