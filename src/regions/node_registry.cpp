@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bempd::model {
+namespace bempd::regions {
 
 std::size_t NodeRegistry::CellHash::operator()(const Cell& cell) const {
   return std::hash<std::int64_t>()(cell.first * 1000003 + cell.second);
@@ -37,4 +37,4 @@ int NodeRegistry::add_shared(const Point& position, int region) {
   return node;
 }
 
-}  // namespace bempd::model
+}  // namespace bempd::regions

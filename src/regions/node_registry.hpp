@@ -6,7 +6,7 @@
 
 #include "geometry/point.hpp"
 
-namespace bempd::model {
+namespace bempd::regions {
 
 // Numbers the nodes of all regions. Nodes on interfaces of different regions that lie at the same place become one.
 class NodeRegistry {
@@ -38,4 +38,4 @@ class NodeRegistry {
   std::unordered_map<Cell, std::vector<Entry>, CellHash> cells_;
 };
 
-}  // namespace bempd::model
+}  // namespace bempd::regions

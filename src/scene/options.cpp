@@ -7,7 +7,7 @@
 
 #include "error.hpp"
 
-namespace bempd::model {
+namespace bempd::scene {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::string Options::text_value(std::string_view name) const {
   return own != texts_.end() ? own->second : option.default_text;
 }
 
-}  // namespace bempd::model
+}  // namespace bempd::scene

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bempd::model {
+namespace bempd::scene {
 
 struct OptionDescription {
   const char* name;
@@ -36,4 +36,4 @@ class Options {
   std::map<std::string, std::string, std::less<>> texts_;
 };
 
-}  // namespace bempd::model
+}  // namespace bempd::scene

@@ -1,94 +1,23 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
-#include <variant>
+#include <memory>
 #include <vector>
 
-#include "elasticity/plane_elasticity.hpp"
-#include "geometry/arrangement.hpp"
-#include "geometry/outline.hpp"
-#include "geometry/rectilinear.hpp"
+#include "scene/condition.hpp"
+#include "scene/material.hpp"
+#include "scene/region.hpp"
 
-namespace bempd::model {
-
-// The scene as the host described it. Ids are positions in these vectors plus 1; edges of a region are numbered from 1
-// through its outer loop and then its holes.
-
-struct Material {
-  PlaneElasticity elasticity;
-  double critical_stretch = 0;  // 0: not given
-  double fracture_energy = 0;   // [J/m^2]; 0: not given
-
-  // Infinite for a material that does not break. `as_printed`: with the constant of Yang and Liu 2021, Eq. 15.
-  double critical_stretch_for(double horizon, bool as_printed) const;
-};
-
-struct EdgeMesh {
-  double element_length;
-  double grading;
-};
-
-enum class RegionKind { boundary_elements, peridynamics };
-
-struct Region {
-  RegionKind kind = RegionKind::boundary_elements;
-  int material = 0;  // id
-  Outline outline;
-  double element_length = 0;          // boundary elements
-  std::map<int, EdgeMesh> edge_mesh;  // by edge number
-  int horizon_ratio = 0;              // peridynamics
-  LatticeOutline lattice;
-
-  int edge_count() const;
-  Edge edge(int number) const { return outline.edge(number - 1); }
-  // The host has chosen this edge's elements; on a lattice interface they need not match the lattice then.
-  bool has_own_mesh(int edge) const { return edge_mesh.count(edge) > 0; }
-};
+namespace bempd::scene {
 
 struct Crack {
   std::vector<Point> points;
 };
 
-// Values along a boundary part as functions of the place: constant and proportional parts, x and y.
-struct BoundaryValue {
-  Point constant = Point::Zero();
-  Point proportional = Point::Zero();
-};
-using BoundaryFunction = std::function<BoundaryValue(const Point&)>;
-
-// Equally spaced samples, linear between them; one sample is a uniform value.
-struct SampledValues {
-  std::vector<double> constant, proportional;
-
-  // At a fraction of the part, 0 .. 1.
-  double constant_at(double fraction) const;
-  double proportional_at(double fraction) const;
-};
-
-struct EdgePart {
-  int region, edge;  // ids
-  double from, to;   // fractions of the edge
-};
-
-// A support or a load. Components: 1 x, 2 y, 3 both.
-struct Condition {
-  std::variant<EdgePart, Point> place;
-  int components;
-  std::variant<SampledValues, BoundaryFunction> values;
-
-  BoundaryValue value(const Point& where, double fraction_of_part) const;
-  bool acts_on(int component) const { return (components >> component) & 1; }
-};
-
+// The scene as the host described it. Ids are positions in these vectors plus 1.
 class Scene {
  public:
   int add_material(const Material& material);
-  int add_boundary_region(int material, const std::vector<Point>& vertices, double element_length);
-  int add_lattice_region(int material, const std::vector<Point>& vertices, double spacing, int horizon_ratio);
+  int add_region(std::unique_ptr<Region> region);
   int add_hole(int region, const std::vector<Point>& vertices);  // number of its first edge
   int add_circular_hole(int region, const Point& centre, double radius);
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
@@ -103,7 +32,9 @@ class Scene {
 
   const Material& material(int id) const;
   const Region& region(int id) const;
-  const std::vector<Region>& regions() const { return regions_; }
+  int region_count() const { return static_cast<int>(regions_.size()); }
+  const std::vector<std::unique_ptr<Region>>& regions() const { return regions_; }
+  const Material& material_of(int region_id) const { return material(region(region_id).material()); }
   const std::vector<Crack>& cracks() const { return cracks_; }
   const std::vector<Condition>& supports() const { return supports_; }
   const std::vector<Condition>& loads() const { return loads_; }
@@ -119,9 +50,9 @@ class Scene {
   void check_condition(const Condition& condition, bool is_support) const;
 
   std::vector<Material> materials_;
-  std::vector<Region> regions_;
+  std::vector<std::unique_ptr<Region>> regions_;
   std::vector<Crack> cracks_;
   std::vector<Condition> supports_, loads_;
 };
 
-}  // namespace bempd::model
+}  // namespace bempd::scene

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bempd::model {
+namespace bempd::regions {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::vector<double> refined_towards(const SingularEnds& singular, const std::vec
   return refined;
 }
 
-}  // namespace bempd::model
+}  // namespace bempd::regions

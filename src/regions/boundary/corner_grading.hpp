@@ -4,7 +4,7 @@
 
 #include "geometry/arc.hpp"
 
-namespace bempd::model {
+namespace bempd::regions {
 
 // What is given on a piece of a boundary.
 enum class Held { nothing, one_component, both_components, interface };
@@ -26,4 +26,4 @@ std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop);
 // Element ends with the elements at singular ends divided again and again, ever closer to the end.
 std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations);
 
-}  // namespace bempd::model
+}  // namespace bempd::regions
