@@ -1,42 +1,17 @@
 #include "model/fingerprint.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "hash.hpp"
 
 namespace bempd::model {
 
 namespace {
 
-void add(Hash& hash, const Point& p) {
-  hash.add(p.x());
-  hash.add(p.y());
-}
-
 void add(Hash& hash, const std::vector<double>& values) {
   hash.add(values.size());
   for (double value : values) hash.add(value);
 }
 
-// Arcs are computed from places that the host gave, so the last digits of angles and fractions are not its own.
-void add_computed(Hash& hash, double value) { hash.add(std::llround(value * 1e8)); }
-
-void add(Hash& hash, const Outline& outline) {
-  hash.add(outline.loops.size());
-  for (const std::vector<Point>& loop : outline.loops) {
-    hash.add(loop.size());
-    for (const Point& vertex : loop) add(hash, vertex);
-  }
-  hash.add(outline.curved.size());
-  for (const auto& [number, edge] : outline.curved) {
-    hash.add(number);
-    add_computed(hash, edge.joint());
-    for (int k = 0; k < edge.piece_count(); ++k) add_computed(hash, edge.piece(k).sweep);
-  }
-}
-
-void add(Hash& hash, const Material& material) {
+void add(Hash& hash, const scene::Material& material) {
   hash.add(material.elasticity.young_modulus);
   hash.add(material.elasticity.poisson_ratio);
   hash.add(material.elasticity.state);
@@ -45,36 +20,14 @@ void add(Hash& hash, const Material& material) {
   hash.add(material.fracture_energy);
 }
 
-void add(Hash& hash, const Region& region) {
-  hash.add(region.kind);
-  add(hash, region.outline);
-  hash.add(region.element_length);
-  hash.add(region.edge_mesh.size());
-  for (const auto& [edge, mesh] : region.edge_mesh) {
-    hash.add(edge);
-    hash.add(mesh.element_length);
-    hash.add(mesh.grading);
-  }
-  hash.add(region.horizon_ratio);
-  hash.add(region.lattice.spacing);
-}
-
-void add_place(Hash& hash, const Condition& condition) {
-  hash.add(condition.place.index());
-  if (const auto* part = std::get_if<EdgePart>(&condition.place)) {
-    hash.add(part->region);
-    hash.add(part->edge);
-    hash.add(part->from);
-    hash.add(part->to);
-  } else if (const auto* point = std::get_if<Point>(&condition.place)) {
-    add(hash, *point);
-  }
+void add_place(Hash& hash, const scene::Condition& condition) {
+  condition.place->identify(hash);
   hash.add(condition.components);
 }
 
 // Whether the values are numbers of the host's, which they are unless it gave a function.
-bool add_values(Hash& hash, const Condition& condition) {
-  const auto* samples = std::get_if<SampledValues>(&condition.values);
+bool add_values(Hash& hash, const scene::Condition& condition) {
+  const auto* samples = std::get_if<scene::SampledValues>(&condition.values);
   if (!samples) return false;
   add(hash, samples->constant);
   add(hash, samples->proportional);
@@ -83,17 +36,17 @@ bool add_values(Hash& hash, const Condition& condition) {
 
 }  // namespace
 
-SceneFingerprint fingerprint(const Scene& scene, const Options& options) {
+SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options) {
   Hash body;
   body.add(scene.regions().size());
-  for (const Region& region : scene.regions()) {
-    add(body, scene.material(region.material));
-    add(body, region);
+  for (const auto& region : scene.regions()) {
+    add(body, scene.material(region->material()));
+    region->identify(body);
   }
   std::uint64_t cracks = 0;  // their order does not matter
-  for (const Crack& crack : scene.cracks()) {
+  for (const scene::Crack& crack : scene.cracks()) {
     Hash hash;
-    for (const Point& p : crack.points) add(hash, p);
+    for (const Point& p : crack.points) hash.add(p.x()), hash.add(p.y());
     cracks += hash.value();
   }
   body.add(cracks);
@@ -103,16 +56,16 @@ SceneFingerprint fingerprint(const Scene& scene, const Options& options) {
   }
   body.add(options.number("bem.quadrature_tolerance"));
   Hash supports;
-  for (const Condition& support : scene.supports()) add_place(supports, support);
+  for (const scene::Condition& support : scene.supports()) add_place(supports, support);
   return {body.value(), supports.value()};
 }
 
-std::uint64_t load_fingerprint(const Scene& scene, const DofConditions& values) {
+std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values) {
   Hash hash;
   bool said = true;
-  for (const Condition& support : scene.supports()) said = add_values(hash, support) && said;
+  for (const scene::Condition& support : scene.supports()) said = add_values(hash, support) && said;
   hash.add(scene.loads().size());
-  for (const Condition& load : scene.loads()) {
+  for (const scene::Condition& load : scene.loads()) {
     add_place(hash, load);
     said = add_values(hash, load) && said;
   }

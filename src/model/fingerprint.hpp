@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "model/boundary_conditions.hpp"
-#include "model/options.hpp"
-#include "model/scene.hpp"
+#include "regions/boundary_conditions.hpp"
+#include "scene/options.hpp"
+#include "scene/scene.hpp"
 
 namespace bempd::model {
 
@@ -15,9 +15,9 @@ struct SceneFingerprint {
   std::uint64_t supports = 0;  // places and components in their order, not the values
 };
 
-SceneFingerprint fingerprint(const Scene& scene, const Options& options);
+SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);
 
 // Loads with their values, and the values of supports. `values` stand for those that the host gives by functions.
-std::uint64_t load_fingerprint(const Scene& scene, const DofConditions& values);
+std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values);
 
 }  // namespace bempd::model
