@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 #include "linalg/disjoint_sets.hpp"
 #include "linalg/least_change.hpp"
 #include "parallel.hpp"
@@ -189,7 +188,6 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
     for (std::size_t k = 0; k < clusters[c].size(); ++k) {
       bonds.stiffness[clusters[c][k]] = result.values[image.bonds.empty() ? k : image.bonds[k]];
     }
-    report.bounded += result.bounded;
   }
   symmetrise(lattice, cells, free, bonds);
   for (const int b : free) report.positive = report.positive && bonds.stiffness[b] > 0;
