@@ -21,7 +21,7 @@ typedef struct bytes {
 
 static bytes copy_of(const bytes* source) {
   bytes copy = *source;
-  copy.data = (uint8_t*)malloc((size_t)source->size + 64);
+  copy.data = (uint8_t*)malloc((size_t)source->size + 128);
   if (copy.data == NULL) abort();
   memcpy(copy.data, source->data, (size_t)source->size);
   return copy;
@@ -35,7 +35,7 @@ static bytes bytes_of(bempd_model* model) {
   memset(&saved, 0, sizeof saved);
   CHECK_OK(model, bempd_state_save(model, &state));
   CHECK_OK(NULL, bempd_state_to_bytes(state, 0, NULL, &saved.size));
-  saved.data = (uint8_t*)malloc((size_t)saved.size + 64);
+  saved.data = (uint8_t*)malloc((size_t)saved.size + 128);
   if (saved.data == NULL) abort();
   CHECK_OK(NULL, bempd_state_to_bytes(state, saved.size, saved.data, NULL));
   bempd_state_free(state);
