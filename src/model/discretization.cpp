@@ -1,11 +1,13 @@
 #include "model/discretization.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "coupling/interface_trace.hpp"
 #include "error.hpp"
+#include "geometry/gaps.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::model {
@@ -130,6 +132,23 @@ void add_lattice(const Scene& scene, int id, Discretization& d, NodeRegistry& re
   d.lattices.push_back(std::move(part));
 }
 
+// Regions that nearly touch are rarely meant to: coordinates have been rounded somewhere.
+void warn_of_gaps(const Scene& scene, const std::vector<Outline>& outlines, Discretization& d) {
+  constexpr double share = 0.1;
+  std::vector<double> reach;
+  for (const Region& region : scene.regions())
+    reach.push_back(share * (region.kind == RegionKind::peridynamics ? region.lattice.spacing : region.element_length));
+  const std::vector<Gap> gaps = close_gaps(outlines, reach);
+  if (gaps.empty()) return;
+  const auto narrower = [](const Gap& a, const Gap& b) { return a.width < b.width; };
+  const Gap& gap = *std::min_element(gaps.begin(), gaps.end(), narrower);
+  const std::string others = gaps.size() > 1 ? text(" (and ", gaps.size() - 1, " more such pairs)") : "";
+  d.warnings.push_back(text("regions ", gap.region_a + 1, " and ", gap.region_b + 1, " lie ", gap.width, " apart at (",
+                            gap.where.x(), ", ", gap.where.y(), "), less than a tenth of their elements", others,
+                            "; they are not bonded there, as places count as one up to ", d.tolerance,
+                            " only: let them share vertices if they belong together"));
+}
+
 }  // namespace
 
 const BoundaryPart* Discretization::boundary_of(int region) const {
@@ -170,6 +189,7 @@ Discretization discretize(const Scene& scene, const Options& options) {
   const Box box = scene.bounding_box();
   d.tolerance = geometric_tolerance(box);
   d.arrangement = arrange(outlines);
+  warn_of_gaps(scene, outlines, d);
   require_straight_interfaces(scene, d.tolerance);
   require_compatible(scene, d.arrangement, d.formulation);
 
