@@ -75,12 +75,16 @@ FieldValues node_tractions(const BoundaryMesh& mesh, const FieldValues& element_
   return field;
 }
 
-}  // namespace
-
-void Model::write_snapshot(const std::string& prefix) {
+void require_name_for_series(const std::string& prefix) {
   require(output::fits_xml(output::path_from_utf8(prefix).filename().native()), "prefix is ", output::printable(prefix),
           ", and prefix.pvd cannot name such files: XML holds neither bytes that are not UTF-8 nor ",
           "control characters; give another name");
+}
+
+}  // namespace
+
+void Model::write_snapshot(const std::string& prefix) {
+  require_name_for_series(prefix);
   ensure_equilibrium();
   const Discretization& d = prepared_->discretization;
   const std::filesystem::path base = output::path_from_utf8(prefix);
