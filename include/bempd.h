@@ -8,6 +8,9 @@
  * Units. Any consistent set; the SI unit of each number stands in brackets, [-] marks a pure number. The problem is
  * two-dimensional: forces are those of the whole thickness [N], energies likewise [J].
  *
+ * Places. Places that are closer than 1e-9 of the diagonal of all regions together count as one: edges that coincide so
+ * are bonded, wider gaps are not, wider overlaps are refused; gaps below a tenth of the elements are told to the log.
+ *
  * Load factor. Every prescribed displacement, traction and force is `constant + load_factor * proportional`. Stepping
  * moves the load factor; it starts at 0.
  *

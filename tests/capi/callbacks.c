@@ -270,6 +270,30 @@ static void callbacks_can_free_their_model(void) {
   CHECK(plate.model == NULL);
 }
 
+static void count_gaps(int32_t level, const char* message, void* user) {
+  if (level == 1 && strstr(message, "apart") != NULL && strstr(message, "regions 1 and 2") != NULL) ++*(int*)user;
+}
+
+/** Two squares side by side: bonded within 1e-9 of the diagonal, else told to the log up to a tenth of an element. */
+static void gaps_between_regions_are_logged(void) {
+  const double gaps[] = {0.0, 1e-9, 1e-8, 1e-6, 1e-4, 1e-2, 0.03};
+  const int logged[] = {0, 0, 1, 1, 1, 1, 0};
+  size_t k;
+  for (k = 0; k < sizeof gaps / sizeof gaps[0]; ++k) {
+    bempd_model* model = new_model();
+    const int32_t material = add_sound_material(model);
+    int count = 0;
+    add_bem_rectangle(model, material, 0.0, 0.0, 1.0, 1.0, 0.25);
+    add_bem_rectangle(model, material, 1.0 + gaps[k], 0.0, 2.0, 1.0, 0.25);
+    CHECK_OK(model, bempd_fix_edge(model, 1, 1, 3, NULL));
+    CHECK_OK(model, bempd_fix_edge(model, 2, 1, 3, NULL));
+    CHECK_OK(model, bempd_set_log(model, count_gaps, &count));
+    CHECK_OK(model, bempd_prepare(model));
+    CHECK(count == logged[k]);
+    bempd_model_free(model);
+  }
+}
+
 int main(void) {
   const double first_event = coupled_plate_first_event();
   progress_is_told_after_every_event(first_event);
@@ -284,5 +308,6 @@ int main(void) {
   boundary_function_gives_finite_values();
   log_receives_lines();
   callbacks_can_free_their_model();
+  gaps_between_regions_are_logged();
   return check_finish();
 }

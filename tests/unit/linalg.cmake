@@ -1,3 +1,4 @@
+bempd_add_engine_test(linalg_least_change_test linalg_least_change_test.cpp)
 bempd_add_engine_test(linalg_cholesky_test linalg_cholesky_test.cpp linalg_backend_test.cpp)
 bempd_add_engine_test(linalg_condensation_test linalg_condensation_test.cpp)
 bempd_add_engine_test(linalg_lu_test linalg_lu_test.cpp)
