@@ -189,6 +189,8 @@ std::uint64_t Model::scene_fingerprint() const {
     if (const Eigen::MatrixXd* stiffness = region->stiffness())
       hash.add(stiffness->data(), static_cast<std::size_t>(stiffness->rows()) * sizeof(double));
   }
+  for (const auto& region : scene_.regions()) hash.add(region->numbers());
+  for (const scene::Condition& support : scene_.supports()) hash.add(support.place->numbers());
   const std::size_t supports = scene_.supports().size();
   hash.add(&supports, sizeof supports);
   return hash.value();

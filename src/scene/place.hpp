@@ -21,6 +21,9 @@ class Place {
   // Throws Error (argument) unless the scene has the place.
   virtual void check(const Scene& scene) const = 0;
 
+  // The numbers it was described by; with their count they tell places apart.
+  virtual std::vector<double> numbers() const = 0;
+
   // Fractions of an edge where something begins, ends or acts, so that elements have to end.
   virtual std::vector<double> breaks_on(const Scene& scene, int region, int edge, double tolerance) const = 0;
 

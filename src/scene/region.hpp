@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/outline.hpp"
 
@@ -41,6 +42,9 @@ class Region {
 
   // The kind in sentences: "peridynamic".
   virtual const char* adjective() const = 0;
+
+  // The numbers it was described by, beside material and outline; with the kind they tell scenes apart.
+  virtual std::vector<double> numbers() const = 0;
 
   // Takes over a sound outline. Throws Error (argument) if the kind cannot have it, and stays as it was.
   virtual void set_outline(Outline outline) { outline_ = std::move(outline); }

@@ -40,6 +40,13 @@ BoundaryDescription::BoundaryDescription(int material, const std::vector<Point>&
   require_element_length(element_length, perimeter(outline()));
 }
 
+std::vector<double> BoundaryDescription::numbers() const {
+  std::vector<double> all{element_length_};
+  for (const auto& [edge, mesh] : own_mesh_)
+    all.insert(all.end(), {static_cast<double>(edge), mesh.element_length, mesh.grading});
+  return all;
+}
+
 void BoundaryDescription::set_outline(Outline changed) {
   require_element_length(element_length_, perimeter(changed));
   Region::set_outline(std::move(changed));

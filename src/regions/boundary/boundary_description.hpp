@@ -14,6 +14,7 @@ class BoundaryDescription final : public scene::Region {
   BoundaryDescription(int material, const std::vector<Point>& vertices, double element_length);
 
   const char* adjective() const override { return "BEM"; }
+  std::vector<double> numbers() const override;
   void set_outline(Outline outline) override;
   bool has_elements() const override { return true; }
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;

@@ -19,6 +19,7 @@ class LatticeDescription : public scene::Region {
   int horizon_ratio() const { return horizon_ratio_; }
 
   const char* adjective() const override { return "peridynamic"; }
+  std::vector<double> numbers() const override { return {static_cast<double>(horizon_ratio_), lattice_.spacing}; }
   void set_outline(Outline outline) override;
   std::optional<scene::NodeGrid> node_grid() const override {
     return scene::NodeGrid{lattice_.origin, lattice_.spacing};

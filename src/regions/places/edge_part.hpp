@@ -10,6 +10,9 @@ class EdgePart final : public scene::Place {
   EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
 
   void check(const scene::Scene& scene) const override;
+  std::vector<double> numbers() const override {
+    return {static_cast<double>(region_), static_cast<double>(edge_), from_, to_};
+  }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

@@ -11,6 +11,7 @@ class SinglePoint final : public scene::Place {
   explicit SinglePoint(const Point& where) : where_(where) {}
 
   void check(const scene::Scene& scene) const override;
+  std::vector<double> numbers() const override { return {where_.x(), where_.y()}; }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
   bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

@@ -10,6 +10,7 @@ class WholeRegion final : public scene::Place {
   explicit WholeRegion(int region) : region_(region) {}
 
   void check(const scene::Scene& scene) const override;
+  std::vector<double> numbers() const override { return {static_cast<double>(region_)}; }
   std::vector<double> breaks_on(const scene::Scene&, int, int, double) const override { return {}; }
   bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
