@@ -6,12 +6,16 @@
 #include <cstdio>
 
 #include "coupling/equilibrium_system.hpp"
-#include "model/discretization.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/discretization.hpp"
+#include "regions/lattice/lattice_description.hpp"
 
 namespace {
 
 using namespace bempd;
-using namespace bempd::model;
+using regions::add_boundary_region;
+using regions::add_lattice_region;
+using scene::Scene;
 
 constexpr double eps = 1e-3;
 
@@ -20,14 +24,14 @@ std::vector<Point> rectangle(double x0, double y0, double x1, double y1) {
 }
 
 int add_material(Scene& scene) {
-  Material material;
+  scene::Material material;
   material.elasticity = {30e9, bond_based_poisson_ratio(PlaneState::stress), PlaneState::stress, 0.02};
   return scene.add_material(material);
 }
 
 Scene lattice_with_hole() {
   Scene scene;
-  const int region = scene.add_lattice_region(add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
+  const int region = add_lattice_region(scene, add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
   scene.add_hole(region, {{8, 5}, {8, 9}, {13, 9}, {13, 5}});
   return scene;
 }
@@ -35,26 +39,26 @@ Scene lattice_with_hole() {
 Scene two_lattices() {
   Scene scene;
   const int id = add_material(scene);
-  scene.add_lattice_region(id, rectangle(0, 0, 10, 12), 1.0, 4);
-  scene.add_lattice_region(id, rectangle(10, 0, 22, 12), 1.0, 3);
+  add_lattice_region(scene, id, rectangle(0, 0, 10, 12), 1.0, 4);
+  add_lattice_region(scene, id, rectangle(10, 0, 22, 12), 1.0, 3);
   return scene;
 }
 
 Scene lattice_between_boundary_regions() {
   Scene scene;
   const int id = add_material(scene);
-  scene.add_boundary_region(id, rectangle(0, 0, 4, 8), 2.0);
-  scene.add_lattice_region(id, rectangle(4, 0, 16, 8), 1.0, 3);
-  scene.add_boundary_region(id, rectangle(16, 0, 20, 8), 4.0);
+  add_boundary_region(scene, id, rectangle(0, 0, 4, 8), 2.0);
+  add_lattice_region(scene, id, rectangle(4, 0, 16, 8), 1.0, 3);
+  add_boundary_region(scene, id, rectangle(16, 0, 20, 8), 4.0);
   return scene;
 }
 
 Scene lattice_in_a_plate() {
   Scene scene;
   const int id = add_material(scene);
-  const int plate = scene.add_boundary_region(id, rectangle(0, 0, 24, 20), 4.0);
+  const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
   scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
-  scene.add_lattice_region(id, rectangle(6, 5, 16, 15), 1.0, 4);
+  add_lattice_region(scene, id, rectangle(6, 5, 16, 15), 1.0, 4);
   return scene;
 }
 
@@ -62,9 +66,9 @@ Scene lattice_in_a_plate() {
 Scene lattice_tied_to_a_boundary_region() {
   Scene scene;
   const int id = add_material(scene);
-  const int left = scene.add_boundary_region(id, rectangle(0, 0, 6, 12), 3.0);
+  const int left = add_boundary_region(scene, id, rectangle(0, 0, 6, 12), 3.0);
   scene.set_edge_mesh(left, 2, {3, 1});
-  scene.add_lattice_region(id, rectangle(6, 0, 20, 12), 1.0, 3);
+  add_lattice_region(scene, id, rectangle(6, 0, 20, 12), 1.0, 3);
   return scene;
 }
 
@@ -75,7 +79,7 @@ struct Case {
 
 class FreeExpansion : public testing::TestWithParam<Case> {
  protected:
-  FreeExpansion() : d(discretize(GetParam().scene(), Options())) {
+  FreeExpansion() : body(GetParam().scene()), d(regions::discretize(body, scene::Options())) {
     for (std::size_t b = 0; b < d.bonds.size(); ++b) {
       d.bonds.set_rest_elongation(static_cast<int>(b), eps * d.bonds.length[b]);
       largest_force = std::max(largest_force, d.bonds.stiffness[b] * eps * d.bonds.length[b]);
@@ -129,7 +133,8 @@ class FreeExpansion : public testing::TestWithParam<Case> {
     EXPECT_LE(energy, 1e-20);
   }
 
-  Discretization d;
+  Scene body;
+  regions::Discretization d;
   std::vector<coupling::DenseOperator> operators;
   double largest_force = 0;  // of a bond that is kept from expanding
   Point origin;
