@@ -8,10 +8,10 @@
 #include "coupling/coupling_graph.hpp"
 #include "error.hpp"
 #include "linalg/conjugate_gradient.hpp"
-#include "linalg/gmres.hpp"
-#include "linalg/low_rank_update.hpp"
 #include "linalg/sparse_cholesky.hpp"
-#include "linalg/sparse_lu.hpp"
+#include "paper/low_rank_update.hpp"
+#include "paper/refinement.hpp"
+#include "paper/sparse_lu.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::coupling {
@@ -25,10 +25,10 @@ constexpr double acceptable_residual = 1e-12;
 constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
 constexpr int most_iterations = 40;
 
-// An LU factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly, and soon
-// after: iterations with a stale factor are dearer than with Cholesky's, which takes updates itself.
+// An LU factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly. One that has
+// missed changes hardly ever gets there in this many steps.
 constexpr int most_updates = 120;
-constexpr int most_unsymmetric_iterations = 12;
+constexpr int most_refinements = 4;
 
 // Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
 constexpr double suspicious_pivot_ratio = 1e-10;
@@ -135,7 +135,7 @@ const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
 
 std::unique_ptr<linalg::SparseFactorization> EquilibriumSystem::make_factorization() const {
   if (symmetric_) return linalg::make_sparse_cholesky();
-  return linalg::with_low_rank_updates(linalg::make_sparse_lu(), most_updates);
+  return paper::with_low_rank_updates(paper::make_sparse_lu(), most_updates);
 }
 
 void EquilibriumSystem::place_nodes(const std::vector<Point>& positions) {
@@ -396,8 +396,7 @@ Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
     const linalg::KrylovResult result =
         symmetric_
             ? linalg::conjugate_gradient(multiply, precondition, rhs, solution, {solution_tolerance, most_iterations})
-            : linalg::gmres(multiply, precondition, rhs, solution,
-                            {solution_tolerance, most_unsymmetric_iterations, most_unsymmetric_iterations});
+            : paper::refine(multiply, precondition, rhs, solution, solution_tolerance, most_refinements);
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
     // Next to a mechanism the displacements are so large that forces smaller than this are rounding of their sums.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "bem/collocation_operator.hpp"
 #include "bem/galerkin_operator.hpp"
 #include "error.hpp"
+#include "paper/collocation_operator.hpp"
 
 namespace bempd::model {
 
@@ -44,7 +44,7 @@ NodeRoles roles_of(const BoundaryPart& part, const Formulation& formulation) {
 // traction t that balances the point's body force, t = -b dx (Yang and Liu 2021, Eq. 26), as a force. Consistent forces
 // would alternate between 2/3 and 4/3 of that from node to node.
 Eigen::MatrixXd balanced_stiffness(const BoundaryPart& part, double thickness,
-                                   const bem::CollocationOperator& collocation) {
+                                   const paper::CollocationOperator& collocation) {
   Eigen::MatrixXd stiffness = collocation.stiffness();
   Eigen::Matrix3d consistent, lumped = Eigen::Vector3d(0.25, 0.5, 0.25).asDiagonal();
   consistent << 4, 2, -1, 2, 16, 2, -1, 2, 4;
@@ -66,7 +66,7 @@ Eigen::MatrixXd balanced_stiffness(const BoundaryPart& part, double thickness,
 // The equations as printed (Eqs. 23 and 27), every row times a length: t = -b dx at the nodes of lattice interfaces, dx
 // being the lattice spacing also at their ends, and t as given at the others (the sum where there are two).
 Eigen::MatrixXd pointwise_stiffness(const BoundaryPart& part, const Scene& scene, double thickness,
-                                    const bem::CollocationOperator& collocation) {
+                                    const paper::CollocationOperator& collocation) {
   const Eigen::MatrixXd& tractions = collocation.traction_matrix();
   Eigen::MatrixXd stiffness =
       Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(part.mesh.nodes.size()), tractions.cols());
@@ -162,8 +162,8 @@ void build_operator(BoundaryPart& part, std::span<const BoundaryPart> built, con
   require(!elasticity.incompressible(), "region ", part.region,
           " is incompressible (Poisson's ratio 1/2 in plane strain); scheme paper cannot solve that, choose scheme "
           "symmetric");
-  const auto collocation = found ? std::static_pointer_cast<const bem::CollocationOperator>(alike->boundary_operator)
-                                 : std::make_shared<const bem::CollocationOperator>(part.mesh, elasticity, assembly);
+  const auto collocation = found ? std::static_pointer_cast<const paper::CollocationOperator>(alike->boundary_operator)
+                                 : std::make_shared<const paper::CollocationOperator>(part.mesh, elasticity, assembly);
   // Which nodes have interfaces is a matter of the part, not of its shape.
   part.stiffness = formulation.pointwise_traction ? pointwise_stiffness(part, scene, elasticity.thickness, *collocation)
                                                   : balanced_stiffness(part, elasticity.thickness, *collocation);

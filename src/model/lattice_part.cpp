@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pd/uncorrected_network.hpp"
+#include "paper/uncorrected_network.hpp"
 
 namespace bempd::model {
 
@@ -108,8 +108,8 @@ std::shared_ptr<const pd::Network> network_of(const LatticePart& part, std::span
     }
   }
   return std::make_shared<const pd::Network>(
-      formulation.paper ? pd::build_uncorrected_network(part.points, part.volumes, faces_in_grid(part),
-                                                        region.horizon_ratio, elasticity)
+      formulation.paper ? paper::build_uncorrected_network(part.points, part.volumes, faces_in_grid(part),
+                                                           region.horizon_ratio, elasticity)
                         : pd::build_network(*part.lattice, region.horizon_ratio, elasticity, threads));
 }
 

@@ -1,5 +1,3 @@
 bempd_add_engine_test(bem_patch_test bem_patch_test.cpp)
 bempd_add_engine_test(bem_cantilever_test bem_cantilever_test.cpp)
 bempd_add_engine_test(bem_interior_test bem_interior_test.cpp)
-bempd_add_engine_test(bem_collocation_patch_test bem_collocation_patch_test.cpp)
-bempd_add_engine_test(bem_collocation_cantilever_test bem_collocation_cantilever_test.cpp)

@@ -5,11 +5,11 @@
 
 #include <cstdio>
 
-#include "bem/collocation_operator.hpp"
 #include "bem/galerkin_operator.hpp"
 #include "bem/interior.hpp"
-#include "physics/bem_collocation_bodies.hpp"
+#include "paper/collocation_operator.hpp"
 #include "physics/curved_bodies.hpp"
+#include "physics/paper_collocation_bodies.hpp"
 
 namespace {
 
@@ -60,7 +60,7 @@ TEST(CurvedPatch, constant_strain_and_rigid_motions_are_exact_in_both_schemes) {
       const BoundaryMesh mesh = mesh_boundary(body.loops);
       const LinearField exact = some_field(elasticity);
       check_patch("Galerkin", body, mesh, exact, bem::GalerkinOperator(mesh, elasticity));
-      check_patch("collocation", body, mesh, exact, bem::CollocationOperator(mesh, elasticity));
+      check_patch("collocation", body, mesh, exact, paper::CollocationOperator(mesh, elasticity));
     }
 }
 

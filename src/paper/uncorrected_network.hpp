@@ -7,7 +7,7 @@
 #include "geometry/point.hpp"
 #include "pd/network.hpp"
 
-namespace bempd::pd {
+namespace bempd::paper {
 
 // Bonds of the discretized peridynamic equation as published (Yang and Liu 2021, Eqs. 13, 19 and 20), without any
 // correction at surfaces: every pair of points closer than the horizon, of stiffness c(r) / r times the volume factor
@@ -17,8 +17,8 @@ namespace bempd::pd {
 // Points are anywhere, in units of the spacing; the horizon is `horizon_ratio` of them. A point's volume is 1 for a
 // full cell (spacing^2 times thickness). `faces` are straight pieces of the body's boundary: bonds that cross them are
 // left out, bonds that touch them or run along them stay. Poisson's ratio must be that of a bond-based solid.
-Network build_uncorrected_network(const std::vector<Point>& points, const std::vector<double>& volumes,
-                                  const std::vector<std::array<Point, 2>>& faces, int horizon_ratio,
-                                  const PlaneElasticity& elasticity);
+pd::Network build_uncorrected_network(const std::vector<Point>& points, const std::vector<double>& volumes,
+                                      const std::vector<std::array<Point, 2>>& faces, int horizon_ratio,
+                                      const PlaneElasticity& elasticity);
 
-}  // namespace bempd::pd
+}  // namespace bempd::paper

@@ -6,7 +6,7 @@
 
 #include "bem/boundary_elements.hpp"
 
-namespace bempd::bem {
+namespace bempd::paper {
 
 // Integrals over one element, y on it, seen from a point x, r = y - x, from which the collocation blocks of U and T
 // follow. With e = r / |r| = (cos, sin) the kernels are
@@ -26,16 +26,16 @@ struct PointMoments {
 // the 1 / r of the double layer cancels against N(y) - N(x), so that no principal value is needed.
 class PointIntegrator {
  public:
-  PointIntegrator(const std::vector<ElementGeometry>& elements, double tolerance);
+  PointIntegrator(const std::vector<bem::ElementGeometry>& elements, double tolerance);
 
   PointMoments apart(int element, const Point& x) const;
   // x is the point xi0 of the element itself, -1 <= xi0 <= 1.
   PointMoments containing(int element, double xi0) const;
 
  private:
-  std::vector<ElementGeometry> elements_;
+  std::vector<bem::ElementGeometry> elements_;
   double tolerance_;
-  std::vector<std::array<ElementPoints, regular_point_counts.size()>> whole_;  // tables for whole elements
+  std::vector<std::array<bem::ElementPoints, bem::regular_point_counts.size()>> whole_;  // tables for whole elements
 };
 
-}  // namespace bempd::bem
+}  // namespace bempd::paper

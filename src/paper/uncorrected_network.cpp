@@ -1,4 +1,4 @@
-#include "pd/uncorrected_network.hpp"
+#include "paper/uncorrected_network.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,7 +8,9 @@
 
 #include "pd/micromodulus.hpp"
 
-namespace bempd::pd {
+namespace bempd::paper {
+
+using namespace pd;
 
 namespace {
 
@@ -154,4 +156,4 @@ Network build_uncorrected_network(const std::vector<Point>& points, const std::v
   return network;
 }
 
-}  // namespace bempd::pd
+}  // namespace bempd::paper

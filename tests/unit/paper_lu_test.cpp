@@ -5,12 +5,13 @@
 #include <string>
 #include <thread>
 
-#include "linalg/sparse_lu.hpp"
+#include "paper/sparse_lu.hpp"
 #include "unit/linalg_matrices.hpp"
 
 namespace {
 
 using namespace bempd::linalg;
+using namespace bempd::paper;
 using namespace bempd::test;
 
 // No structure at all: a third of the diagonal is missing, so pivots must be looked for.

@@ -5,9 +5,9 @@
 #include <random>
 #include <set>
 
+#include "paper/uncorrected_network.hpp"
 #include "pd/damage.hpp"
 #include "pd/deformation.hpp"
-#include "pd/uncorrected_network.hpp"
 #include "unit/pd_bodies.hpp"
 
 namespace {
@@ -15,6 +15,7 @@ namespace {
 using namespace bempd;
 using namespace bempd::pd;
 using namespace bempd::pd::test;
+using bempd::paper::build_uncorrected_network;
 
 using Face = std::array<Point, 2>;
 

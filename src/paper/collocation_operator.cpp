@@ -1,4 +1,4 @@
-#include "bem/collocation_operator.hpp"
+#include "paper/collocation_operator.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
@@ -7,10 +7,12 @@
 #include <cassert>
 #include <numbers>
 
-#include "bem/point_integrals.hpp"
+#include "paper/point_integrals.hpp"
 #include "parallel.hpp"
 
-namespace bempd::bem {
+namespace bempd::paper {
+
+using namespace bem;
 
 namespace {
 
@@ -167,16 +169,4 @@ Eigen::MatrixXd CollocationOperator::tractions(const Eigen::Ref<const Eigen::Mat
   return traction_matrix_ * displacements;
 }
 
-std::vector<double> node_lengths(const BoundaryMesh& mesh) {
-  std::vector<double> lengths(mesh.nodes.size(), 0.0);
-  const ScaledBoundary boundary(mesh);
-  ElementPoints points;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    fill_points(boundary.elements[e], {}, max_regular_points, points);
-    for (int a = 0; a < 3; ++a)
-      for (int p = 0; p < points.count; ++p) lengths[mesh.elements[e].nodes[a]] += boundary.length * points.mass[a][p];
-  }
-  return lengths;
-}
-
-}  // namespace bempd::bem
+}  // namespace bempd::paper

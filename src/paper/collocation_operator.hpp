@@ -2,22 +2,22 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <vector>
 
 #include "bem/boundary_operator.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
 
-namespace bempd::bem {
+namespace bempd::paper {
 
 // Collocation boundary element operator of one elastic body with quadratic elements: Somigliana's identity H u = G t at
 // as many points as there are traction nodes, solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu, Int. J.
 // Solids Struct. 2021, Eqs. 4 and 7), and their consistent nodal forces  h M K_B u. Points are the nodes; where a node
 // has two tractions, one point inside each of its elements. The stiffness is not symmetric, and its symmetric part is
 // no approximation: it loses the constant strains.
-class CollocationOperator final : public BoundaryOperator {
+class CollocationOperator final : public bem::BoundaryOperator {
  public:
-  CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const AssemblyOptions& options = {});
+  CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
+                      const bem::AssemblyOptions& options = {});
 
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
@@ -32,7 +32,4 @@ class CollocationOperator final : public BoundaryOperator {
   std::int64_t kernel_evaluations_ = 0;
 };
 
-// Integral of N_a ds [m] of every displacement node: the length that the node stands for.
-std::vector<double> node_lengths(const BoundaryMesh& mesh);
-
-}  // namespace bempd::bem
+}  // namespace bempd::paper

@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "linalg/low_rank_update.hpp"
-#include "linalg/sparse_lu.hpp"
+#include "paper/low_rank_update.hpp"
+#include "paper/sparse_lu.hpp"
 #include "unit/linalg_matrices.hpp"
 
 namespace {
 
 using namespace bempd::linalg;
+using namespace bempd::paper;
 using namespace bempd::test;
 
 double error_against_fresh(const SpringLattice& lattice, const std::vector<char>& broken,

@@ -1,15 +1,18 @@
-#include "linalg/low_rank_update.hpp"
+#include "paper/low_rank_update.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 
-namespace bempd::linalg {
+namespace bempd::paper {
 
 namespace {
 
 // Of the solved columns: a quarter of a gigabyte.
 constexpr Eigen::Index most_stored_numbers = Eigen::Index{1} << 25;
+
+using linalg::Change;
+using linalg::SparseFactorization;
 
 class LowRankUpdated final : public SparseFactorization {
  public:
@@ -90,4 +93,4 @@ std::unique_ptr<SparseFactorization> with_low_rank_updates(std::unique_ptr<Spars
   return std::make_unique<LowRankUpdated>(std::move(factorization), most_columns);
 }
 
-}  // namespace bempd::linalg
+}  // namespace bempd::paper

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bem/collocation_operator.hpp"
-#include "physics/bem_collocation_bodies.hpp"
+#include "paper/collocation_operator.hpp"
+#include "physics/paper_collocation_bodies.hpp"
 
 namespace {
 
@@ -56,7 +56,7 @@ PatchErrors patch_errors(const std::string& name, const Body& body, const PlaneE
   const LinearField exact = field_of(elasticity, state, (panels[0].end - panels[0].start).norm());
   const auto stress = [&](const Point&) { return exact.stress; };
 
-  const bem::CollocationOperator collocation(mesh, elasticity);
+  const paper::CollocationOperator collocation(mesh, elasticity);
   const Eigen::MatrixXd& k = collocation.stiffness();
   const Eigen::VectorXd u = nodal_values(mesh, [&](const Point& x) { return exact.displacement(x); });
   const Eigen::VectorXd f = nodal_forces(mesh, panels, stress, elasticity.thickness);

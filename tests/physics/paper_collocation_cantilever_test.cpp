@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "bem/collocation_operator.hpp"
 #include "bem/galerkin_operator.hpp"
+#include "paper/collocation_operator.hpp"
 #include "physics/bem_cantilever.hpp"
-#include "physics/bem_collocation_bodies.hpp"
+#include "physics/paper_collocation_bodies.hpp"
 
 namespace {
 
@@ -22,7 +22,7 @@ Body body_of(const Cantilever& beam, double element_length) {
 double displacement_error(const Cantilever& beam, double element_length) {
   const Body body = body_of(beam, element_length);
   const BoundaryMesh mesh = mesh_boundary(body.loops);
-  const bem::CollocationOperator collocation(mesh, beam.elasticity);
+  const paper::CollocationOperator collocation(mesh, beam.elasticity);
   const Eigen::VectorXd exact = nodal_values(mesh, [&](const Point& x) { return beam.displacement(x); });
   const Eigen::VectorXd forces = nodal_forces(
       mesh, body.panels(), [&](const Point& x) { return beam.stress(x); }, beam.elasticity.thickness);
@@ -64,7 +64,7 @@ TEST(CollocationCantilever, energy_of_a_smooth_field_agrees_with_the_exact_one_a
     const Eigen::VectorXd u = nodal_values(mesh, [&](const Point& x) { return beam.displacement(x); });
     const Eigen::VectorXd forces = nodal_forces(
         mesh, body.panels(), [&](const Point& x) { return beam.stress(x); }, beam.elasticity.thickness);
-    const bem::CollocationOperator collocation(mesh, beam.elasticity);
+    const paper::CollocationOperator collocation(mesh, beam.elasticity);
     const bem::GalerkinOperator galerkin(mesh, beam.elasticity);
     const double exact = 0.5 * u.dot(forces), by_collocation = 0.5 * u.dot(collocation.stiffness() * u);
     const double by_galerkin = 0.5 * u.dot(galerkin.stiffness() * u), error = std::abs(by_collocation / exact - 1);
@@ -84,7 +84,7 @@ TEST(CollocationCantilever, energy_of_a_smooth_field_agrees_with_the_exact_one_a
 TEST(CollocationCantilever, stiffness_is_unsymmetric_at_every_mesh) {
   for (const double element_length : {0.1, 0.05, 0.025, 0.0125}) {
     const BoundaryMesh mesh = mesh_boundary(body_of(beam_in_stress, element_length).loops);
-    const bem::CollocationOperator collocation(mesh, beam_in_stress.elasticity);
+    const paper::CollocationOperator collocation(mesh, beam_in_stress.elasticity);
     const double value = asymmetry(collocation.stiffness());
     std::printf("%3zu elements: |K - K^T| / |K| = %.2e\n", mesh.elements.size(), value);
     EXPECT_FALSE(collocation.symmetric());

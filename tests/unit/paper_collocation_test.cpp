@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bem/collocation_operator.hpp"
-#include "bem/point_integrals.hpp"
+#include "paper/collocation_operator.hpp"
+#include "paper/point_integrals.hpp"
 #include "physics/bem_bodies.hpp"
 
 namespace {
@@ -12,6 +12,7 @@ namespace {
 using namespace bempd;
 using namespace bempd::bem;
 using namespace bempd::bem_test;
+using namespace bempd::paper;
 
 using Real = long double;
 using RealPoint = Eigen::Matrix<Real, 2, 1>;
@@ -193,16 +194,6 @@ TEST(MeshBoundary, one_corner_traction_makes_traction_nodes_of_the_displacement_
   EXPECT_EQ(one.traction_node_count, static_cast<int>(one.nodes.size()));
   EXPECT_EQ(two.traction_node_count, one.traction_node_count + 4);
   for (const BoundaryElement& e : one.elements) EXPECT_EQ(e.nodes, e.traction_nodes);
-}
-
-TEST(NodeLengths, add_up_to_the_perimeter_in_simpsons_shares) {
-  const BoundaryMesh mesh = mesh_boundary({rectangle(3, 1, 0.5)});
-  const std::vector<double> lengths = node_lengths(mesh);
-  double sum = 0;
-  for (const double length : lengths) sum += length;
-  EXPECT_NEAR(sum, 8, 1e-14);
-  EXPECT_NEAR(lengths[mesh.elements[0].nodes[1]], 0.5 * 4 / 6, 1e-15);
-  EXPECT_NEAR(lengths[mesh.elements[0].nodes[2]], 0.5 * 2 / 6, 1e-15);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "bem/point_integrals.hpp"
+#include "paper/point_integrals.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -6,7 +6,9 @@
 
 #include "bem/smoothness.hpp"
 
-namespace bempd::bem {
+namespace bempd::paper {
+
+using namespace bem;
 
 namespace {
 
@@ -147,4 +149,4 @@ PointMoments PointIntegrator::containing(int element, double xi0) const {
   return moments;
 }
 
-}  // namespace bempd::bem
+}  // namespace bempd::paper
