@@ -1,10 +1,12 @@
-#include "regions/paper/cell_centred_lattice.hpp"
+#include "paper/cell_centred_lattice.hpp"
 
 #include <algorithm>
 
-#include "pd/face_loads.hpp"
+#include "paper/layer_forces.hpp"
 
-namespace bempd::regions {
+namespace bempd::paper {
+
+using namespace regions;
 
 namespace {
 
@@ -52,7 +54,7 @@ std::vector<LatticeRegion::EdgePoint> CellCentredLattice::edge_points(int edge) 
 void CellCentredLattice::add_edge_forces(const Point& a, const Point& b,
                                          const std::function<Point(const Point&)>& traction,
                                          Eigen::Ref<Eigen::VectorXd> forces) const {
-  pd::add_layer_forces(grid(), a, b, traction, forces);
+  add_layer_forces(grid(), a, b, traction, forces);
 }
 
 // Whole cells; points on interfaces stand for none.
@@ -62,4 +64,4 @@ std::vector<double> CellCentredLattice::cell_shares() const {
   return shares;
 }
 
-}  // namespace bempd::regions
+}  // namespace bempd::paper

@@ -150,6 +150,12 @@ Eigen::SparseMatrix<double> trace_mass(const BoundaryMesh& mesh) {
 
 }  // namespace
 
+BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh) {
+  for (BoundaryElement& element : mesh.elements) element.traction_nodes = element.nodes;
+  mesh.traction_node_count = static_cast<int>(mesh.nodes.size());
+  return mesh;
+}
+
 CollocationOperator::CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
                                          const AssemblyOptions& options) {
   Assembler assembler(mesh, elasticity.effective_poisson_ratio(), options.quadrature_tolerance);

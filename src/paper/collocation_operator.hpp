@@ -9,6 +9,9 @@
 
 namespace bempd::paper {
 
+// A mesh with the displacement nodes as traction nodes: one traction at a corner, that cannot jump there.
+BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh);
+
 // Collocation boundary element operator of one elastic body with quadratic elements: Somigliana's identity H u = G t at
 // as many points as there are traction nodes, solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu, Int. J.
 // Solids Struct. 2021, Eqs. 4 and 7), and their consistent nodal forces  h M K_B u. Points are the nodes; where a node

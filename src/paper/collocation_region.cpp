@@ -1,20 +1,26 @@
-#include "regions/paper/collocation_region.hpp"
+#include "paper/collocation_region.hpp"
 
-#include "paper/collocation_operator.hpp"
 #include "error.hpp"
 
-namespace bempd::regions {
+namespace bempd::paper {
+
+using namespace regions;
+
+BoundaryMesh CollocationRegion::make_mesh(const std::vector<std::vector<Panel>>& loops) const {
+  const BoundaryMesh mesh = mesh_boundary(loops);
+  return rules_.one_traction_at_corners ? with_one_traction_at_corners(mesh) : mesh;
+}
 
 std::shared_ptr<const bem::BoundaryOperator> CollocationRegion::make_operator(
     const bem::AssemblyOptions& assembly) const {
   require(!elasticity().incompressible(), "region ", id(),
           " is incompressible (Poisson's ratio 1/2 in plane strain); scheme paper cannot solve that, choose scheme "
           "symmetric");
-  return std::make_shared<const paper::CollocationOperator>(boundary_mesh(), elasticity(), assembly);
+  return std::make_shared<const CollocationOperator>(boundary_mesh(), elasticity(), assembly);
 }
 
 Eigen::MatrixXd CollocationRegion::own_stiffness(const Preparation& preparation) const {
-  const auto& collocation = static_cast<const paper::CollocationOperator&>(*boundary_operator());
+  const auto& collocation = static_cast<const CollocationOperator&>(*boundary_operator());
   return rules_.pointwise_traction ? pointwise_stiffness(preparation.scene, collocation)
                                    : balanced_stiffness(collocation);
 }
@@ -23,7 +29,7 @@ Eigen::MatrixXd CollocationRegion::own_stiffness(const Preparation& preparation)
 // its traction times the length between the middles of its neighbours (half of that at the ends of the interface): the
 // traction t that balances the point's body force, t = -b dx (Yang and Liu 2021, Eq. 26), as a force. Consistent forces
 // would alternate between 2/3 and 4/3 of that from node to node.
-Eigen::MatrixXd CollocationRegion::balanced_stiffness(const paper::CollocationOperator& collocation) const {
+Eigen::MatrixXd CollocationRegion::balanced_stiffness(const CollocationOperator& collocation) const {
   Eigen::MatrixXd stiffness = collocation.stiffness();
   Eigen::Matrix3d consistent, lumped = Eigen::Vector3d(0.25, 0.5, 0.25).asDiagonal();
   consistent << 4, 2, -1, 2, 16, 2, -1, 2, 4;
@@ -45,7 +51,7 @@ Eigen::MatrixXd CollocationRegion::balanced_stiffness(const paper::CollocationOp
 // The equations as printed (Eqs. 23 and 27), every row times a length: t = -b dx at the nodes of lattice interfaces, dx
 // being the lattice spacing also at their ends, and t as given at the others (the sum where there are two).
 Eigen::MatrixXd CollocationRegion::pointwise_stiffness(const scene::Scene& scene,
-                                                       const paper::CollocationOperator& collocation) const {
+                                                       const CollocationOperator& collocation) const {
   const Eigen::MatrixXd& tractions = collocation.traction_matrix();
   Eigen::MatrixXd stiffness =
       Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(boundary_mesh().nodes.size()), tractions.cols());
@@ -69,4 +75,4 @@ Eigen::MatrixXd CollocationRegion::pointwise_stiffness(const scene::Scene& scene
   return stiffness;
 }
 
-}  // namespace bempd::regions
+}  // namespace bempd::paper

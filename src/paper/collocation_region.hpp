@@ -1,38 +1,35 @@
 #pragma once
 
+#include "paper/collocation_operator.hpp"
 #include "regions/boundary/boundary_region.hpp"
 
 namespace bempd::paper {
-class CollocationOperator;
-}
-
-namespace bempd::regions {
 
 struct CollocationRules {
   // Interface rows are t = -b dx of every node and its point (Yang and Liu 2021, Eqs. 26, 27); else the balance of
   // nodal forces.
   bool pointwise_traction = false;
-  CornerTractions corner_tractions = CornerTractions::two;
+  bool one_traction_at_corners = false;  // else one of each edge
 };
 
 // A boundary element region of the scheme `paper`: collocation, every node on an interface a material point.
-class CollocationRegion final : public BoundaryRegion {
+class CollocationRegion final : public regions::BoundaryRegion {
  public:
-  CollocationRegion(int id, const BoundaryDescription& described, const scene::Material& material,
+  CollocationRegion(int id, const regions::BoundaryDescription& described, const scene::Material& material,
                     const CollocationRules& rules)
       : BoundaryRegion(id, described, material), rules_(rules) {}
 
  protected:
-  MeshingRules meshing_rules(const Preparation&) const override { return {true, false}; }
-  CornerTractions corner_tractions() const override { return rules_.corner_tractions; }
+  regions::MeshingRules meshing_rules(const regions::Preparation&) const override { return {true, false}; }
+  BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override;
   std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const override;
-  Eigen::MatrixXd own_stiffness(const Preparation& preparation) const override;
+  Eigen::MatrixXd own_stiffness(const regions::Preparation& preparation) const override;
 
  private:
-  Eigen::MatrixXd balanced_stiffness(const paper::CollocationOperator& collocation) const;
-  Eigen::MatrixXd pointwise_stiffness(const scene::Scene& scene, const paper::CollocationOperator& collocation) const;
+  Eigen::MatrixXd balanced_stiffness(const CollocationOperator& collocation) const;
+  Eigen::MatrixXd pointwise_stiffness(const scene::Scene& scene, const CollocationOperator& collocation) const;
 
   CollocationRules rules_;
 };
 
-}  // namespace bempd::regions
+}  // namespace bempd::paper

@@ -1,27 +1,27 @@
-#include "regions/paper/paper_scheme.hpp"
-
+// The scheme of Yang and Liu, Int. J. Solids Struct. 2021: collocation, uncorrected bonds, coupling by shared nodes.
 #include "error.hpp"
-#include "regions/paper/cell_centred_lattice.hpp"
-#include "regions/paper/collocation_region.hpp"
+#include "paper/cell_centred_lattice.hpp"
+#include "paper/collocation_region.hpp"
+#include "regions/scheme.hpp"
 
-namespace bempd::regions {
+namespace bempd::paper {
 
 namespace {
 
-class PaperScheme final : public Scheme {
+class PaperScheme final : public regions::Scheme {
  public:
   explicit PaperScheme(const scene::Options& options)
       : cell_centred_(options.text_value("paper.lattice") == "cell_centred"),
         rules_{options.text_value("paper.interface") == "traction",
-               options.text_value("paper.corner_tractions") == "one" ? CornerTractions::one : CornerTractions::two} {}
+               options.text_value("paper.corner_tractions") == "one"} {}
 
-  std::unique_ptr<Region> boundary_region(int id, const BoundaryDescription& described,
-                                          const scene::Material& material) const override {
+  std::unique_ptr<regions::Region> boundary_region(int id, const regions::BoundaryDescription& described,
+                                                   const scene::Material& material) const override {
     return std::make_unique<CollocationRegion>(id, described, material, rules_);
   }
 
-  std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
-                                         const scene::Material& material) const override {
+  std::unique_ptr<regions::Region> lattice_region(int id, const regions::LatticeDescription& described,
+                                                  const scene::Material& material) const override {
     if (cell_centred_) return std::make_unique<CellCentredLattice>(id, described, material);
     return std::make_unique<UncorrectedLattice>(id, described, material);
   }
@@ -36,10 +36,24 @@ class PaperScheme final : public Scheme {
   CollocationRules rules_;
 };
 
+const regions::SchemeRegistration registration({
+    "paper",
+    "collocation with uncorrected bonds as Yang and Liu 2021 have it",
+    [](const scene::Options& options) -> std::unique_ptr<regions::Scheme> {
+      return std::make_unique<PaperScheme>(options);
+    },
+    {scene::text_option(
+         "paper.lattice",
+         "Material points of scheme paper: cell_centred with points of their own on interfaces, or nodal.",
+         "cell_centred | nodal", "cell_centred"),
+     scene::text_option("paper.interface",
+                        "What scheme paper balances at interfaces: nodal_force, tractions times the lengths of nodes "
+                        "against bond forces, or traction, t = -b dx at every node (Eq. 27).",
+                        "nodal_force | traction", "nodal_force"),
+     scene::text_option("paper.corner_tractions", "Tractions at a corner of a boundary element region in scheme paper.",
+                        "two | one", "two")},
+});
+
 }  // namespace
 
-std::unique_ptr<Scheme> make_paper_scheme(const scene::Options& options) {
-  return std::make_unique<PaperScheme>(options);
-}
-
-}  // namespace bempd::regions
+}  // namespace bempd::paper

@@ -1,9 +1,11 @@
-#include "regions/paper/uncorrected_lattice.hpp"
+#include "paper/uncorrected_lattice.hpp"
 
-#include "pd/damage.hpp"
 #include "paper/uncorrected_network.hpp"
+#include "paper/volume_damage.hpp"
 
-namespace bempd::regions {
+namespace bempd::paper {
+
+using namespace regions;
 
 // Also of elements that the host has chosen: there is no tie in this scheme.
 std::vector<char> UncorrectedLattice::shared_points(const Preparation& preparation) const {
@@ -24,11 +26,11 @@ pd::Network UncorrectedLattice::make_network(int) const {
       faces.push_back({loop[k].cast<double>() + shift, loop[(k + 1) % loop.size()].cast<double>() + shift});
     }
   }
-  return paper::build_uncorrected_network(points_, volumes(), faces, horizon_ratio(), elasticity());
+  return build_uncorrected_network(points_, volumes(), faces, horizon_ratio(), elasticity());
 }
 
 FieldValues UncorrectedLattice::damage(const std::vector<char>& intact) const {
-  return {pd::volume_damage(*network(), volumes(), horizon_ratio(), broken_bonds(intact)), 1};
+  return {volume_damage(*network(), volumes(), horizon_ratio(), broken_bonds(intact)), 1};
 }
 
-}  // namespace bempd::regions
+}  // namespace bempd::paper

@@ -1,18 +1,18 @@
-#include "pd/damage.hpp"
+#include "paper/volume_damage.hpp"
 
 #include <cassert>
 
 #include "pd/micromodulus.hpp"
 
-namespace bempd::pd {
+namespace bempd::paper {
 
-std::vector<double> volume_damage(const Network& network, const std::vector<double>& volumes, int horizon_ratio,
+std::vector<double> volume_damage(const pd::Network& network, const std::vector<double>& volumes, int horizon_ratio,
                                   const std::vector<std::uint8_t>& broken) {
   assert(broken.empty() || broken.size() == network.bonds.size());
   std::vector<double> whole(volumes.size(), 0), lost(volumes.size(), 0);
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
-    const Bond& bond = network.bonds[b];
-    const double factor = volume_factor(network.offsets[network.offset_of[b]].length, horizon_ratio);
+    const pd::Bond& bond = network.bonds[b];
+    const double factor = pd::volume_factor(network.offsets[network.offset_of[b]].length, horizon_ratio);
     whole[bond.first] += factor * volumes[bond.second];
     whole[bond.second] += factor * volumes[bond.first];
     if (broken.empty() || !broken[b]) continue;
@@ -23,4 +23,4 @@ std::vector<double> volume_damage(const Network& network, const std::vector<doub
   return lost;
 }
 
-}  // namespace bempd::pd
+}  // namespace bempd::paper

@@ -18,6 +18,21 @@ struct OptionDescription {
   const char* default_text;
 };
 
+OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
+                                bool whole);
+OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
+
+// In the order in which they are listed.
+enum class OptionPlace { general, schemes, lattices, boundaries, stepping };
+
+// Options that belong together, described next to what reads them. Objects of static duration: all are there before
+// main() begins, and the first question for an option asks them for their descriptions.
+class OptionGroup {
+ public:
+  using Describe = std::vector<OptionDescription> (*)();
+  OptionGroup(OptionPlace place, Describe describe);
+};
+
 const std::vector<OptionDescription>& option_descriptions();
 
 // Tuning knobs by name: a value that was set, else what the option `accuracy` makes of it, else its default. Throws

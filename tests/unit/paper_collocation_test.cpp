@@ -128,12 +128,17 @@ TEST(PointIntegrator, tolerance_saves_points) {
   EXPECT_LE(std::max(weak, strong), 1e-6);
 }
 
+BoundaryMesh mesh_of(const std::vector<std::vector<Panel>>& loops, bool one_traction) {
+  const BoundaryMesh mesh = mesh_boundary(loops);
+  return one_traction ? with_one_traction_at_corners(mesh) : mesh;
+}
+
 const PlaneElasticity steel{210e9, 0.3, PlaneState::strain, 0.02};
 
 TEST(CollocationOperator, is_bitwise_the_same_for_any_number_of_threads) {
   for (const Body& body : {bodies()[2], bodies()[4]})
-    for (const CornerTractions corners : {CornerTractions::one, CornerTractions::two}) {
-      const BoundaryMesh mesh = mesh_boundary(body.loops, corners);
+    for (const bool one_traction : {true, false}) {
+      const BoundaryMesh mesh = mesh_of(body.loops, one_traction);
       const CollocationOperator one(mesh, steel, {.threads = 1}), two(mesh, steel, {.threads = 2});
       EXPECT_TRUE(one.stiffness() == two.stiffness()) << body.name;
       EXPECT_TRUE(one.traction_matrix() == two.traction_matrix()) << body.name;
@@ -164,21 +169,21 @@ TEST(CollocationOperator, stiffness_is_the_consistent_force_of_the_tractions) {
 }
 
 // An annulus of isoparametric arcs, made by bending the straight meshes of two regular polygons.
-BoundaryMesh annulus(CornerTractions corners) {
+BoundaryMesh annulus(bool one_traction) {
   std::vector<Point> outer, inner;
   for (int i = 0; i < 8; ++i)
     outer.emplace_back(2 * std::cos(i * std::numbers::pi / 4), 2 * std::sin(i * std::numbers::pi / 4));
   for (int i = 0; i < 8; ++i)
     inner.emplace_back(std::cos(i * std::numbers::pi / 4), -std::sin(i * std::numbers::pi / 4));
-  BoundaryMesh mesh = mesh_boundary({polygon(outer, 10), polygon(inner, 10)}, corners);
+  BoundaryMesh mesh = mesh_of({polygon(outer, 10), polygon(inner, 10)}, one_traction);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
     mesh.nodes[n] *= (n < mesh.nodes.size() / 2 ? 2.0 : 1.0) / mesh.nodes[n].norm();
   return mesh;
 }
 
 TEST(CollocationOperator, curved_elements_keep_rigid_motions) {
-  for (const CornerTractions corners : {CornerTractions::one, CornerTractions::two}) {
-    const BoundaryMesh mesh = annulus(corners);
+  for (const bool one_traction : {true, false}) {
+    const BoundaryMesh mesh = annulus(one_traction);
     const Eigen::MatrixXd k = CollocationOperator(mesh, steel).stiffness();
     for (const Field& motion : {Field([](const Point&) { return Point(1, 0.5); }),
                                 Field([](const Point& x) { return Point(-x.y(), x.x()); })}) {
@@ -188,9 +193,9 @@ TEST(CollocationOperator, curved_elements_keep_rigid_motions) {
   }
 }
 
-TEST(MeshBoundary, one_corner_traction_makes_traction_nodes_of_the_displacement_nodes) {
+TEST(OneTractionAtCorners, makes_traction_nodes_of_the_displacement_nodes) {
   const std::vector<std::vector<Panel>> loops{rectangle(1, 0.5, 0.25)};
-  const BoundaryMesh one = mesh_boundary(loops, CornerTractions::one), two = mesh_boundary(loops);
+  const BoundaryMesh one = mesh_of(loops, true), two = mesh_boundary(loops);
   EXPECT_EQ(one.traction_node_count, static_cast<int>(one.nodes.size()));
   EXPECT_EQ(two.traction_node_count, one.traction_node_count + 4);
   for (const BoundaryElement& e : one.elements) EXPECT_EQ(e.nodes, e.traction_nodes);

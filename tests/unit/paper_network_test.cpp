@@ -6,7 +6,7 @@
 #include <set>
 
 #include "paper/uncorrected_network.hpp"
-#include "pd/damage.hpp"
+#include "paper/volume_damage.hpp"
 #include "pd/deformation.hpp"
 #include "unit/pd_bodies.hpp"
 
@@ -16,6 +16,7 @@ using namespace bempd;
 using namespace bempd::pd;
 using namespace bempd::pd::test;
 using bempd::paper::build_uncorrected_network;
+using bempd::paper::volume_damage;
 
 using Face = std::array<Point, 2>;
 

@@ -50,7 +50,7 @@ class BoundaryRegion : public Region {
 
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
-  virtual CornerTractions corner_tractions() const { return CornerTractions::two; }
+  virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
   // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
   // empty for none.
