@@ -147,7 +147,6 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
     const Candidate c = solve_with_held(problem, held, result.conjugate_steps);
     result.values = c.values;
     result.residual = c.residual;
-    result.bounded = static_cast<int>(std::count(held.begin(), held.end(), 1));
     const VectorXd pull = problem.constraints.transpose() * c.lambda;
     std::vector<char> next(held.size(), 0);
     for (std::size_t i = 0; i < held.size(); ++i) {

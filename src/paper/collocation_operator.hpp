@@ -24,7 +24,6 @@ class CollocationOperator final : public bem::BoundaryOperator {
 
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
-  bool symmetric() const override { return false; }
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
   // K_B [Pa/m], rows 2 * traction_node + component, columns 2 * node + component.

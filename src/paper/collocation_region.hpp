@@ -1,6 +1,7 @@
 #pragma once
 
 #include "paper/collocation_operator.hpp"
+#include "paper/unsymmetric_solution.hpp"
 #include "regions/boundary/boundary_region.hpp"
 
 namespace bempd::paper {
@@ -23,6 +24,7 @@ class CollocationRegion final : public regions::BoundaryRegion {
   regions::MeshingRules meshing_rules(const regions::Preparation&) const override { return {true, false}; }
   BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override;
   std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const override;
+  const coupling::SolutionMethod& solution_method() const override { return unsymmetric_solution(); }
   Eigen::MatrixXd own_stiffness(const regions::Preparation& preparation) const override;
 
  private:

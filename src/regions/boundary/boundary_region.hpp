@@ -52,6 +52,8 @@ class BoundaryRegion : public Region {
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
+  // How equations with the stiffness are solved.
+  virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
   // empty for none.
   virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }
