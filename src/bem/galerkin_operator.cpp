@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
 #include <numbers>
 
 #include "bem/pair_integrals.hpp"
+#include "error.hpp"
 #include "parallel.hpp"
 
 namespace bempd::bem {
@@ -168,7 +168,11 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
   Operators& operators = assembler.operators;
   complete_lower(operators.single_layer);
   single_layer_.compute(operators.single_layer);
-  assert(single_layer_.info() == Eigen::Success);
+  if (single_layer_.info() != Eigen::Success) {
+    fail(Failure::unsolvable,
+         "the boundary operator of a region is numerically singular; its shape has parts too thin for its elements, or "
+         "elements of too different length: give these parts shorter elements, or leave them out");
+  }
   reduced_transpose_ = std::move(operators.double_layer);
   single_layer_.matrixU().solveInPlace<Eigen::OnTheRight>(reduced_transpose_);
 

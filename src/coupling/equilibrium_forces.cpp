@@ -37,6 +37,7 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
   terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   ties_.collect(force);
   for (const CondensedOperator& op : operators_) {
+    if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
     const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
     force(op.shared_dofs()) += local;
   }

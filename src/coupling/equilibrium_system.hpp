@@ -82,6 +82,7 @@ class EquilibriumSystem {
   void set_load(Affine force, Affine prescribed);
   const Affine& force() const { return force_; }
   const Affine& prescribed() const { return prescribed_; }
+  const NodeTies& ties() const { return ties_; }
 
   // A change of stages takes two calls, so that the parts it frees can be found in between and held before the matrix
   // loses their resistance: mark the terms, then change the matrix (rank-one changes of the factor, by the drop of

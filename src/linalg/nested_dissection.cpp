@@ -45,7 +45,7 @@ class Dissection {
     if (end - begin <= leaf_size) return;
     Eigen::AlignedBox2d box;
     for (Iterator it = begin; it != end; ++it) box.extend(graph_.positions[*it]);
-    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    const int axis = box.sizes().x() * (1 + 1e-9) >= box.sizes().y() ? 0 : 1;
     const double cut = middle(begin, end, axis);
     for (Iterator it = begin; it != end; ++it) side_[*it] = graph_.positions[*it][axis] < cut ? lower : upper;
     const std::vector<int> from_lower = boundary(begin, end, axis, cut, lower);
@@ -66,8 +66,11 @@ class Dissection {
     for (Iterator it = begin; it != end; ++it) coordinates_.push_back(graph_.positions[*it][axis]);
     const auto median = coordinates_.begin() + static_cast<std::ptrdiff_t>(coordinates_.size() / 2);
     std::nth_element(coordinates_.begin(), median, coordinates_.end());
-    const double value = *median, lowest = *std::min_element(coordinates_.begin(), coordinates_.end());
-    const double tolerance = 1e-9 * (1 + std::abs(value));
+    const double value = *median;
+    const auto [lowest_place, highest] = std::minmax_element(coordinates_.begin(), coordinates_.end());
+    const double lowest = *lowest_place;
+    // Of the part's own size: the order must not depend on the unit of length.
+    const double tolerance = 1e-9 * (*highest - lowest);
     return value - tolerance > lowest ? value - tolerance : value + tolerance;
   }
 

@@ -1,5 +1,8 @@
 #include "regions/scheme.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "regions/symmetric_scheme.hpp"
 
 namespace bempd::regions {
@@ -14,6 +17,11 @@ std::vector<SchemeEntry>& entries() {
   return all;
 }
 
+const SchemeEntry& chosen(const scene::Options& options) {
+  const std::string name = options.text_value("scheme");
+  return *std::find_if(entries().begin(), entries().end(), [&](const SchemeEntry& e) { return name == e.name; });
+}
+
 std::string join_of_entries(const char* SchemeEntry::*words, const std::string& separator) {
   std::string joined;
   for (const SchemeEntry& entry : entries()) joined += (joined.empty() ? "" : separator) + entry.*words;
@@ -25,7 +33,7 @@ std::vector<scene::OptionDescription> describe_options() {
   static const std::string choices = join_of_entries(&SchemeEntry::name, " | ");
   static const std::string summary = "Discretization: " + join_of_entries(&SchemeEntry::summary, ", or ") + ".";
   std::vector<scene::OptionDescription> all = {
-      scene::text_option("scheme", summary.c_str(), choices.c_str(), "symmetric")};
+      scene::shaping(scene::text_option("scheme", summary.c_str(), choices.c_str(), "symmetric"))};
   for (const SchemeEntry& entry : entries()) all.insert(all.end(), entry.options.begin(), entry.options.end());
   return all;
 }
@@ -42,12 +50,10 @@ std::vector<std::string> scheme_names() {
   return names;
 }
 
-std::unique_ptr<Scheme> make_scheme(const scene::Options& options) {
-  const std::string name = options.text_value("scheme");
-  for (const SchemeEntry& entry : entries()) {
-    if (name == entry.name) return entry.make(options);
-  }
-  return make_symmetric_scheme();
+std::unique_ptr<Scheme> make_scheme(const scene::Options& options) { return chosen(options).make(options); }
+
+const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options) {
+  return chosen(options).options;
 }
 
 }  // namespace bempd::regions

@@ -29,7 +29,10 @@ class Scheme {
 // The one that the option `scheme` names.
 std::unique_ptr<Scheme> make_scheme(const scene::Options& options);
 
-// Legal words of the option.
+// The options that it alone has, all of which shape its operators.
+const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options);
+
+// Legal words of the option `scheme`.
 std::vector<std::string> scheme_names();
 
 // What there is to know of a scheme, the symmetric one aside: the word that chooses it, what it is in the option's

@@ -84,11 +84,16 @@ const OptionDescription& describe(std::string_view name) {
 
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
                                 bool whole) {
-  return {name, summary, "-", false, whole, value, minimum, maximum, "", ""};
+  return {name, summary, "-", false, whole, value, minimum, maximum, "", "", false};
 }
 
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text) {
-  return {name, summary, "-", true, false, 0, 0, 0, choices, default_text};
+  return {name, summary, "-", true, false, 0, 0, 0, choices, default_text, false};
+}
+
+OptionDescription shaping(OptionDescription option) {
+  option.shapes_operators = true;
+  return option;
 }
 
 OptionGroup::OptionGroup(OptionPlace place, Describe describe) { groups().emplace(place, describe); }

@@ -16,11 +16,14 @@ struct OptionDescription {
   double default_value, minimum, maximum;
   const char* choices;  // of a text option, separated by " | "
   const char* default_text;
+  bool shapes_operators = false;  // a state only fits scenes that agree in it
 };
 
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
                                 bool whole);
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
+// The same option, as one that shapes operators.
+OptionDescription shaping(OptionDescription option);
 
 // In the order in which they are listed.
 enum class OptionPlace { general, schemes, lattices, boundaries, stepping };

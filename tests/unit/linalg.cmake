@@ -1,6 +1,11 @@
+bempd_add_engine_test(linalg_least_change_test linalg_least_change_test.cpp)
 bempd_add_engine_test(linalg_cholesky_test linalg_cholesky_test.cpp linalg_backend_test.cpp)
 bempd_add_engine_test(linalg_condensation_test linalg_condensation_test.cpp)
 bempd_add_engine_test(linalg_conjugate_gradient_test linalg_conjugate_gradient_test.cpp)
-bempd_add_engine_test(linalg_machine_rates_test linalg_machine_rates_test.cpp)
+bempd_add_engine_test(linalg_blas_test linalg_blas_test.cpp)
 set_source_files_properties(linalg_backend_test.cpp PROPERTIES
   COMPILE_DEFINITIONS "BEMPD_EXPECTED_BACKEND=\"${BEMPD_LINALG}\"")
+if(BEMPD_LINALG STREQUAL "suitesparse")
+  bempd_add_engine_test(linalg_cholmod_version_test linalg_cholmod_version_test.cpp)
+  target_include_directories(linalg_cholmod_version_test SYSTEM PRIVATE "${SuiteSparse_INCLUDE_DIR}")
+endif()

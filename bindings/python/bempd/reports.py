@@ -95,14 +95,15 @@ class PointValues(NamedTuple):
     region: npt.NDArray[np.int32]  #: shape (n,): the region that holds each place
 
 
-def values_of(struct: Any, name: str) -> dict[str, Any]:
-    """Members of a struct by name."""
-    return {key: getattr(struct, key) for key, _ in members(name)}
+def values_of(struct: Any, name: str, kind: type[Any]) -> dict[str, Any]:
+    """Members of a struct by name, those that the kind of report has: the struct may have got more since."""
+    known = {field.name for field in dataclasses.fields(kind)}
+    return {key: getattr(struct, key) for key, _ in members(name) if key in known}
 
 
 def step_report(struct: Any) -> StepReport:
     """The report as a value."""
-    values = values_of(struct, "bempd_step_report")
+    values = values_of(struct, "bempd_step_report", StepReport)
     values["stop_reason"] = StopReason(values["stop_reason"])
     values["separated"] = bool(values["separated"])
     return StepReport(**values)

@@ -28,7 +28,6 @@ class BoundaryRegion : public Region {
   std::vector<Point> places_facing(int other_region) const override;
 
   std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const override;
-  const Eigen::MatrixXd* stiffness() const override { return &mesh_stiffness(); }
   std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
@@ -51,9 +50,9 @@ class BoundaryRegion : public Region {
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
-  virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
-  // How equations with the stiffness are solved.
+  // The method that solves systems with the region's stiffness in them.
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
+  virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
   // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
   // empty for none.
   virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }

@@ -8,11 +8,11 @@ const scene::OptionGroup group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
                            2, 8, true),
-      scene::text_option(
+      scene::shaping(scene::text_option(
           "critical_stretch",
           "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "
           "2021, Eq. 15 (plane stress only).",
-          "exact | printed", "exact")};
+          "exact | printed", "exact"))};
 });
 
 }  // namespace
