@@ -102,6 +102,7 @@ void Model::ensure_equilibrium() {
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
   warn_of_condition();
+  warn_of_held_parts();
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
@@ -123,6 +124,23 @@ void Model::warn_of_condition() {
   warned_of_condition_ = true;
   log(1, text("the equations are badly conditioned: about ", static_cast<int>(std::lround(-std::log10(condition))),
               " digits of the displacement are lost; look for parts that are very slender or hardly supported"));
+}
+
+void Model::warn_of_held_parts() {
+  constexpr std::size_t most_named = 4;
+  std::vector<int> held = prepared_->evolution->take_held();
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  if (held.empty()) return;
+  std::string places;
+  for (std::size_t i = 0; i < std::min(held.size(), most_named); ++i) {
+    const Point& place = prepared_->discretization.positions[held[i]];
+    const int crack = scene_.crack_nearest(place);
+    places += text(i == 0 ? "" : ", ", "(", place.x(), ", ", place.y(), ")");
+    if (crack > 0) places += text(" by initial crack ", crack);
+  }
+  if (held.size() > most_named) places += text(" and at ", held.size() - most_named, " places more");
+  log(1, "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
 }
 
 void Model::reload() {
@@ -195,6 +213,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "and their balance are not; choose other units");
   }
   warn_of_condition();
+  warn_of_held_parts();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));
