@@ -22,6 +22,7 @@ void add(Hash& hash, const scene::Material& material) {
 }
 
 void add_place(Hash& hash, const scene::Condition& condition) {
+  if (condition.removed()) return hash.add(std::string_view("removed"));
   condition.place->identify(hash);
   hash.add(condition.components);
 }
@@ -48,13 +49,15 @@ void add_option(Hash& hash, const scene::OptionDescription& option, const scene:
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options) {
   Hash body;
-  body.add(scene.regions().size());
-  for (const auto& region : scene.regions()) {
-    add(body, scene.material(region->material()));
-    region->identify(body);
+  const std::vector<int> ids = scene.region_ids();
+  body.add(ids.size());
+  for (int id : ids) {
+    add(body, scene.material_of(id));
+    scene.region(id).identify(body);
   }
   std::uint64_t cracks = 0;  // their order does not matter
   for (const scene::Crack& crack : scene.cracks()) {
+    if (crack.points.empty()) continue;
     Hash hash;
     for (const Point& p : crack.points) hash.add(p.x()), hash.add(p.y());
     cracks += hash.value();

@@ -85,7 +85,8 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(contributions.registry);
   // The operator of a region before that differs by a translation only.
-  for (const auto& other : std::span(preparation.regions).first(static_cast<std::size_t>(id()) - 1)) {
+  for (const auto& other : preparation.regions) {
+    if (other.get() == this) break;
     if (typeid(*other) != typeid(*this)) continue;
     const auto& alike = static_cast<const BoundaryRegion&>(*other);
     if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;

@@ -156,3 +156,22 @@ def test_curved_edges():
     rounded.set_edges_smooth(disk, 1, 8)
     rounded.fix_edge(disk, 1)
     assert np.hypot(*rounded.field(disk, "position").T) == pytest.approx(1, abs=1e-12)
+
+
+def test_what_is_removed_leaves_no_trace(plate):
+    model = plate.model
+    spare = model.add_bem_region(1, rectangle(10, 0, 12, 1), 0.5)
+    support = model.fix_edge(spare, 4)
+    load = model.add_traction(plate.plate, 2, "y", 1e9)
+    model.add_traction(plate.plate, 2, "x", 2e8)
+    with pytest.raises(bempd.ArgumentError, match="remove_region: .*support"):
+        model.remove_region(spare)
+    model.remove_support(support)
+    model.remove_region(spare)
+    model.remove_load(load)
+    assert model.region_ids == [plate.plate]
+    with pytest.raises(bempd.ArgumentError, match="remove_crack: .*does not exist"):
+        model.remove_crack(1)
+    assert tip(model, plate.plate)[0] == pytest.approx(2e8 / 2e11 * 2, rel=1e-10)
+    with pytest.raises(bempd.OrderError):
+        model.remove_support(plate.held[0])
