@@ -40,8 +40,7 @@ FreedParts FreedPartFinder::all_pieces(const Eigen::VectorXd& displacement) cons
   return found;
 }
 
-FreedParts FreedPartFinder::after_break(const std::vector<int>& removed,
-                                        const Eigen::VectorXd& displacement) const {
+FreedParts FreedPartFinder::after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const {
   FreedParts found;
   std::vector<int> ends;
   for (int t : removed) {

@@ -144,8 +144,8 @@ WholeBodyEvents::Changing WholeBodyEvents::changing(const coupling::StageChange&
 }
 
 // Potential energy lost. It is a quadratic function of the displacements that is least in equilibrium: where a
-// stiffness k and a constant force q of a term are lost, whose elastic elongation grows from e to e' with its elongation
-// growing from c.u to c.u', it falls by k e e' / 2 + q (c.u + c.u') / 2.
+// stiffness k and a constant force q of a term are lost, whose elastic elongation grows from e to e' with its
+// elongation growing from c.u to c.u', it falls by k e e' / 2 + q (c.u + c.u') / 2.
 double WholeBodyEvents::released_energy() const {
   const coupling::Terms& terms = system_.terms();
   const BodyState& state = body_.state();

@@ -11,8 +11,8 @@ namespace {
 using namespace bempd;
 using namespace bempd::fracture;
 using coupling::Affine;
-using coupling::Terms;
 using coupling::EquilibriumSystem;
+using coupling::Terms;
 
 // Nodes in a row, joined by bonds along x and, two apart, again.
 Terms row_of_bonds(int nodes) {

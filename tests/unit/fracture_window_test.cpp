@@ -10,9 +10,9 @@ namespace {
 using namespace bempd;
 using namespace bempd::fracture;
 using coupling::Affine;
-using coupling::Terms;
 using coupling::Condensation;
 using coupling::EquilibriumSystem;
+using coupling::Terms;
 
 // A plate of points with bonds to the eight neighbours, held at the left and moved at the right by the load factor and,
 // if asked for, by a constant. The kept points are a square in it.

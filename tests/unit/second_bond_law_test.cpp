@@ -94,9 +94,9 @@ TEST_P(SecondBondLaw, runs_to_separation_with_its_energies_in_balance) {
     gone += stage == 2;
     softened += stage == 1;
   }
-  std::printf("%s: %lld events, %lld bonds gone, %lld softened, energy balance %.1e (reference: 0)\n",
-              GetParam().name, static_cast<long long>(state.events), static_cast<long long>(gone),
-              static_cast<long long>(softened), state.worst_energy_balance_error);
+  std::printf("%s: %lld events, %lld bonds gone, %lld softened, energy balance %.1e (reference: 0)\n", GetParam().name,
+              static_cast<long long>(state.events), static_cast<long long>(gone), static_cast<long long>(softened),
+              state.worst_energy_balance_error);
   EXPECT_EQ(gone, state.broken_bonds + static_cast<std::int64_t>(model->prepared().cut_bonds.size()));
   EXPECT_GT(softened, 0);
   EXPECT_GT(state.released_energy, 0);

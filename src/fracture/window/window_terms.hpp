@@ -17,8 +17,8 @@ struct Pull {
 // The terms of the energy that a window watches, with their ratios to critical values.
 class WindowTerms {
  public:
-  // All intact terms, which are bonds, between kept degrees of freedom and prescribed ones. A row of a kept degree of freedom is its
-  // place in the condensation; prescribed ones have rows from `first_prescribed` on.
+  // All intact terms, which are bonds, between kept degrees of freedom and prescribed ones. A row of a kept degree of
+  // freedom is its place in the condensation; prescribed ones have rows from `first_prescribed` on.
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
 

@@ -94,8 +94,8 @@ void LatticeRegion::add_bonds(double critical_stretch, Contributions& contributi
   for (const pd::Bond& bond : network_->bonds) {
     const Point offset = points_[bond.second] - points_[bond.first];
     const double length = offset.norm();
-    const int term = terms.add_bond(nodes_[bond.first], nodes_[bond.second], offset / length, spacing() * length,
-                                    bond.stiffness);
+    const int term =
+        terms.add_bond(nodes_[bond.first], nodes_[bond.second], offset / length, spacing() * length, bond.stiffness);
     if (law != 0) terms.set_law(term, law);
     contributions.critical_stretch.push_back(critical_stretch);
   }
