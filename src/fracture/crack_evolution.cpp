@@ -29,7 +29,9 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
                                std::vector<std::vector<int>> reaction_dofs)
     : system_(system),
       body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), state_),
-      sources_(body_, cut) {}
+      sources_(body_, cut) {
+  state_.work = body_.energy_at_rest();
+}
 
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
   sources_.settle();
@@ -115,7 +117,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   state_.work += outcome.work;
   state_.released_energy += outcome.released_energy;
   ++state_.events;
-  state_.broken_bonds += static_cast<std::int64_t>(event.breaking.size());
+  state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
   if (is_separated(outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
   HistoryEntry line;

@@ -55,7 +55,7 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
     : system_(system),
       positions_(positions),
       freed_parts_(system, positions),
-      ratios_(system.bonds(), std::move(critical_stretch)),
+      ratios_(system.terms(), std::move(critical_stretch)),
       reaction_dofs_(std::move(reaction_dofs)),
       state_(state) {
   const Eigen::Index dofs = 2 * system.node_count();
@@ -65,8 +65,16 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
   system_.place_nodes(positions);
   system_.mark_broken(cut);
   system_.commit_break(cut, {});
-  state_.intact = system_.intact();
+  state_.stages = system_.stages();
   state_.springs = system_.springs();
+  ratios_.enter(state_.stages);
+  if (!system_.has_offsets()) return;
+  system_.condense();
+  state_.total_force = system_.internal_force(state_.total_displacement, state_.load_factor);
+}
+
+double LoadedBody::energy_at_rest() const {
+  return system_.has_offsets() ? system_.energy(Eigen::VectorXd::Zero(2 * system_.node_count()), 0) : 0;
 }
 
 void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
@@ -93,7 +101,7 @@ void LoadedBody::drop_loads(const std::vector<int>& nodes) {
 LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   const Eigen::VectorXd before = state_.total_displacement;
   FreedParts freed = freed_parts_.all_pieces(before);
-  system_.commit_break({}, freed.springs);
+  system_.commit({}, freed.springs);
   if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
   FirstEquilibrium result{0, freed.fragments, {}};
   for (const coupling::HoldingSpring& spring : freed.springs) result.held.push_back(spring.node);
@@ -125,20 +133,27 @@ void LoadedBody::solve() { state_.displacement = system_.solve(); }
 
 void LoadedBody::update_ratios() {
   const Stopwatch watch(seconds_search_);
+  ratios_.enter(system_.stages());
   ratios_.update(state_.displacement);
 }
 
 void LoadedBody::restore() {
-  system_.restore(state_.intact, state_.springs);
+  system_.restore(state_.stages, state_.springs);
   apply_load();
+  ratios_.enter(state_.stages);
   ratios_.update(state_.displacement);
 }
 
 double LoadedBody::absorb(double load_factor) {
   const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
-  const Eigen::VectorXd force = system_.internal_force(displacement);
+  const Eigen::VectorXd force = system_.internal_force(displacement, load_factor);
   // On the straight way between two states the trapezoid rule is exact. In equilibrium internal forces equal the loads.
-  const double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
+  double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
+  if (system_.has_offsets() && load_factor != state_.load_factor) {
+    const double before = system_.energy_slope(state_.total_displacement, state_.load_factor);
+    const double after = system_.energy_slope(displacement, load_factor);
+    work += 0.5 * (before + after) * (load_factor - state_.load_factor);
+  }
   state_.total_displacement = displacement;
   state_.total_force = force;
   state_.largest_force = std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(),
@@ -153,7 +168,7 @@ void LoadedBody::show(Affine displacement) {
   state_.displacement = std::move(displacement);
   update_ratios();
   state_.total_displacement = evaluate(state_.displacement, state_.load_factor);
-  state_.total_force = system_.internal_force(state_.total_displacement);
+  state_.total_force = system_.internal_force(state_.total_displacement, state_.load_factor);
 }
 
 std::optional<double> LoadedBody::next_break(double target) {
@@ -162,12 +177,12 @@ std::optional<double> LoadedBody::next_break(double target) {
   return ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
 }
 
-double LoadedBody::stored_energy() const { return 0.5 * state_.total_displacement.dot(state_.total_force); }
-
-double LoadedBody::unit_energy() const {
-  const Eigen::VectorXd unit = state_.displacement.col(1);
-  return 0.5 * unit.dot(system_.internal_force(unit));
+double LoadedBody::stored_energy() const {
+  if (system_.has_offsets()) return system_.energy(state_.total_displacement, state_.load_factor);
+  return 0.5 * state_.total_displacement.dot(state_.total_force);  // Clapeyron's theorem
 }
+
+double LoadedBody::unit_energy() const { return system_.unit_energy(state_.displacement.col(1)); }
 
 double LoadedBody::residual() const {
   return fracture::residual(system_, state_.total_force, state_.load_factor, state_.largest_force);

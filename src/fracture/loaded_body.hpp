@@ -59,7 +59,10 @@ class LoadedBody {
   void update_ratios();  // to these displacements
   void restore();        // system and ratios to the state, which the caller has changed
 
-  double move_to(double load_factor);  // returns the work of the loads
+  // What terms and operators hold where nothing has moved yet; work that was done before.
+  double energy_at_rest() const;
+
+  double move_to(double load_factor);  // returns the work of the loads, and of what swells with them
   double absorb(double load_factor);   // the same, also where only the displacements have changed
   // Displacements and forces of this solution, at the present load factor, of which all sums are known.
   void show(coupling::Affine displacement);

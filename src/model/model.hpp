@@ -62,7 +62,6 @@ class Model {
   void set_support_values(int support, scene::SampledValues values);
 
   void prepare();
-  bool is_prepared() const { return prepared_ != nullptr; }
   const PreparedScene& prepared();  // prepares if needed
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 

@@ -28,12 +28,12 @@ const std::vector<pd::Bond>& Model::bonds(int id) {
 
 std::vector<regions::BondState> Model::bond_states(int id) {
   bonds(id);
-  return results::bond_states(region(id), prepared_->evolution->progress().intact, prepared_->cut_bonds);
+  return results::bond_states(region(id), prepared_->system->intact(), prepared_->cut_bonds);
 }
 
 regions::Solution Model::solution() const {
   const fracture::EvolutionState& state = prepared_->evolution->state();
-  return {state.total_displacement, prepared_->system->bonds(), state.intact,
+  return {state.total_displacement, prepared_->system->terms(), prepared_->system->intact(),
           prepared_->conditions.body_forces(state.load_factor)};
 }
 

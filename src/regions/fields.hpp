@@ -32,7 +32,7 @@ inline int components_of(Field field) {
 // A state of all nodes and bonds at one load factor.
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
-  const coupling::BondSet& bonds;
+  const coupling::Terms& bonds;
   const std::vector<char>& intact;  // per bond
   std::vector<Point> body_forces;   // [N/m^3], per region
 

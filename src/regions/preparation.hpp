@@ -28,7 +28,7 @@ struct Preparation {
 // What they add to.
 struct Contributions {
   NodeRegistry& registry;
-  coupling::BondSet& bonds;
+  coupling::Terms& bonds;
   std::vector<double>& critical_stretch;  // per bond
   std::vector<std::string>& warnings;
 };

@@ -89,17 +89,15 @@ void LatticeRegion::take_network(const Preparation& preparation, std::vector<std
 }
 
 void LatticeRegion::add_bonds(double critical_stretch, Contributions& contributions) {
-  coupling::BondSet& bonds = contributions.bonds;
-  first_bond_ = bonds.size();
+  coupling::Terms& terms = contributions.bonds;
+  const int law = terms.add_law(material().bond_law);
+  first_bond_ = terms.size();
   for (const pd::Bond& bond : network_->bonds) {
     const Point offset = points_[bond.second] - points_[bond.first];
     const double length = offset.norm();
-    bonds.first.push_back(nodes_[bond.first]);
-    bonds.second.push_back(nodes_[bond.second]);
-    bonds.cosine.push_back(offset.x() / length);
-    bonds.sine.push_back(offset.y() / length);
-    bonds.length.push_back(spacing() * length);
-    bonds.stiffness.push_back(bond.stiffness);
+    const int term =
+        terms.add_bond(nodes_[bond.first], nodes_[bond.second], offset / length, spacing() * length, bond.stiffness);
+    if (law != 0) terms.set_law(term, law);
     contributions.critical_stretch.push_back(critical_stretch);
   }
 }
