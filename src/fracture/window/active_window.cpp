@@ -122,10 +122,15 @@ bool ActiveWindow::remove(std::span<const int> bonds) {
   // Of all bonds at once, so that what is pending is read once; every bond adds what those before it changed.
   const std::vector<Pull> directions = pulls(bonds);
   Eigen::MatrixXd answers = flexibility_.responses(directions);
-  for (std::size_t i = 0; i < bonds.size(); ++i) {
+  bool resisted = true;
+  for (std::size_t i = 0; resisted && i < bonds.size(); ++i) {
     auto answer = answers.col(static_cast<Eigen::Index>(i));
     if (functions_change) answer = flexibility_.responses({&directions[i], 1});
-    if (remove_one(bonds[i], answer, functions_change ? flexibility_.changes() : changes_before)) continue;
+    resisted = remove_one(bonds[i], answer, functions_change ? flexibility_.changes() : changes_before);
+  }
+  const auto size_of = [&](const Affine& rows) { return rows.topRows(size()).lpNorm<Eigen::Infinity>(); };
+  resisted = resisted && size_of(rows_) <= WindowSettings::most_growth * size_of(before);
+  if (!resisted) {
     rows_ = before;
     if (functions_change) flexibility_.set_function_rows(functions_before);
     flexibility_.take_back_changes(changes_before);
