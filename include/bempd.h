@@ -61,7 +61,9 @@ typedef enum bempd_status {
   BEMPD_ERROR_ARGUMENT = -1,
   /** Called too early or too late in the order of a run. */
   BEMPD_ERROR_ORDER = -2,
-  /** The scene has no unique equilibrium: a mechanism, or a singular operator. */
+  /** The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
+   * error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
+   * never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning. */
   BEMPD_ERROR_UNSOLVABLE = -3,
   /** An iteration or the limit on events ended before the goal. */
   BEMPD_ERROR_CONVERGENCE = -4,
@@ -452,7 +454,8 @@ typedef struct bempd_step_report {
   double work;                 /**< work of loads and supports since the beginning [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-];
                                   not small in scheme paper, whose stiffness is unsymmetric */
-  double residual;       /**< largest unbalanced force at the end over the largest internal nodal force so far [-] */
+  double residual; /**< largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5
+                      of the largest stiffness times the displacement of what holds the body if that is larger [-] */
   double seconds_total;  /**< wall time of this step [s] */
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */

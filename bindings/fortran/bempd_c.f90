@@ -19,7 +19,9 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_ERROR_ARGUMENT = -1
   !> Called too early or too late in the order of a run.
   integer(c_int), parameter :: BEMPD_ERROR_ORDER = -2
-  !> The scene has no unique equilibrium: a mechanism, or a singular operator.
+  !> The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
+  !> error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
+  !> never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning.
   integer(c_int), parameter :: BEMPD_ERROR_UNSOLVABLE = -3
   !> An iteration or the limit on events ended before the goal.
   integer(c_int), parameter :: BEMPD_ERROR_CONVERGENCE = -4
@@ -188,7 +190,8 @@ module bempd_c
     !> |work - stored - released| over the largest work so far, worst of all events [-]; not small in scheme paper,
     !> whose stiffness is unsymmetric
     real(c_double) :: energy_balance_error
-    !> largest unbalanced force at the end over the largest internal nodal force so far [-]
+    !> largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5 of the largest
+    !> stiffness times the displacement of what holds the body if that is larger [-]
     real(c_double) :: residual
     !> wall time of this step [s]
     real(c_double) :: seconds_total

@@ -171,7 +171,7 @@ class EquilibriumSystem {
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
   int node_count_;
-  double largest_stiffness_ = 0;
+  double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
   bool operators_have_rest_[2] = {false, false};  // in its two parts
   std::vector<DenseOperator> pending_;            // until condensed

@@ -44,7 +44,9 @@ double bending(const std::vector<Point>& positions, const std::vector<int>& node
     mean += motion.segment<2>(2 * node) / static_cast<double>(nodes.size());
   }
   double turned = 0, inertia = 0;
-  const auto lever = [&](int node) { return Eigen::Vector2d(centre.y() - positions[node].y(), positions[node].x() - centre.x()); };
+  const auto lever = [&](int node) {
+    return Eigen::Vector2d(centre.y() - positions[node].y(), positions[node].x() - centre.x());
+  };
   for (int node : nodes) {
     turned += lever(node).dot(motion.segment<2>(2 * node) - mean);
     inertia += lever(node).squaredNorm();

@@ -9,9 +9,9 @@ namespace bempd::fracture {
 
 // What had to be held to make equilibrium unique.
 struct HeldMotions {
-  std::vector<int> nodes;       // where a spring was put
-  bool loads_lost = false;      // they pushed on something that moves freely
-  std::int64_t fragments = 0;   // parts that lost them
+  std::vector<int> nodes;      // where a spring was put
+  bool loads_lost = false;     // they pushed on something that moves freely
+  std::int64_t fragments = 0;  // parts that lost them
 };
 
 // Solves the body's system and holds what the solution shows to move freely, by springs that keep it where it is

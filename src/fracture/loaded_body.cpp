@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "error.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
 
@@ -14,18 +15,35 @@ namespace {
 // Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
 constexpr double separated_energy_ratio = 1e-10;
 
+// What next to nothing resists at all: the energy of moving supports against the largest stiffness, up to rounding.
+constexpr double energy_rounding = 1e-14;
+
 // Forces and energies are not measured by less than this share of what moving supports would make of the largest
 // stiffness: where they move a body without stress all forces are rounding, of some 1e-14 of that. Ordinary scenes lie
 // above: a strip under tension at 1 / (number of elements along it).
 constexpr double scale_without_stress = 1e-5;
+
+// How far supports, and springs that hold what came free, have moved the body.
+double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
+  double largest = coupling::evaluate(system.prescribed(), load_factor).lpNorm<Eigen::Infinity>();
+  for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
+  return largest;
+}
 
 }  // namespace
 
 using coupling::Affine;
 using coupling::evaluate;
 
-bool is_separated(double unit_energy, double first_unit_energy) {
-  return unit_energy < separated_energy_ratio * first_unit_energy;
+bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
+  const double moved = system.prescribed().col(1).lpNorm<Eigen::Infinity>();
+  const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
+  return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
+}
+
+void fail_out_of_range() {
+  fail(Failure::unsolvable,
+       "displacements or forces are beyond the range of numbers; choose other units or smaller loads");
 }
 
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
@@ -40,13 +58,11 @@ double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd
 }
 
 double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  const Eigen::VectorXd moved = evaluate(system.prescribed(), load_factor);
-  return scale_without_stress * system.largest_stiffness() * moved.lpNorm<Eigen::Infinity>();
+  return scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
 }
 
 double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  const Eigen::VectorXd moved = evaluate(system.prescribed(), load_factor);
-  return force_scale_of_supports(system, load_factor) * moved.lpNorm<Eigen::Infinity>();
+  return force_scale_of_supports(system, load_factor) * moved_by_holds(system, load_factor);
 }
 
 LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
@@ -125,7 +141,8 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
 bool LoadedBody::is_balanced() const {
   const double f = state_.load_factor;
   const Eigen::VectorXd force = system_.internal_force(evaluate(state_.displacement, f), f);
-  const double largest = std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
+  const double largest =
+      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
   return fracture::residual(system_, force, f, largest) <= most_residual;
 }
 
@@ -147,6 +164,7 @@ void LoadedBody::restore() {
 double LoadedBody::absorb(double load_factor) {
   const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
   const Eigen::VectorXd force = system_.internal_force(displacement, load_factor);
+  if (!displacement.allFinite() || !force.allFinite()) fail_out_of_range();
   // On the straight way between two states the trapezoid rule is exact. In equilibrium internal forces equal the loads.
   double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
   if (system_.has_offsets() && load_factor != state_.load_factor) {
@@ -156,8 +174,8 @@ double LoadedBody::absorb(double load_factor) {
   }
   state_.total_displacement = displacement;
   state_.total_force = force;
-  state_.largest_force = std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(),
-                                   force_scale_of_supports(system_, load_factor)});
+  state_.largest_force =
+      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, load_factor)});
   state_.load_factor = load_factor;
   return work;
 }

@@ -11,7 +11,9 @@
 namespace bempd::fracture {
 
 // True if nothing resists the proportional load any more, given its energy and that in the undamaged scene.
-bool is_separated(double unit_energy, double first_unit_energy);
+bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
+
+[[noreturn]] void fail_out_of_range();
 
 // Largest force at a free node that internal forces leave over, relative to the largest one met so far.
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,

@@ -7,10 +7,21 @@ namespace bempd::model {
 using regions::Field;
 using regions::FieldValues;
 
+namespace {
+
+void require_numbers(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  if (values.allFinite()) return;
+  fail(Failure::unsolvable, "a result is beyond the range of numbers; choose other units or smaller loads");
+}
+
+}  // namespace
+
 Eigen::Vector2d Model::reaction(int support) {
   scene_.support(support);
   ensure_equilibrium();
-  return prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
+  const Eigen::Vector2d sum = prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
+  require_numbers(sum);
+  return sum;
 }
 
 const regions::Region& Model::region(int id) {
@@ -40,7 +51,10 @@ regions::Solution Model::solution() const {
 const FieldValues& Model::field(int id, Field which) {
   region(id).field_size(which);
   ensure_equilibrium();
-  return fields_.of(region(id), which, solution(), generation_);
+  const FieldValues& field = fields_.of(region(id), which, solution(), generation_);
+  require_numbers(
+      Eigen::Map<const Eigen::VectorXd>(field.values.data(), static_cast<Eigen::Index>(field.values.size())));
+  return field;
 }
 
 results::FieldsOfScene Model::fields() {
@@ -52,6 +66,10 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
   results::PointValues found =
       results::evaluate(scene_, prepared_->discretization, solution(), fields(), places, with_stress);
   prepared_->interior_kernel_evaluations += found.kernel_evaluations;
+  for (const regions::PointValue& value : found.values) {
+    require_numbers(value.displacement);
+    require_numbers(value.stress);
+  }
   return std::move(found.values);
 }
 

@@ -248,7 +248,11 @@ Outcome of a call: 0 is good, negative values are errors, by what the caller can
 since: 0.1""",
     "BEMPD_ERROR_ARGUMENT": """A value is wrong; correct it and call again.""",
     "BEMPD_ERROR_ORDER": """Called too early or too late in the order of a run.""",
-    "BEMPD_ERROR_UNSOLVABLE": """The scene has no unique equilibrium: a mechanism, or a singular operator.""",
+    "BEMPD_ERROR_UNSOLVABLE": """\
+The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or
+energy balance error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of
+doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off,
+are held where they are, with a warning.""",
     "BEMPD_ERROR_CONVERGENCE": """An iteration or the limit on events ended before the goal.""",
     "BEMPD_ERROR_CANCELLED": """A callback or bempd_request_cancel() asked to stop.""",
     "BEMPD_ERROR_MEMORY": """Not enough memory.""",
@@ -765,7 +769,8 @@ bonds broken since the beginning, without those cut by initial cracks""",
 |work - stored - released| over the largest work so far, worst of all events [-]; not small in
 scheme paper, whose stiffness is unsymmetric""",
     "bempd_step_report.residual": """\
-largest unbalanced force at the end over the largest internal nodal force so far [-]""",
+largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5 of
+the largest stiffness times the displacement of what holds the body if that is larger [-]""",
     "bempd_step_report.seconds_total": """wall time of this step [s]""",
     "bempd_step_report.seconds_solve": """of it: solutions [s]""",
     "bempd_step_report.seconds_update": """of it: changes of the factorization [s]""",

@@ -125,10 +125,15 @@ bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
   if (functions_change) functions_before = flexibility_.function_rows();
   // Of all terms at once, so that what is pending is read once; every term adds what those before it changed.
   Eigen::MatrixXd answers = flexibility_.responses(directions);
-  for (std::size_t i = 0; i < changes.size(); ++i) {
+  bool resisted = true;
+  for (std::size_t i = 0; resisted && i < changes.size(); ++i) {
     auto answer = answers.col(static_cast<Eigen::Index>(i));
     if (functions_change) answer = flexibility_.responses({&directions[i], 1});
-    if (change_one(changes[i], answer, functions_change ? flexibility_.changes() : changes_before)) continue;
+    resisted = change_one(changes[i], answer, functions_change ? flexibility_.changes() : changes_before);
+  }
+  const auto size_of = [&](const Affine& rows) { return rows.topRows(size()).lpNorm<Eigen::Infinity>(); };
+  resisted = resisted && size_of(rows_) <= WindowSettings::most_growth * size_of(before);
+  if (!resisted) {
     rows_ = before;
     if (functions_change) flexibility_.set_function_rows(functions_before);
     flexibility_.take_back_changes(changes_before);

@@ -139,7 +139,7 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     return false;
   }
   add_checks(from, foreseen.event);
-  has_ended_ = is_separated(foreseen.after.unit(), start.first_unit_energy);
+  has_ended_ = is_separated(system_, foreseen.after.unit(), start.first_unit_energy);
   events_.push_back(std::move(foreseen));
   foreseen_.push_back(window_->state());
   return true;
@@ -210,8 +210,8 @@ void Lookahead::check_whole_body() {
   whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
   ForeseenEvent& last = events_.back();
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, last.event.load_factor));
-  last.largest_force = std::max({last.largest_force, force.lpNorm<Eigen::Infinity>(),
-                                 force_scale_of_supports(system_, last.event.load_factor)});
+  last.largest_force = std::max(
+      {last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, last.event.load_factor)});
   residual_ = fracture::residual(system_, force, last.event.load_factor, last.largest_force);
   if (residual_ <= WindowSettings::acceptable_residual) return;
   keep_first(0);

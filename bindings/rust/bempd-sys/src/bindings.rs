@@ -7,7 +7,10 @@ pub const BEMPD_OK: bempd_status = 0;
 pub const BEMPD_ERROR_ARGUMENT: bempd_status = -1;
 /// Called too early or too late in the order of a run.
 pub const BEMPD_ERROR_ORDER: bempd_status = -2;
-/// The scene has no unique equilibrium: a mechanism, or a singular operator.
+/// The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual
+/// or energy balance error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the
+/// range of doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge,
+/// or cut off, are held where they are, with a warning.
 pub const BEMPD_ERROR_UNSOLVABLE: bempd_status = -3;
 /// An iteration or the limit on events ended before the goal.
 pub const BEMPD_ERROR_CONVERGENCE: bempd_status = -4;
@@ -876,7 +879,9 @@ pub struct bempd_step_report {
     /// \|work - stored - released\| over the largest work so far, worst of all events \[-\]; not small
     /// in scheme paper, whose stiffness is unsymmetric
     pub energy_balance_error: f64,
-    /// largest unbalanced force at the end over the largest internal nodal force so far \[-\]
+    /// largest unbalanced force at the end over the largest internal nodal force so far, or over
+    /// 1e-5 of the largest stiffness times the displacement of what holds the body if that is
+    /// larger \[-\]
     pub residual: f64,
     /// wall time of this step \[s\]
     pub seconds_total: f64,
