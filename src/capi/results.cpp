@@ -96,7 +96,7 @@ bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count
 
 bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const auto& bonds = m.bonds(region);
+    const auto bonds = m.bonds(region);
     require_capacity(capacity, static_cast<std::int64_t>(bonds.size()), "bonds");
     const std::vector<regions::BondState> known = m.bond_states(region);
     for (std::size_t b = 0; b < bonds.size(); ++b) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -77,7 +78,7 @@ class Model {
   // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
   const regions::Region& region(int id);
   // Its bonds; throws Error (argument) for a region that has none.
-  const std::vector<pd::Bond>& bonds(int region);
+  std::span<const pd::Bond> bonds(int region);
   std::vector<regions::BondState> bond_states(int region);
 
   // Fields of a region; computed once per generation.

@@ -19,9 +19,9 @@ const regions::Region& Model::region(int id) {
   return prepared_->discretization.region(id);
 }
 
-const std::vector<pd::Bond>& Model::bonds(int id) {
-  const std::vector<pd::Bond>* bonds = region(id).bonds();
-  require(bonds != nullptr, "region ", id, " is a ", scene_.region(id).adjective(),
+std::span<const pd::Bond> Model::bonds(int id) {
+  const auto bonds = region(id).bonds();
+  require(bonds.has_value(), "region ", id, " is a ", scene_.region(id).adjective(),
           " region and has no bonds; ask a peridynamic region");
   return *bonds;
 }

@@ -4,6 +4,17 @@
 
 namespace bempd::regions {
 
+void Contributions::add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, double limit) const {
+  const double length = step.norm();
+  bonds.first.push_back(between_nodes.first);
+  bonds.second.push_back(between_nodes.second);
+  bonds.cosine.push_back(step.x() / length);
+  bonds.sine.push_back(step.y() / length);
+  bonds.length.push_back(spacing * length);
+  bonds.stiffness.push_back(between_nodes.stiffness);
+  critical_stretch.push_back(limit);
+}
+
 void Region::follow(const LeadingElements&, int leader, coupling::NodeTies&) const {
   throw std::logic_error(text("region ", id_, " cannot follow the elements of region ", leader));
 }

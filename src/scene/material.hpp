@@ -9,6 +9,8 @@ struct Material {
   double critical_stretch = 0;  // 0: not given
   double fracture_energy = 0;   // [J/m^2]; 0: not given
 
+  bool operator==(const Material&) const = default;
+
   // Throws Error (argument) for values that no material has.
   void check() const;
 
