@@ -19,7 +19,7 @@ std::vector<double> openings(Model& model, int32_t lattice, int first) {
     const double behind = (half_crack - places[i][0]) / dx - 0.5 - first;
     const int k = static_cast<int>(std::lround(behind));
     if (k < 0 || k >= stations || std::abs(std::abs(places[i][1]) - dx / 2) > 0.1 * dx) continue;
-    opening[static_cast<std::size_t>(k)] += (places[i][1] > 0 ? 1 : -1) * moved[i][1];
+    opening[static_cast<std::size_t>(k)] += (places[i][1] > 0 ? 1 : -1) * moved[i][1] / model.load_factor();
   }
   return opening;
 }
@@ -49,7 +49,8 @@ struct Tip {
 Tip tip_of(int horizon_ratio, double shift) {
   Model model;
   const int32_t lattice = build_griffith_plate(model, horizon_ratio, shift);
-  model.step(1);
+  constexpr double load = 0.01;  // nothing breaks yet
+  model.step(load);
   const int first = 2 * horizon_ratio;
   const double stated = half_crack + shift * dx;
   const double felt = (felt_half_length(openings(model, lattice, first), first) - stated) / dx;
