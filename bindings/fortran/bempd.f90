@@ -39,12 +39,15 @@ module bempd
     generic :: assignment(=) => refuse_copy
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
     procedure :: set_edge_arc, set_edges_smooth, set_edge_mesh
+    procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
-    procedure :: add_traction, add_traction_function, add_point_force, set_load_values, set_support_values
+    procedure :: add_traction, add_traction_function, add_pressure, add_point_force
+    procedure :: set_load_values, set_support_values
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
-    procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate
+    procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds
+    procedure :: reaction, reaction_moment, evaluate
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
   end type bempd_model
@@ -71,10 +74,13 @@ module bempd
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     set_edge_arc, set_edges_smooth, set_edge_mesh, &
+    remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
-    prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
+    prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
+    set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
-    load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate, get_statistics, &
+    load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, reaction_moment, evaluate, &
+    get_statistics, &
     history, state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
 
@@ -192,6 +198,31 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_crack
+    ! Before the model is prepared; other ids stay.
+    module subroutine remove_region(self, region, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_region
+    module subroutine remove_crack(self, crack, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_crack
+    module subroutine remove_support(self, support, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_support
+    module subroutine remove_load(self, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_load
     module subroutine region_count(self, count, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(out) :: count
@@ -260,6 +291,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_traction
+    module subroutine add_pressure(self, region, edge, constant, proportional, from, to, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in), optional :: constant(:), proportional(:), from, to
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_pressure
     module subroutine add_traction_function(self, region, edge, function, user, from, to, load, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, edge
@@ -414,6 +453,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine reaction
+    module subroutine reaction_moment(self, support, x, y, moment, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(in) :: x, y
+      real(c_double), intent(out) :: moment
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine reaction_moment
     module subroutine evaluate(self, points, displacement, stress, regions, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: points(:, :)

@@ -116,6 +116,22 @@ contains
     call give(new, crack)
   end procedure add_crack
 
+  module procedure remove_region
+    call finish(self, bempd_remove_region(self%handle, region), stat, errmsg)
+  end procedure remove_region
+
+  module procedure remove_crack
+    call finish(self, bempd_remove_crack(self%handle, crack), stat, errmsg)
+  end procedure remove_crack
+
+  module procedure remove_support
+    call finish(self, bempd_remove_support(self%handle, support), stat, errmsg)
+  end procedure remove_support
+
+  module procedure remove_load
+    call finish(self, bempd_remove_load(self%handle, load), stat, errmsg)
+  end procedure remove_load
+
   module procedure fix_edge
     integer(c_int32_t), target :: new
 
@@ -175,6 +191,18 @@ contains
     end if
     call give(new, load)
   end procedure add_traction
+
+  module procedure add_pressure
+    type(value_parts), target :: parts
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_values(self, "bempd_add_pressure", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_add_pressure(self%handle, region, edge, value_or(from, 0.0_c_double), value_or(to, &
+        1.0_c_double), parts%count, c_loc(parts%constant), c_loc(parts%proportional), c_loc(new)), stat, errmsg)
+    end if
+    call give(new, load)
+  end procedure add_pressure
 
   module procedure add_traction_function
     integer(c_int32_t), target :: new

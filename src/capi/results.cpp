@@ -1,3 +1,4 @@
+#include <cmath>
 #include <algorithm>
 
 #include "capi/guard.hpp"
@@ -115,6 +116,13 @@ bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force) 
     const Eigen::Vector2d reaction = m.reaction(support);
     force[0] = reaction.x();
     force[1] = reaction.y();
+  });
+}
+
+bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
+    out(moment, "moment") = m.reaction_moment(support, Point(x, y));
   });
 }
 

@@ -56,6 +56,9 @@ class Model {
 
   // Throws Error (order) once the model is prepared.
   scene::Scene& editable_scene();
+  // After a call that failed: what it has prepared is given up, and so is a body whose first equilibrium was not found,
+  // so that the scene can be corrected.
+  void call_failed(bool was_prepared, bool unsolvable) noexcept;
   void set_load_values(int load, scene::SampledValues values);
   void set_support_values(int support, scene::SampledValues values);
 
@@ -86,6 +89,7 @@ class Model {
   regions::FieldSize field_size(int region, regions::Field field) { return this->region(region).field_size(field); }
 
   Eigen::Vector2d reaction(int support);
+  double reaction_moment(int support, const Point& about);
 
   // Values at places in the body; stress only if asked for.
   std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);
@@ -102,6 +106,7 @@ class Model {
   void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
   void ensure_equilibrium();
   void warn_of_condition();
+  void warn_of_held_parts();
   void warn_of_blas() const;
   void reload();
   void check_mechanism(const PreparedScene& prepared) const;

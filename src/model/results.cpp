@@ -13,6 +13,12 @@ Eigen::Vector2d Model::reaction(int support) {
   return prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
 }
 
+double Model::reaction_moment(int support, const Point& about) {
+  scene_.support(support);
+  ensure_equilibrium();
+  return prepared_->evolution->reaction_moment(static_cast<std::size_t>(support - 1), about);
+}
+
 const regions::Region& Model::region(int id) {
   scene_.region(id);
   prepare();
@@ -61,7 +67,9 @@ void Model::write_snapshot(const std::string& prefix) {
 }
 
 void Model::write_history(const std::string& path) const {
-  results::write_history(path, prepared_ ? &prepared_->evolution->progress() : nullptr, scene_.supports().size());
+  std::vector<char> there;
+  for (const scene::Condition& support : scene_.supports()) there.push_back(support.removed() ? 0 : 1);
+  results::write_history(path, prepared_ ? &prepared_->evolution->progress() : nullptr, there);
 }
 
 }  // namespace bempd::model

@@ -148,6 +148,11 @@ std::vector<std::vector<std::size_t>> bonds_by_owner(const Union& all, const pd:
   return rows;
 }
 
+Region* region_of(const Preparation& preparation, int id) {
+  const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
+  return std::lower_bound(preparation.regions.begin(), preparation.regions.end(), id, reaches)->get();
+}
+
 }  // namespace
 
 std::vector<LatticeRegion*> regions_acting_as_one(LatticeRegion& region, const Preparation& preparation) {
@@ -160,7 +165,7 @@ std::vector<LatticeRegion*> regions_acting_as_one(LatticeRegion& region, const P
     const int number = at.id() - 1;
     auto contact = std::lower_bound(contacts.begin(), contacts.end(), number, before);
     for (; contact != contacts.end() && contact->region == number; ++contact) {
-      auto* other = dynamic_cast<LatticeRegion*>(preparation.regions[contact->other_region].get());
+      auto* other = dynamic_cast<LatticeRegion*>(region_of(preparation, contact->other_region + 1));
       if (other && at.acts_as_one_with(*other) && ids.insert(other->id()).second) found.push_back(other);
     }
   }

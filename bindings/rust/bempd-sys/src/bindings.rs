@@ -303,7 +303,9 @@ extern "C" {
     /// cells.
     ///
     /// Material points lie on the corners of the cells, also on the boundary. The spacing must
-    /// divide all edges.
+    /// divide all edges. Peridynamic regions that touch along edges act as one, with bonds across,
+    /// if spacing, horizon and the numbers of the material are the same (not in scheme "paper");
+    /// others only share the points of the common edge.
     ///
     /// * model \[in\]: the model
     /// * material \[in\]: id of a material with the Poisson's ratio of bond-based peridynamics
@@ -433,7 +435,10 @@ extern "C" {
     /// Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
     ///
     /// It must lie in peridynamic regions (ending on their boundary is fine) and keep off the
-    /// material points.
+    /// material points; that is checked when the model is prepared. A crack beside all regions
+    /// there are is refused at once. The bonds cut ahead of a tip make the crack open like a slit
+    /// that is 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the
+    /// tip lies between points: best half way between two columns or rows.
     ///
     /// * model \[in\]: the model
     /// * point_count \[in\]: number of points, \>= 2
@@ -449,7 +454,26 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Number of regions.
+    /// Remove a region before the model is prepared; its id is not given again. Supports and loads
+    /// on its edges are removed first.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_region(model: *mut bempd_model, region: i32) -> bempd_status;
+}
+extern "C" {
+    /// Remove an initial crack before the model is prepared; its id is not given again.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_crack(model: *mut bempd_model, crack: i32) -> bempd_status;
+}
+extern "C" {
+    /// Largest id of a region: the number of regions, with those that were removed.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: their number
@@ -665,6 +689,34 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a pressure on a part of an edge that is not an interface: a traction against the outward
+    /// normal, on curved edges too. bempd_set_load_values() gives it new values.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * from \[in\]: start of the part as a fraction of the edge \[-\]
+    /// * to \[in\]: end of the part \[-\]
+    /// * value_count \[in\]: 1: uniform; 2: linear from start to end; n: values at n equally spaced
+    ///   places, linear between
+    /// * constant \[in\]: shape \[value_count\], constant part, positive presses \[Pa\]; NULL for 0
+    /// * proportional \[in\]: shape \[value_count\], part multiplied by the load factor \[Pa\]; NULL for 0
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_pressure(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        from: f64,
+        to: f64,
+        value_count: i64,
+        constant: *const f64,
+        proportional: *const f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add a force on the node or material point at a place.
     ///
     /// * model \[in\]: the model
@@ -726,6 +778,24 @@ extern "C" {
         constant: *const f64,
         proportional: *const f64,
     ) -> bempd_status;
+}
+extern "C" {
+    /// Remove a support before the model is prepared; its id is not given again.
+    ///
+    /// * model \[in\]: the model
+    /// * support \[in\]: id of a support
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_support(model: *mut bempd_model, support: i32) -> bempd_status;
+}
+extern "C" {
+    /// Remove a load before the model is prepared; its id is not given again.
+    ///
+    /// * model \[in\]: the model
+    /// * load \[in\]: id of a load
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_load(model: *mut bempd_model, load: i32) -> bempd_status;
 }
 /// Progress of a step, called after every event.
 ///
@@ -861,8 +931,13 @@ extern "C" {
         -> bempd_status;
 }
 extern "C" {
-    /// Check the scene and build its operators. The first step does it if you do not. From then on
-    /// nothing can be added; loads and supports can still change their values.
+    /// Check the scene and build its operators. The first step or result does it if you do not.
+    /// From then on nothing can be added or removed; loads and supports can still change their
+    /// values.
+    ///
+    /// A call that fails or is cancelled leaves a model that was not prepared as it was: correct
+    /// the scene and call again. So does a first equilibrium that cannot be found, also after this
+    /// call.
     ///
     /// * model \[in\]: the model
     /// * return: status
@@ -1073,6 +1148,10 @@ extern "C" {
 extern "C" {
     /// Number of bonds of a PD region, with broken and cut ones. Prepares the model.
     ///
+    /// They join two of its own material points. Where regions act as one, a bond whose ends two of
+    /// them share counts for the first, and bonds from inside one to inside another are listed by
+    /// neither: bempd_statistics counts them, and damage and stress of the points at both ends.
+    ///
     /// * model \[in\]: the model
     /// * region \[in\]: id of a PD region
     /// * count \[out\]: number of bonds
@@ -1100,7 +1179,8 @@ extern "C" {
 }
 extern "C" {
     /// Force that a support exerts on the body at the present load factor. Where supports share a
-    /// node's component the first one counts it.
+    /// node's component the first one counts it: add the support first whose edge is to have the
+    /// corner.
     ///
     /// * model \[in\]: the model
     /// * support \[in\]: id of a support
@@ -1108,6 +1188,25 @@ extern "C" {
     /// * return: status
     /// * since: 0.1
     pub fn bempd_reaction(model: *mut bempd_model, support: i32, force: *mut f64) -> bempd_status;
+}
+extern "C" {
+    /// Moment about a point of the forces that a support exerts on the body, counted as in
+    /// bempd_reaction().
+    ///
+    /// * model \[in\]: the model
+    /// * support \[in\]: id of a support
+    /// * x \[in\]: the point \[m\]
+    /// * y \[in\]: \[m\]
+    /// * moment \[out\]: positive counter-clockwise \[N m\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_reaction_moment(
+        model: *mut bempd_model,
+        support: i32,
+        x: f64,
+        y: f64,
+        moment: *mut f64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Displacement and stress at places in the body: by the interior identities in BEM regions, by
