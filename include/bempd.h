@@ -367,8 +367,8 @@ BEMPD_API bempd_status bempd_add_traction_function(bempd_model* model, int32_t r
                                                    double to, bempd_boundary_function function, void* user,
                                                    int32_t* load);
 
-/** @brief Add a pressure on a part of an edge that is not an interface: a traction against the outward normal, on curved
- * edges too. bempd_set_load_values() gives it new values.
+/** @brief Add a pressure on a part of an edge that is not an interface: a traction against the outward normal, on
+ * curved edges too. bempd_set_load_values() gives it new values.
  * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
  * @param[in] from start of the part as a fraction of the edge [-] @param[in] to end of the part [-]
  * @param[in] value_count 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
@@ -587,9 +587,9 @@ BEMPD_API bempd_status bempd_view_field(bempd_model* model, int32_t region, int3
 
 /** @brief Number of bonds of a PD region, with broken and cut ones. Prepares the model.
  *
- * They join two of its own material points. Where regions act as one, a bond whose ends two of them share counts for the
- * first, and bonds from inside one to inside another are listed by neither: bempd_statistics counts them, and damage and
- * stress of the points at both ends.
+ * They join two of its own material points. Where regions act as one, a bond whose ends two of them share counts for
+ * the first, and bonds from inside one to inside another are listed by neither: bempd_statistics counts them, and
+ * damage and stress of the points at both ends.
  * @param[in] model the model @param[in] region id of a PD region @param[out] count number of bonds @return status
  * @since 0.1 */
 BEMPD_API bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count);

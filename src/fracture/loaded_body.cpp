@@ -117,7 +117,8 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
 bool LoadedBody::is_balanced() const {
   const double f = state_.load_factor;
   const Eigen::VectorXd force = system_.internal_force(evaluate(state_.displacement, f), f);
-  const double largest = std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
+  const double largest =
+      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
   return fracture::residual(system_, force, f, largest) <= most_residual;
 }
 
@@ -141,8 +142,8 @@ double LoadedBody::absorb(double load_factor) {
   const double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
   state_.total_displacement = displacement;
   state_.total_force = force;
-  state_.largest_force = std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(),
-                                   force_scale_of_supports(system_, load_factor)});
+  state_.largest_force =
+      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, load_factor)});
   state_.load_factor = load_factor;
   return work;
 }

@@ -1,5 +1,5 @@
-// A crack of 2a = 80 spacings between two rows of a lattice, in a plate of boundary elements that carries the stresses of
-// the infinite plane on its edges.
+// A crack of 2a = 80 spacings between two rows of a lattice, in a plate of boundary elements that carries the stresses
+// of the infinite plane on its edges.
 #pragma once
 
 #include "westergaard.hpp"

@@ -26,9 +26,7 @@ const Outline hole_left = rectangular_hole(3, 11, 5, 13), hole_right = rectangul
 
 // 24 x 16 cells with two holes, in one, two and four parts; the first of the four is an L.
 std::vector<Part> one() { return {{rectangle(0, 0, 24, 16), {hole_left, hole_right}}}; }
-std::vector<Part> two() {
-  return {{rectangle(0, 0, 11, 16), {hole_left}}, {rectangle(11, 0, 24, 16), {hole_right}}};
-}
+std::vector<Part> two() { return {{rectangle(0, 0, 11, 16), {hole_left}}, {rectangle(11, 0, 24, 16), {hole_right}}}; }
 std::vector<Part> four() {
   return {{{{0, 0}, {24, 0}, {24, 5}, {9, 5}, {9, 16}, {0, 16}}, {hole_left}},
           {rectangle(9, 5, 17, 12)},

@@ -15,8 +15,7 @@ std::vector<std::uint8_t> LatticeRegion::broken_bonds(const std::vector<char>& i
 FieldSize LatticeRegion::field_size(Field field) const {
   require(field != Field::traction && field != Field::element_stress, "region ", id(),
           " is peridynamic and has no tractions and no boundary elements; ask a BEM region");
-  const std::int64_t count =
-      field == Field::bond_stretch ? static_cast<std::int64_t>(bonds_.listed) : point_count();
+  const std::int64_t count = field == Field::bond_stretch ? static_cast<std::int64_t>(bonds_.listed) : point_count();
   return {count, components_of(field)};
 }
 
