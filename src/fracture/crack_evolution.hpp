@@ -56,6 +56,10 @@ class CrackEvolution {
     sources_.bring_up_to_date();
     return body_.reaction(support);
   }
+  double reaction_moment(std::size_t support, const Point& about) {
+    sources_.bring_up_to_date();
+    return body_.reaction_moment(support, about);
+  }
   double seconds_search() { return body_.seconds_search(); }
 
   // Whether displacements and forces have products beyond the range of numbers.

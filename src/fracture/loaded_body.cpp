@@ -208,9 +208,20 @@ double LoadedBody::residual() const {
 
 Eigen::Vector2d LoadedBody::reaction(std::size_t support) const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int dof : reaction_dofs_[support]) sum[dof % 2] += reaction_at(dof);
+  return sum;
+}
+
+double LoadedBody::reaction_at(int dof) const {
+  const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
+  return state_.total_force[dof] - load;
+}
+
+double LoadedBody::reaction_moment(std::size_t support, const Point& about) const {
+  double sum = 0;
   for (int dof : reaction_dofs_[support]) {
-    const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
-    sum[dof % 2] += state_.total_force[dof] - load;
+    const Point arm = positions_[static_cast<std::size_t>(dof / 2)] - about;
+    sum += reaction_at(dof) * (dof % 2 == 0 ? -arm.y() : arm.x());
   }
   return sum;
 }

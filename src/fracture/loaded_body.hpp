@@ -77,9 +77,11 @@ class LoadedBody {
   double residual() const;
   bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet
   Eigen::Vector2d reaction(std::size_t support) const;
+  double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
 
  private:
+  double reaction_at(int dof) const;
   void apply_load();
 
   coupling::EquilibriumSystem& system_;

@@ -24,15 +24,21 @@ Eigen::Vector2d Model::reaction(int support) {
   return sum;
 }
 
+double Model::reaction_moment(int support, const Point& about) {
+  scene_.support(support);
+  ensure_equilibrium();
+  return prepared_->evolution->reaction_moment(static_cast<std::size_t>(support - 1), about);
+}
+
 const regions::Region& Model::region(int id) {
   scene_.region(id);
   prepare();
   return prepared_->discretization.region(id);
 }
 
-const std::vector<pd::Bond>& Model::bonds(int id) {
-  const std::vector<pd::Bond>* bonds = region(id).bonds();
-  require(bonds != nullptr, "region ", id, " is a ", scene_.region(id).adjective(),
+std::span<const pd::Bond> Model::bonds(int id) {
+  const auto bonds = region(id).bonds();
+  require(bonds.has_value(), "region ", id, " is a ", scene_.region(id).adjective(),
           " region and has no bonds; ask a peridynamic region");
   return *bonds;
 }

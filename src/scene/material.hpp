@@ -12,6 +12,8 @@ struct Material {
   // What bonds go through from the critical stretch on.
   coupling::TermLaw bond_law = coupling::TermLaw::brittle();
 
+  bool operator==(const Material&) const = default;
+
   // Throws Error (argument) for values that no material has.
   void check() const;
 

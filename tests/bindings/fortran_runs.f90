@@ -69,6 +69,7 @@ program fortran_runs
   call options_are_set_listed_and_read_back()
   call indices_count_from_one()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
+  call pressure_and_moments_balance()
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
   call models_are_freed_and_created_again()
@@ -280,6 +281,21 @@ contains
       "bonds join points 1 .. n")
     call check(any(states == BEMPD_BOND_CUT) .and. .not. any(states == BEMPD_BOND_BROKEN), "the crack cuts bonds")
   end subroutine indices_count_from_one
+
+  subroutine pressure_and_moments_balance()
+    type(bempd_model) :: model
+    real(dp) :: force(2), moment
+
+    call make_square(model)
+    call model%add_pressure(1, 2, proportional=[-10._dp])
+    call model%step(1._dp)
+    call model%reaction(1, force)
+    call check(abs(force(1) + 10) < 1e-9_dp, "a negative pressure pulls")
+    call model%reaction_moment(1, 0._dp, 0._dp, moment)
+    call check(abs(moment - 5) < 1e-9_dp, "the support's force acts at half height")
+    call model%reaction_moment(1, 0._dp, .5_dp, moment)
+    call check(abs(moment) < 1e-9_dp, "it has no moment about its middle")
+  end subroutine pressure_and_moments_balance
 
   subroutine reactions_and_evaluation_agree_with_a_uniform_bar()
     type(bempd_model) :: model
