@@ -74,8 +74,9 @@ double LatticeRegion::critical_stretch(const Preparation& preparation) const {
 // The network of a region before that differs by a translation or the spacing only, or one of its own.
 void LatticeRegion::take_network(const Preparation& preparation, std::vector<std::string>& warnings) {
   for (const auto& other : std::span(preparation.regions).first(static_cast<std::size_t>(id()) - 1)) {
-    if (typeid(*other) != typeid(*this)) continue;
-    const auto& lattice = static_cast<const LatticeRegion&>(*other);
+    const Region& before = *other;
+    if (typeid(before) != typeid(*this)) continue;
+    const auto& lattice = static_cast<const LatticeRegion&>(before);
     if (is_alike(lattice)) network_ = lattice.network_;
     if (network_) break;
   }
