@@ -97,8 +97,9 @@ double LatticeRegion::critical_stretch(const Preparation& preparation) const {
 void LatticeRegion::take_network(const Preparation& preparation, std::vector<std::string>& warnings) {
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;
-    if (typeid(*other) != typeid(*this)) continue;
-    const auto& lattice = static_cast<const LatticeRegion&>(*other);
+    const Region& before = *other;
+    if (typeid(before) != typeid(*this)) continue;
+    const auto& lattice = static_cast<const LatticeRegion&>(before);
     if (lattice.network() && lattice.bonds_.of_scene.empty() && is_alike(lattice)) bonds_.network = lattice.network();
     if (network()) break;
   }
