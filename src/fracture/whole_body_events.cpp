@@ -116,12 +116,12 @@ Outcome WholeBodyEvents::perform() {
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
+  const std::vector<int> gone = system_.gone_with(changes);
   FreedParts freed;
   {
     const Stopwatch watch(body_.seconds_search());
     changing_.clear();
     for (const coupling::StageChange& change : changes) changing_.push_back(changing(change));
-    const std::vector<int> gone = system_.gone_with(changes);
     outcome.broken = static_cast<std::int64_t>(gone.size());
     system_.mark(changes);
     freed = body_.freed_parts().after_break(gone, before);
