@@ -23,12 +23,7 @@ class WholeBodyEvents final : public EventSource {
   std::optional<double> next_increment(double target, double increment) const;
   void choose_terms(const SteppingOptions& options);
 
-  // Solves and holds what the solution shows to move freely. Returns whether loads were lost with a part that came
-  // free.
-  bool solve_after_change(const Eigen::VectorXd& before, Outcome& outcome);
   bool runs_away();
-  // Loads on the nodes that a free motion moves: nothing balances them any more, the part counts as a fragment.
-  bool drop_loads_that_push(const Eigen::VectorXd& motion);
   double released_energy() const;
 
   // A term of the event as it was just before.
