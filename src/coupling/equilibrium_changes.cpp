@@ -101,14 +101,6 @@ void EquilibriumSystem::restore(std::vector<std::uint8_t> stages, std::vector<Ho
   condense();  // internal forces of a restored displacement are asked for without a solution
 }
 
-void EquilibriumSystem::restore(const std::vector<char>& intact, std::vector<HoldingSpring> springs) {
-  std::vector<std::uint8_t> stages(intact.size(), 0);
-  for (std::size_t t = 0; t < intact.size(); ++t) {
-    if (!intact[t]) stages[t] = static_cast<std::uint8_t>(terms_.law_of(t).gone());
-  }
-  restore(std::move(stages), std::move(springs));
-}
-
 bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   if (!factor_.exists()) return true;
   if (factor_.is_current()) return factor_.pivots_are_sound();

@@ -105,7 +105,6 @@ class EquilibriumSystem {
 
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
-  void restore(const std::vector<char>& intact, std::vector<HoldingSpring> springs);
   void forget_factor() { factor_.forget(); }
   bool has_current_factor() const { return factor_.is_current(); }
 

@@ -63,16 +63,16 @@ void Terms::set_law(int term, int its_law) {
   law[place] = static_cast<std::uint8_t>(its_law);
 }
 
-void Terms::set_scale(std::size_t term, double critical_stretch, CriticalScales& scales) const {
-  const double scale = 1 / (length[term] * critical_stretch);
-  scales.per_elongation[term] = scale;
-  scales.cosine[term] = cosine[term] * scale;
-  scales.sine[term] = sine[term] * scale;
+void CriticalScales::set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch) {
+  const double scale = 1 / (terms.length[term] * critical_stretch);
+  per_elongation[place] = scale;
+  cosine[place] = terms.cosine[term] * scale;
+  sine[place] = terms.sine[term] * scale;
 }
 
 CriticalScales Terms::critical_scales(const std::vector<double>& critical_stretch) const {
-  CriticalScales scales{std::vector<double>(size()), std::vector<double>(size()), std::vector<double>(size())};
-  for (std::size_t t = 0; t < size(); ++t) set_scale(t, critical_stretch[t], scales);
+  CriticalScales scales(size());
+  for (std::size_t t = 0; t < size(); ++t) scales.set(t, *this, t, critical_stretch[t]);
   return scales;
 }
 
@@ -83,8 +83,8 @@ void Terms::critical_shares(const Affine& displacement, const CriticalScales& sc
   for (std::size_t t = 0; t < size(); ++t) {
     const int i = 2 * first[t], j = 2 * second[t];
     const double c = scales.cosine[t], s = scales.sine[t];
-    constant_part[t] = along(c, s, at_zero[j] - at_zero[i], at_zero[j + 1] - at_zero[i + 1]);
-    proportional_part[t] = along(c, s, slope[j] - slope[i], slope[j + 1] - slope[i + 1]);
+    constant_part[t] = elongation_along(c, s, at_zero[j] - at_zero[i], at_zero[j + 1] - at_zero[i + 1]);
+    proportional_part[t] = elongation_along(c, s, slope[j] - slope[i], slope[j + 1] - slope[i + 1]);
   }
   for (std::size_t k = 0; k < wide.term.size(); ++k) {
     const int t = wide.term[k];

@@ -10,21 +10,21 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/term_law.hpp"
+#include "geometry/elongation.hpp"
 
 namespace bempd::coupling {
 
-// A difference (x, y) of displacements along a direction, which may be scaled: all elongations of bonds come from here.
-// The difference may be one of numbers or of arrays of them.
-template <class X, class Y>
-auto along(double cosine, double sine, const X& x, const Y& y) {
-  return cosine * x + sine * y;
-}
+struct Terms;
 
 // What makes shares of their critical values of the elastic elongations of terms, and the directions of bonds so
 // scaled, along which a difference of displacements is such a share at once.
 struct CriticalScales {
   std::vector<double> per_elongation;  // [1/m]
   std::vector<double> cosine, sine;
+
+  explicit CriticalScales(std::size_t count = 0) : per_elongation(count), cosine(count), sine(count) {}
+  // An infinite critical stretch makes 0 of every elongation.
+  void set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch);
 };
 
 // How strongly the displacement of a node takes part in a term.
@@ -133,9 +133,7 @@ struct Terms {
     return 0.5 * present_stiffness * elastic * elastic + force * elongation(term, displacement);
   }
 
-  // An infinite critical stretch makes 0 of every elongation.
   CriticalScales critical_scales(const std::vector<double>& critical_stretch) const;
-  void set_scale(std::size_t term, double critical_stretch, CriticalScales& scales) const;
 
   // Elastic elongations of all terms as shares of their critical ones, the two parts of a displacement apart.
   void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
@@ -158,7 +156,7 @@ struct Terms {
   double bond_elongation(std::size_t bond, const double* displacement) const {
     const double* a = displacement + 2 * first[bond];
     const double* b = displacement + 2 * second[bond];
-    return along(cosine[bond], sine[bond], b[0] - a[0], b[1] - a[1]);
+    return elongation_along(cosine[bond], sine[bond], b[0] - a[0], b[1] - a[1]);
   }
   double wide_elongation(std::size_t place, const double* displacement) const {
     double sum = 0;

@@ -25,14 +25,14 @@ StretchRatios::StretchRatios(const coupling::Terms& terms, std::vector<double> c
   const coupling::TermLaw& brittle = coupling::TermLaw::brittle();
   if (std::all_of(terms.laws.begin(), terms.laws.end(), [&](const auto& law) { return law == brittle; })) return;
   stages_.assign(terms.size(), 0);
-  for (std::size_t t = 0; t < terms.size(); ++t) terms_.set_scale(t, this->critical_stretch(t, 0), scales_);
+  for (std::size_t t = 0; t < terms.size(); ++t) scales_.set(t, terms_, t, this->critical_stretch(t, 0));
 }
 
 void StretchRatios::enter(const std::vector<std::uint8_t>& stages) {
   for (std::size_t t = 0; t < stages_.size(); ++t) {
     if (stages_[t] == stages[t]) continue;
     stages_[t] = stages[t];
-    terms_.set_scale(t, critical_stretch(t, stages[t]), scales_);
+    scales_.set(t, terms_, t, critical_stretch(t, stages[t]));
   }
 }
 

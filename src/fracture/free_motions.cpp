@@ -108,7 +108,7 @@ HeldMotions solve_and_hold(LoadedBody& body, std::span<const int> broken, const 
     if (hold == most_holds) fail(Failure::unsolvable, "cracks leave parts that move freely, and holding them fails");
     const coupling::HoldingSpring spring = body.freed_parts().against(soft.motion, before);
     held.nodes.push_back(spring.node);
-    system.commit_break({}, {&spring, 1});
+    system.commit({}, {&spring, 1});
     system.forget_factor();
     const std::vector<int> pushed = pushed_nodes(system, soft.motion);
     if (pushed.empty()) continue;

@@ -116,12 +116,12 @@ Outcome WholeBodyEvents::perform() {
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
-  const std::vector<int> gone = system_.gone_with(changes);
   FreedParts freed;
   {
     const Stopwatch watch(body_.seconds_search());
     changing_.clear();
     for (const coupling::StageChange& change : changes) changing_.push_back(changing(change));
+    const std::vector<int> gone = system_.gone_with(changes);
     outcome.broken = static_cast<std::int64_t>(gone.size());
     system_.mark(changes);
     freed = body_.freed_parts().after_break(gone, before);
@@ -129,7 +129,7 @@ Outcome WholeBodyEvents::perform() {
   system_.commit(changes, freed.springs);
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
-  const HeldMotions held = solve_and_hold(body_, gone, before, [&] { return runs_away(); });
+  const HeldMotions held = solve_and_hold(body_, system_.gone_with(changes), before, [&] { return runs_away(); });
   outcome.fragments += held.fragments;
   const bool loads_lost = held.loads_lost || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/elongation.hpp"
 #include "linalg/symmetric_modes.hpp"
 
 namespace bempd::pd {
@@ -80,7 +81,8 @@ class ShownStretches {
   double stretch(std::size_t b) const {
     const Vector2d difference =
         displacements_.segment<2>(2 * bond(b).second) - displacements_.segment<2>(2 * bond(b).first);
-    return offset(b).direction.dot(difference) / offset(b).length;
+    const Vector2d& direction = offset(b).direction;
+    return elongation_along(direction.x(), direction.y(), difference.x(), difference.y()) / offset(b).length;
   }
   // Stiffness times squared length, relative to the stiffest bond, so that units do not matter.
   double weight(std::size_t b) const { return bond(b).stiffness / stiffest_ * offset(b).length * offset(b).length; }

@@ -82,12 +82,12 @@ TEST(EquilibriumSystem, restored_state_solves_as_before_the_break) {
   force.col(1).setOnes();
   system.set_load(force, Affine::Zero(10, 2));
   const Affine before = system.solve();
-  const std::vector<char> intact = system.intact();
+  const std::vector<std::uint8_t> stages = system.stages();
   const int broken[] = {4};
   system.mark_broken(broken);
   system.commit_break(broken, {});
   EXPECT_GT((system.solve() - before).cwiseAbs().maxCoeff(), 1e-6);
-  system.restore(intact, {});
+  system.restore(stages, {});
   EXPECT_LE((system.solve() - before).cwiseAbs().maxCoeff(), 1e-12);
 }
 

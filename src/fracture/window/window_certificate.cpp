@@ -62,7 +62,7 @@ std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const 
     for (std::size_t b = 0; b < first_.size(); ++b) {
       const int i = first_[b], j = second_[b];
       Batch& most = largest[class_of_[b]];
-      most = most.max(coupling::along(cosine_[b], sine_[b], u.col(j) - u.col(i), u.col(j + 1) - u.col(i + 1)));
+      most = most.max(elongation_along(cosine_[b], sine_[b], u.col(j) - u.col(i), u.col(j + 1) - u.col(i + 1)));
     }
     for (Eigen::Index k = 0; k < count; ++k) {
       Classes& classes = result.emplace_back();

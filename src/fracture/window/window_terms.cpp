@@ -58,10 +58,7 @@ void WindowTerms::enter(const coupling::StageChange& change) {
   intact_[change.term] = change.stage < terms.law_of(number).gone() ? 1 : 0;
   if (!intact_[change.term]) ratios_.constant[change.term] = ratios_.proportional[change.term] = 0;
   stiffness_[change.term] = stiffness_after(change);
-  const double scale = 1 / (terms.length[number] * of_all_.critical_stretch(number, change.stage));
-  scales_.per_elongation[change.term] = scale;
-  scales_.cosine[change.term] = terms.cosine[number] * scale;
-  scales_.sine[change.term] = terms.sine[number] * scale;
+  scales_.set(static_cast<std::size_t>(change.term), terms, number, of_all_.critical_stretch(number, change.stage));
 }
 
 void WindowTerms::update_ratios(const coupling::Affine& rows, bool has_constant_part) {
@@ -70,7 +67,7 @@ void WindowTerms::update_ratios(const coupling::Affine& rows, bool has_constant_
     for (std::size_t t = 0; t < size(); ++t) {
       const std::array<int, 4>& r = pulls_[t].row;
       if (!intact_[t]) continue;
-      ratios[t] = coupling::along(scales_.cosine[t], scales_.sine[t], u[r[2]] - u[r[0]], u[r[3]] - u[r[1]]);
+      ratios[t] = elongation_along(scales_.cosine[t], scales_.sine[t], u[r[2]] - u[r[0]], u[r[3]] - u[r[1]]);
     }
   };
   if (has_constant_part) fill(0, ratios_.constant);
