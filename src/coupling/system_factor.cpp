@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 #include "stopwatch.hpp"
 
@@ -61,6 +62,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   if (!solver_) solver_ = method_.make_solver();
   choose_order();
+  check_cancelled();
   linalg::SparseFactorization& factor = solver_->factorization();
   if (!factor.factorize(matrix)) {
     fail(Failure::unsolvable,
@@ -116,6 +118,7 @@ Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::Sparse
   Eigen::VectorXd vector =
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
   for (int iteration = 0; iteration < 6; ++iteration) {
+    check_cancelled();
     solver->factorization().solve_in_place(vector);
     vector /= vector.cwiseAbs().maxCoeff();
   }

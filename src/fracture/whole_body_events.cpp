@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 #include "stopwatch.hpp"
 
@@ -105,6 +106,7 @@ bool WholeBodyEvents::solve_after_break(const std::vector<double>& elongation, c
                                         Outcome& outcome) {
   bool loads_lost = false;
   for (int hold = 0;; ++hold) {
+    check_cancelled();
     bool free_motion = false;
     try {
       body_.solve();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "linalg/krylov.hpp"
 
 namespace bempd::linalg {
@@ -101,6 +102,7 @@ SweepEnd gmres_cycle(const Apply& apply, const Precondition& precondition, doubl
   SweepEnd end = SweepEnd::finished;
   Eigen::VectorXd w(r.size());
   while (problem.columns() < steps) {
+    check_cancelled();
     Eigen::VectorXd z = basis.back();
     precondition(z);
     ++iterations;

@@ -163,7 +163,6 @@ void Model::set_support_values(int support, scene::SampledValues values) {
 }
 
 StepResult Model::advance(double target, fracture::Goal goal) {
-  cancel_requested_ = false;
   prepare();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   const fracture::SteppingOptions stepping{options_.text_value("stepping.mode") == "paper"
