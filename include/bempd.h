@@ -28,9 +28,10 @@
  * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL); bempd_model_free()
  * then waits: the model is freed when the call that runs returns.
  *
- * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or "paper", the method of Yang
- * and Liu (Int. J. Solids Struct., 2021) as published, in which material points are the centres of the cells and those
- * of the boundary nodes on interfaces. What this file says of material points on boundaries holds for the first.
+ * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or, unless the library was
+ * built without it, "paper", the method of Yang and Liu (Int. J. Solids Struct., 2021) as published, in which material
+ * points are the centres of the cells and those of the boundary nodes on interfaces. What this file says of material
+ * points on boundaries holds for the first.
  *
  * Sign conventions. Stress is positive in tension; a traction is the force per area that acts on the body; loops have
  * the body on their left.

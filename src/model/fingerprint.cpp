@@ -1,6 +1,7 @@
 #include "model/fingerprint.hpp"
 
 #include "hash.hpp"
+#include "regions/scheme.hpp"
 
 namespace bempd::model {
 
@@ -35,6 +36,15 @@ bool add_values(Hash& hash, const scene::Condition& condition) {
   return true;
 }
 
+void add_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
+  hash.add(std::string_view(option.name));
+  if (option.is_text) {
+    hash.add(std::string_view(options.text_value(option.name)));
+  } else {
+    hash.add(options.number(option.name));
+  }
+}
+
 }  // namespace
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options) {
@@ -53,11 +63,11 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
     cracks += hash.value();
   }
   body.add(cracks);
-  for (const char* name :
-       {"scheme", "critical_stretch", "paper.lattice", "paper.interface", "paper.corner_tractions", "bem.grading"}) {
-    body.add(std::string_view(options.text_value(name)));
+  for (const scene::OptionDescription& option : scene::option_descriptions()) {
+    if (option.shapes_operators) add_option(body, option, options);
   }
-  body.add(options.number("bem.quadrature_tolerance"));
+  // Those of other schemes mean nothing here.
+  for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(body, option, options);
   Hash supports;
   for (const scene::Condition& support : scene.supports()) add_place(supports, support);
   return {body.value(), supports.value()};

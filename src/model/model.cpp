@@ -9,6 +9,7 @@
 #include "linalg/blas.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
+#include "regions/memory_limit.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::model {
@@ -80,6 +81,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
 void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
+  regions::require_memory(scene_, options_);
   auto p = std::make_unique<PreparedScene>();
   p->fingerprint = fingerprint(scene_, options_);
   p->discretization = regions::discretize(scene_, options_);
@@ -112,6 +114,7 @@ void Model::ensure_equilibrium() {
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
   warn_of_condition();
+  warn_of_held_parts();
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
@@ -133,6 +136,23 @@ void Model::warn_of_condition() {
   warned_of_condition_ = true;
   log(1, text("the equations are badly conditioned: about ", static_cast<int>(std::lround(-std::log10(condition))),
               " digits of the displacement are lost; look for parts that are very slender or hardly supported"));
+}
+
+void Model::warn_of_held_parts() {
+  constexpr std::size_t most_named = 4;
+  std::vector<int> held = prepared_->evolution->take_held();
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  if (held.empty()) return;
+  std::string places;
+  for (std::size_t i = 0; i < std::min(held.size(), most_named); ++i) {
+    const Point& place = prepared_->discretization.positions[held[i]];
+    const int crack = scene_.crack_nearest(place);
+    places += text(i == 0 ? "" : ", ", "(", place.x(), ", ", place.y(), ")");
+    if (crack > 0) places += text(" by initial crack ", crack);
+  }
+  if (held.size() > most_named) places += text(" and at ", held.size() - most_named, " places more");
+  log(1, "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
 }
 
 void Model::reload() {
@@ -204,6 +224,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "and their balance are not; choose other units");
   }
   warn_of_condition();
+  warn_of_held_parts();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

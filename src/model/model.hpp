@@ -110,6 +110,7 @@ class Model {
   void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
   void ensure_equilibrium();
   void warn_of_condition();
+  void warn_of_held_parts();
   void warn_of_blas() const;
   void reload();
   void check_mechanism(const PreparedScene& prepared) const;

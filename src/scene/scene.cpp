@@ -1,5 +1,7 @@
 #include "scene/scene.hpp"
 
+#include <limits>
+
 #include "error.hpp"
 #include "scene/outline_rules.hpp"
 
@@ -58,6 +60,21 @@ std::vector<int> Scene::region_ids() const {
 Region& Scene::mutable_region(int id) {
   region(id);
   return *regions_[id - 1];
+}
+
+int Scene::crack_nearest(const Point& place) const {
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const std::vector<Point>& points = cracks_[c].points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double away = distance(Segment{points[i], points[i + 1]}, place);
+      if (away >= least) continue;
+      least = away;
+      nearest = static_cast<int>(c) + 1;
+    }
+  }
+  return nearest;
 }
 
 Box Scene::bounding_box() const {

@@ -48,6 +48,9 @@ class Scene {
   Condition& support(int id);
   Condition& load(int id);
 
+  // Id of the initial crack nearest to a place; 0 if there are none.
+  int crack_nearest(const Point& place) const;
+
   // Size of the whole scene.
   Box bounding_box() const;
 

@@ -232,9 +232,9 @@ contains
     call model%set_option("pd.horizon_ratio ", 5._dp)
     call model%get_option("pd.horizon_ratio", number)
     call check(abs(number - 5) <= 0, "a number option is read back")
-    call model%set_option("scheme", "paper")
-    call model%get_option("scheme", word)
-    call check(word == "paper", "a text option is read back")
+    call model%set_option("critical_stretch", "printed")
+    call model%get_option("critical_stretch", word)
+    call check(word == "printed", "a text option is read back")
     call bempd_get_options(options)
     texts = 0
     do k = 1, size(options)

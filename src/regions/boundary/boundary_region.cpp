@@ -30,7 +30,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   middles_follow_ends_ = !rules.nodes_on_grids;
   BoundaryPanels panels = mesh_edges(preparation, rules, id());
   panels_ = std::move(panels.sources);
-  mesh_ = mesh_boundary(panels.loops, corner_tractions());
+  mesh_ = make_mesh(panels.loops);
 }
 
 BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
