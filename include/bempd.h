@@ -436,8 +436,13 @@ BEMPD_API bempd_status bempd_set_progress(bempd_model* model, bempd_progress_fun
  * @param[in] user handed to the function; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user);
 
-/** @brief Ask the step that runs in another thread to stop; it returns to its start and fails as cancelled. A request
- * made while no step runs is forgotten. @param[in] model the model @return status @since 0.1 */
+/** @brief Ask the call that runs in another thread to stop: preparing, a step, results. It fails as cancelled and
+ * leaves the model as it was before. A request made while no call runs is forgotten.
+ *
+ * The request is heard within 0.2 s, but for single factorizations of the sparse system (CHOLMOD, UMFPACK) and of dense
+ * matrices (of a boundary element region, of a window): these cannot be interrupted, and the call ends after the one
+ * that runs.
+ * @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
 
 /* ---------------------------------------------------------------------------------------- Stepping */

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bem/pair_integrals.hpp"
+#include "cancellation.hpp"
 #include "error.hpp"
 #include "parallel.hpp"
 
@@ -71,6 +72,7 @@ class Assembler {
   std::int64_t add_outer(int outer) {
     std::int64_t evaluations = 0;
     for (int inner = 0; inner < static_cast<int>(mesh_.elements.size()); ++inner) {
+      check_cancelled();
       const Contact contact = inner == outer ? Contact::same : contact_of(mesh_.elements[outer], mesh_.elements[inner]);
       const PairPart part = inner >= outer ? PairPart::everything : PairPart::double_layer_only;
       const PairMoments moments = integrator_.integrate(outer, inner, contact, part);
@@ -168,6 +170,7 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
   Operators& operators = assembler.operators;
   complete_lower(operators.single_layer);
   single_layer_.compute(operators.single_layer);
+  check_cancelled();
   if (single_layer_.info() != Eigen::Success) {
     fail(Failure::unsolvable,
          "the boundary operator of a region is numerically singular; its shape has parts too thin for its elements, or "
@@ -175,6 +178,7 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
   }
   reduced_transpose_ = std::move(operators.double_layer);
   single_layer_.matrixU().solveInPlace<Eigen::OnTheRight>(reduced_transpose_);
+  check_cancelled();
 
   stiffness_ = std::move(operators.hypersingular);
   complete_lower(stiffness_);

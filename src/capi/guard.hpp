@@ -74,6 +74,7 @@ bempd_status without_model(const char* function, const Body& body) noexcept {
 template <class Body>
 void run(model::Model& engine, const Body& body) {
   const bool was_prepared = engine.prepared_or_null() != nullptr;
+  const CancellationScope cancellation = engine.hear_cancellation();
   try {
     body(engine);
   } catch (const Error& error) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cancellation.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "stopwatch.hpp"
 
@@ -14,6 +15,7 @@ Condensation::Condensation(EquilibriumSystem& system) : system_(system.reduce())
   factor_ = system_.cholesky.trailing_factor(system_.kept);
   eliminated_ = std::move(system_.right_hand_side);
   system_.cholesky.solve_forward(eliminated_);
+  check_cancelled();
 }
 
 std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& functions) const {
@@ -29,6 +31,7 @@ std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& fun
     result.push_back({{}, constant});
   }
   system_.cholesky.solve_forward(rows);
+  check_cancelled();
   const Eigen::Index others = rows.rows() - kept;
   const Eigen::MatrixXd weights = factor_.triangularView<Eigen::Lower>() * rows.bottomRows(kept);
   const Eigen::MatrixXd eliminated = rows.topRows(others).transpose() * eliminated_.topRows(others);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "cancellation.hpp"
 #include "coupling/coupling_graph.hpp"
 #include "stopwatch.hpp"
 
@@ -118,6 +119,7 @@ void EquilibriumSystem::condense() {
   operators_.clear();  // what an attempt that failed has left
   operators_.reserve(pending_.size());
   for (const DenseOperator& op : pending_) {
+    check_cancelled();
     operators_.emplace_back(op, unknowns_.kind, operators_);
     counters_.dense_factorizations += operators_.back().has_factorized() ? 1 : 0;
     counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, operators_.back().reciprocal_condition());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 #include "stopwatch.hpp"
 
@@ -67,6 +68,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   if (!solver_) solver_ = method_.make_solver();
   choose_order();
+  check_cancelled();
   linalg::SparseFactorization& factor = solver_->factorization();
   if (!factor.factorize(matrix)) {
     fail(Failure::unsolvable,
@@ -129,6 +131,7 @@ Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::Sparse
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
   const double unit = diagonal.maxCoeff();
   for (int iteration = 0; iteration < inverse_iterations; ++iteration) {
+    check_cancelled();
     vector.array() *= diagonal.array() / unit;
     solver->factorization().solve_in_place(vector);
     vector /= vector.cwiseAbs().maxCoeff();

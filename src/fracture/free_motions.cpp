@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 
 namespace bempd::fracture {
@@ -94,6 +95,7 @@ HeldMotions solve_and_hold(LoadedBody& body, std::span<const int> broken, const 
   EquilibriumSystem& system = body.system();
   HeldMotions held;
   for (int hold = 0;; ++hold) {
+    check_cancelled();
     bool free_motion = false;
     try {
       body.solve();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cancellation.hpp"
 #include "linalg/krylov.hpp"
 
 namespace bempd::linalg {
@@ -18,6 +19,7 @@ Sweep conjugate_gradient_sweep(const Apply& apply, const Precondition& precondit
   Eigen::VectorXd z, p, q(r.size());
   double rho_before = 0;
   for (int k = 0; k < max_iterations; ++k) {
+    check_cancelled();
     z = r;
     precondition(z);
     ++iterations;

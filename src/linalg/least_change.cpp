@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "cancellation.hpp"
+
 namespace bempd::linalg {
 
 namespace {
@@ -70,6 +72,7 @@ class SparseSolver final : public MinimumNormSolver {
     // more exact than that is.
     const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
     for (int step = 0; step < 100 && rz > 0; ++step) {
+      check_cancelled();
       const VectorXd q = bt_ * p;
       const double square = q.squaredNorm();
       if (!(square > 0) || rz / std::numeric_limits<double>::max() >= square) break;
@@ -145,6 +148,7 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   std::vector<char> held(problem.start.size(), 0);
   const bool bounded = std::isfinite(problem.lower);
   for (int round = 0; round < 30; ++round) {
+    check_cancelled();
     const Candidate c = solve_with_held(problem, held);
     result.values = c.values;
     result.residual = c.residual;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "cancellation.hpp"
+
 namespace bempd::linalg {
 
 namespace {
@@ -43,6 +45,7 @@ class Dissection {
 
   void divide(Iterator begin, Iterator end) {
     if (end - begin <= leaf_size) return;
+    check_cancelled();
     Eigen::AlignedBox2d box;
     for (Iterator it = begin; it != end; ++it) box.extend(graph_.positions[*it]);
     const int axis = box.sizes().x() * (1 + 1e-9) >= box.sizes().y() ? 0 : 1;

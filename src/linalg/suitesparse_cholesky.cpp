@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "linalg/cholmod_handles.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparsity_pattern.hpp"
@@ -113,11 +114,14 @@ class SuiteSparseCholesky final : public SparseCholesky {
     cholmod_sparse matrix = view(lower, -1);
     prepare_factor(lower, matrix);
     common_->dbound = 0;
+    // CHOLMOD itself has no way to stop between here and the end of a factorization.
+    check_cancelled();
     {
       const NoNestedThreads guard;
       cholmod_factorize(&matrix, factor_.get(), common_.get());
     }
     common_.check();
+    check_cancelled();
     has_factor_ = factor_->minor == factor_->n && smallest_pivot_ratio() > singular_pivot_ratio;
     return has_factor_;
   }

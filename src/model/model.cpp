@@ -9,6 +9,7 @@
 #include "linalg/blas.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
+#include "regions/memory_limit.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::model {
@@ -80,6 +81,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
 void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
+  regions::require_memory(scene_, options_);
   auto p = std::make_unique<PreparedScene>();
   p->fingerprint = fingerprint(scene_, options_);
   p->discretization = regions::discretize(scene_, options_);
@@ -181,7 +183,6 @@ void Model::set_support_values(int support, scene::SampledValues values) {
 }
 
 StepResult Model::advance(double target, fracture::Goal goal) {
-  cancel_requested_ = false;
   prepare();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   const fracture::SteppingOptions stepping{options_.text_value("stepping.mode") == "paper"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "model/fingerprint.hpp"
@@ -73,6 +74,11 @@ class Model {
   void set_progress(Progress progress) { progress_ = std::move(progress); }
   void set_log(Log log) { log_ = std::move(log); }
   void request_cancel() { cancel_requested_ = true; }
+  // For the length of a call, which hears requests made while it runs.
+  [[nodiscard]] CancellationScope hear_cancellation() {
+    cancel_requested_ = false;
+    return CancellationScope(&cancel_requested_);
+  }
 
   double load_factor() const;
   std::int64_t generation() const { return generation_; }

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <numbers>
 
+#include "cancellation.hpp"
 #include "paper/point_integrals.hpp"
 #include "parallel.hpp"
 
@@ -78,6 +79,7 @@ class Assembler {
     Eigen::Matrix2d constant = Eigen::Matrix2d::Zero();  // T over the elements apart
     std::int64_t evaluations = 0;
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+      check_cancelled();
       const CollocationPoint::Home* home = nullptr;
       for (const auto& candidate : homes)
         if (candidate.element == e) home = &candidate;
@@ -166,6 +168,7 @@ CollocationOperator::CollocationOperator(const BoundaryMesh& mesh, const PlaneEl
   kernel_evaluations_ = evaluations;
 
   const Eigen::PartialPivLU<Eigen::MatrixXd> single_layer(assembler.single_layer_transpose.transpose());
+  check_cancelled();
   traction_matrix_ = single_layer.solve(assembler.double_layer_transpose.transpose());
   traction_matrix_ *= elasticity.shear_modulus() / assembler.length();
   stiffness_ = elasticity.thickness * (trace_mass(mesh) * traction_matrix_);

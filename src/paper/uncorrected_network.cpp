@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 
+#include "cancellation.hpp"
 #include "pd/micromodulus.hpp"
 
 namespace bempd::paper {
@@ -139,6 +140,7 @@ Network build_uncorrected_network(const std::vector<Point>& points, const std::v
   Offsets offsets(horizon);
   std::vector<int> partners;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    check_cancelled();
     partners.clear();
     const std::vector<int>& near_faces = bins.faces_near(points[i]);
     bins.for_points_near(points[i], [&](int j) {

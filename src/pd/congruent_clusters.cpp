@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
+
 namespace bempd::pd {
 
 namespace {
@@ -115,6 +117,7 @@ CongruentClusters find_congruent(const CellLattice& lattice, const std::vector<V
   for (int c = 0; c < static_cast<int>(clusters.size()); ++c) {
     CongruentClusters::Image image{c, {}};
     for (const int original : result.originals) {
+      check_cancelled();
       image.bonds = finder.image(c, original);
       if (image.bonds.empty()) continue;
       image.original = original;

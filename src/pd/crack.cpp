@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace bempd::pd {
@@ -76,6 +77,7 @@ class Polyline {
 std::vector<int> points_on(const std::vector<Point>& points, const Polyline& polyline) {
   std::vector<int> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    check_cancelled();
     const Point& p = points[i];
     const auto meets = [&](const Point& c, const Point& d) { return distance(p, c, d) <= tolerance; };
     if (polyline.any_near(p, p, meets)) found.push_back(static_cast<int>(i));
@@ -103,6 +105,7 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
   }
   std::vector<int> cut;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
+    check_cancelled();
     const Point &from = points[bonds[b].first], &to = points[bonds[b].second];
     const bool end_on_crack = bridges[bonds[b].first] || bridges[bonds[b].second];
     const auto meets = [&](const Point& c, const Point& d) {

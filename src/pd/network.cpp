@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "pd/cell_grid.hpp"
 #include "pd/corners.hpp"
 #include "pd/face_template.hpp"
@@ -79,6 +80,7 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
   bonds.first.reserve(expected), bonds.second.reserve(expected), bonds.offset.reserve(expected);
   bonds.stiffness.reserve(expected), bonds.adjustable.reserve(expected);
   for (int i = 0; i < lattice.point_count(); ++i) {
+    check_cancelled();
     const Vector2i p = lattice.point(i), deep(2 * m, 2 * m), near(m - 1, m - 1);
     const bool bulk = cells.filled(p - deep, p + deep);
     bonds.start.push_back(static_cast<int>(bonds.first.size()));
@@ -114,6 +116,7 @@ DraftBonds nearest_neighbours(const CellLattice& lattice, const std::vector<Bond
   const auto in = [&](const Vector2i& c) { return lattice.has_cell(c); };
   DraftBonds bonds;
   for (int i = 0; i < lattice.point_count(); ++i) {
+    check_cancelled();
     for (std::size_t o = 0; o < family.size(); ++o) {
       const Vector2i step = family[o].step.cast<int>();
       const double stiffness = cell_network_stiffness(lattice.point(i), step, in);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 #include "geometry/gaps.hpp"
 #include "regions/interfaces.hpp"
@@ -54,6 +55,7 @@ const Region& Discretization::region(int id) const {
 std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   std::vector<RegionOperator> known;
   for (const auto& region : regions) {
+    check_cancelled();
     if (auto dense = region->dense_operator(known)) known.push_back({region.get(), std::move(*dense)});
   }
   std::vector<coupling::DenseOperator> operators;
@@ -82,12 +84,14 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
 
   for (int id : scene.region_ids()) d.regions.push_back(scene.region(id).build(id, preparation));
   for (const auto& region : d.regions) {
+    check_cancelled();
     const Stopwatch watch(region->seconds_preparing);
     region->mesh(preparation);
   }
   NodeRegistry registry(box.min(), 10 * d.tolerance);
   Contributions contributions{registry, d.bonds, d.critical_stretch, d.warnings};
   for (const auto& region : d.regions) {
+    check_cancelled();
     const Stopwatch watch(region->seconds_preparing);
     region->build(preparation, contributions);
   }

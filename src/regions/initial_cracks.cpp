@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 
 namespace bempd::regions {
@@ -57,6 +58,7 @@ std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d
     const std::vector<Point>& points = scene.cracks()[c].points;
     const int id = static_cast<int>(c) + 1;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      check_cancelled();
       require_in_lattices(scene, d, id, {points[i], points[i + 1]});
     }
     for (const auto& region : d.regions) region->cut(scene.cracks()[c], id, cut, warnings);

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "cancellation.hpp"
 #include "error.hpp"
 
 namespace bempd::results {
@@ -25,6 +26,7 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
   PointValues result;
   std::map<int, std::unique_ptr<regions::Evaluator>> evaluators;
   for (std::size_t i = 0; i < places.size(); ++i) {
+    check_cancelled();
     const Point& place = places[i];
     require(place.allFinite(), "point ", i, " is (", place.x(), ", ", place.y(),
             "); coordinates must be finite numbers");

@@ -5,6 +5,7 @@
 
 #include "geometry/outline.hpp"
 #include "hash.hpp"
+#include "scene/size_estimate.hpp"
 
 namespace bempd::regions {
 class Region;
@@ -59,6 +60,8 @@ class Region {
 
   // Length between its nodes, where the host has not chosen another for an edge.
   virtual double resolution() const { return node_grid() ? node_grid()->spacing : outline_size(); }
+
+  virtual void add_size(SizeEstimate& /*size*/) const {}
 
   // Adds what the host has said of it. What is computed stays out: its last digits depend on the processor.
   virtual void identify(Hash& hash) const;

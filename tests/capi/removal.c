@@ -111,7 +111,28 @@ static void what_can_be_told_at_once_is(void) {
   bempd_model_free(model);
 }
 
+/** Sizes are estimated before anything is built. */
+static void what_does_not_fit_is_refused_with_the_estimate(void) {
+  const rectangle wide = rectangle_of(0.0, 0.0, 40000.0, 20000.0), large = rectangle_of(0.0, 0.0, 200.0, 200.0);
+  bempd_model* model = new_model();
+  const int32_t material = add_sound_material(model);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "GB", bempd_add_pd_region(model, material, 4, wide.vertices, 1.0, 8, NULL));
+  CHECK_OK(model, bempd_add_pd_region(model, material, 4, large.vertices, 1.0, 3, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_set_option(model, "memory.limit", 0.05));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "memory.limit allows 0.05 GB", bempd_prepare(model));
+  CHECK_OK(model, bempd_remove_support(model, 1));
+  CHECK_OK(model, bempd_remove_region(model, 1));
+  add_bem_rectangle(model, material, 0.0, 0.0, 10.0, 10.0, 0.1);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "400 boundary elements", bempd_prepare(model));
+  CHECK_OK(model, bempd_set_option(model, "memory.limit", 0.0));
+  CHECK_OK(model, bempd_fix_edge(model, 2, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_prepare(model));
+  bempd_model_free(model);
+}
+
 int main(void) {
+  what_does_not_fit_is_refused_with_the_estimate();
   a_failed_preparation_can_be_mended();
   a_failed_first_call_leaves_the_scene_open();
   a_cancelled_first_step_leaves_the_scene_open();

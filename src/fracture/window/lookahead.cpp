@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "cancellation.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/window/window_settings.hpp"
 
@@ -28,22 +29,33 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   close();
   options_ = options;
   if (!has_window_form(system_) || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
+  try {
+    build_window(state);
+  } catch (...) {
+    close();
+    throw;
+  }
+  return true;
+}
+
+void Lookahead::build_window(const BodyState& state) {
+  has_ended_ = needs_whole_body_ = system_has_changed_ = false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
+  check_cancelled();
   window_ =
       std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions_.list());
+  check_cancelled();
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
   certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
   whole_ = state.displacement;
   any_displacement_ = state.total_displacement;
-  has_ended_ = needs_whole_body_ = system_has_changed_ = false;
   position_ = 0;
   narrowing_.restart();
   states_ = {window_->displacement()};
-  return true;
 }
 
 void Lookahead::close() {
-  if (!window_) return;
+  if (!condensation_) return;
   window_.reset();
   certificate_.reset();
   condensation_.reset();
@@ -97,6 +109,7 @@ void Lookahead::compute(const BodyState& state) {
   foreseen_ = {window_->state()};
   double from = state.load_factor;
   while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
+    check_cancelled();
     if (!foresee(from, state)) {
       has_ended_ = true;
     } else {

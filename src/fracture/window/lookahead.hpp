@@ -73,6 +73,7 @@ class Lookahead {
   double residual() const { return residual_; }
 
  private:
+  void build_window(const BodyState& state);
   bool foresee(double from, const BodyState& start);
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cancellation.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -81,6 +82,7 @@ void WindowCertificate::take(const std::vector<int>& states) {
 }
 
 void WindowCertificate::take_together(const std::vector<int>& states) {
+  check_cancelled();
   std::vector<int> solved = states;
   std::erase(solved, 0);
   Eigen::MatrixXd whole = solve(solved);

@@ -858,8 +858,13 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Ask the step that runs in another thread to stop; it returns to its start and fails as
-    /// cancelled. A request made while no step runs is forgotten.
+    /// Ask the call that runs in another thread to stop: preparing, a step, results. It fails as
+    /// cancelled and leaves the model as it was before. A request made while no call runs is
+    /// forgotten.
+    ///
+    /// The request is heard within 0.2 s, but for single factorizations of the sparse system
+    /// (CHOLMOD, UMFPACK) and of dense matrices (of a boundary element region, of a window): these
+    /// cannot be interrupted, and the call ends after the one that runs.
     ///
     /// * model \[in\]: the model
     /// * return: status

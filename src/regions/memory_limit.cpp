@@ -1,0 +1,51 @@
+#include "regions/memory_limit.hpp"
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
+#include <limits>
+
+#include "error.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+constexpr double gigabyte = 1e9;
+
+const scene::OptionGroup group(scene::OptionPlace::general, [] {
+  scene::OptionDescription limit =
+      scene::number_option("memory.limit",
+                           "Memory that preparing may need by estimate, without the sparse factor; scenes that need "
+                           "more are refused. 0 for all that the machine has.",
+                           0, 0, 1e9, false);
+  limit.unit = "GB";
+  return std::vector<scene::OptionDescription>{limit};
+});
+
+double memory_of_machine() {
+#ifdef _SC_PHYS_PAGES
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  if (pages > 0 && size > 0) return static_cast<double>(pages) * static_cast<double>(size);
+#endif
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void require_memory(const scene::Scene& scene, const scene::Options& options) {
+  scene::SizeEstimate size;
+  for (int id : scene.region_ids()) scene.region(id).add_size(size);
+  constexpr double most = std::numeric_limits<int>::max();
+  require(size.bonds <= most, "the scene comes to about ", size.bonds, " bonds; the limit is ", most,
+          ": choose larger spacings or smaller horizon ratios");
+  const double wanted = options.number("memory.limit");
+  const double limit = wanted > 0 ? wanted * gigabyte : memory_of_machine();
+  require(size.bytes <= limit, "preparing would need about ", size.bytes / gigabyte, " GB for ", size.bonds,
+          " bonds and ", size.elements, " boundary elements; ",
+          wanted > 0 ? "the option memory.limit allows " : "the machine has ", limit / gigabyte,
+          " GB: choose larger spacings and elements", wanted > 0 ? ", or raise the option" : "");
+}
+
+}  // namespace bempd::regions

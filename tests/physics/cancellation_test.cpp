@@ -1,0 +1,127 @@
+// A request to stop is heard in the midst of long work, and leaves the model as it was.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "host.hpp"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr double asked_after = 0.1;
+// The bound leaves room for a busy machine.
+constexpr double heard_within = 3;
+
+class Cancellation : public testing::Test {
+ protected:
+  Cancellation() {
+    bempd_model_create(&model);
+    const bempd_material steel = host::material(1000, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3);
+    bempd_add_material(model, &steel, &material);
+  }
+  ~Cancellation() override { bempd_model_free(model); }
+
+  // Runs the call and asks it to stop after a while.
+  template <class Call>
+  void expect_heard(const Call& call) {
+    const Clock::time_point start = Clock::now();
+    std::thread other([this] {
+      std::this_thread::sleep_for(std::chrono::duration<double>(asked_after));
+      bempd_request_cancel(model);
+    });
+    const bempd_status status = call();
+    const double seconds = seconds_since(start);
+    other.join();
+    EXPECT_EQ(status, BEMPD_ERROR_CANCELLED) << bempd_last_error(model);
+    EXPECT_LT(seconds, asked_after + heard_within);
+  }
+
+  int32_t add_boundary(double width, double element_length) {
+    const double vertices[] = {0, 0, width, 0, width, 1, 0, 1};
+    int32_t region = 0;
+    EXPECT_EQ(bempd_add_bem_region(model, material, 4, vertices, element_length, &region), BEMPD_OK);
+    return region;
+  }
+
+  void expect_usable(int32_t region) {
+    int32_t held = 0;
+    double force[2] = {0, 0};
+    const double pull = 2;
+    ASSERT_EQ(bempd_fix_edge(model, region, 4, BEMPD_BOTH, &held), BEMPD_OK) << bempd_last_error(model);
+    ASSERT_EQ(bempd_add_traction(model, region, 2, 0, 1, BEMPD_X, 1, nullptr, &pull, nullptr), BEMPD_OK);
+    ASSERT_EQ(bempd_step(model, 1e-4, nullptr), BEMPD_OK) << bempd_last_error(model);
+    ASSERT_EQ(bempd_reaction(model, held, force), BEMPD_OK);
+    EXPECT_NEAR(force[0], -2e-4, 1e-12);
+  }
+
+  bempd_model* model = nullptr;
+  int32_t material = 0;
+};
+
+TEST_F(Cancellation, is_heard_while_boundary_operators_are_built) {
+  const int32_t large = add_boundary(4, 10.0 / 1000);
+  expect_heard([&] { return bempd_prepare(model); });
+  ASSERT_EQ(bempd_remove_region(model, large), BEMPD_OK) << bempd_last_error(model);
+  expect_usable(add_boundary(4, 0.5));
+}
+
+TEST_F(Cancellation, is_heard_while_lattices_are_built) {
+  const double vertices[] = {0, 0, 600, 0, 600, 600, 0, 600};
+  int32_t large = 0;
+  ASSERT_EQ(bempd_add_pd_region(model, material, 4, vertices, 1, 8, &large), BEMPD_OK);
+  expect_heard([&] { return bempd_prepare(model); });
+  ASSERT_EQ(bempd_remove_region(model, large), BEMPD_OK) << bempd_last_error(model);
+  expect_usable(add_boundary(4, 0.5));
+}
+
+TEST_F(Cancellation, is_heard_while_values_inside_are_computed) {
+  expect_usable(add_boundary(4, 0.05));
+  const std::vector<double> places(1000000, 0.4);
+  std::vector<double> stress(1500000);
+  expect_heard([&] { return bempd_evaluate(model, 500000, places.data(), nullptr, stress.data(), nullptr); });
+  EXPECT_EQ(bempd_evaluate(model, 1, places.data(), nullptr, stress.data(), nullptr), BEMPD_OK);
+}
+
+// Requests that come again and again while events are computed ahead.
+TEST_F(Cancellation, takes_nothing_away_from_a_run) {
+  const double vertices[] = {0, 0, 40, 0, 40, 24, 0, 24}, crack[] = {20.5, 0, 20.5, 8.5}, pull = 1;
+  bempd_model* undisturbed = nullptr;
+  bempd_model_create(&undisturbed);
+  bempd_step_report reports[2];
+  for (bempd_model* each : {undisturbed, model}) {
+    const bempd_material steel = host::material(1000, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3);
+    int32_t id = material, region = 0;
+    if (each == undisturbed) bempd_add_material(each, &steel, &id);
+    ASSERT_EQ(bempd_add_pd_region(each, id, 4, vertices, 1, 3, &region), BEMPD_OK);
+    bempd_add_crack(each, 2, crack, nullptr);
+    bempd_fix_edge(each, region, 4, BEMPD_BOTH, nullptr);
+    bempd_prescribe_edge(each, region, 2, 0, 1, BEMPD_X, 1, nullptr, &pull, nullptr);
+    bempd_step_report& report = reports[each == model];
+    bempd_step_report_init(&report, sizeof report);
+    int cancelled = 0;
+    for (int milliseconds = 1; each == model && milliseconds < 40; milliseconds += 3) {
+      std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+        bempd_request_cancel(each);
+      });
+      const bempd_status status = bempd_step_to_next_event(each, 10, nullptr);
+      other.join();
+      if (status == BEMPD_OK) break;
+      ASSERT_EQ(status, BEMPD_ERROR_CANCELLED) << bempd_last_error(each);
+      ++cancelled;
+    }
+    EXPECT_EQ(cancelled > 0, each == model);
+    ASSERT_EQ(bempd_run_to_separation(each, 10, &report), BEMPD_OK) << bempd_last_error(each);
+  }
+  EXPECT_EQ(reports[0].total_broken_bonds, reports[1].total_broken_bonds);
+  EXPECT_NEAR(reports[0].load_factor, reports[1].load_factor, 1e-12 * reports[0].load_factor);
+  EXPECT_NEAR(reports[0].work, reports[1].work, 1e-10 * reports[0].work);
+  bempd_model_free(undisturbed);
+}
+
+}  // namespace
