@@ -51,6 +51,16 @@ scene::Scene& Model::editable_scene() {
   return scene_;
 }
 
+void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
+  if (!prepared_) return;
+  const fracture::EvolutionState& state = prepared_->evolution->progress();
+  const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
+  if (was_prepared && (has_begun || !unsolvable)) return;
+  prepared_.reset();
+  fields_ = {};
+  ++generation_;
+}
+
 void Model::log(int level, const std::string& message) const {
   if (log_) log_(level, message);
 }
@@ -72,7 +82,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
 
 void Model::prepare() {
   if (prepared_) return;
-  if (scene_.regions().empty()) fail(Failure::order, "the scene has no region; add one first");
+  if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   auto p = std::make_unique<PreparedScene>();
   p->fingerprint = fingerprint(scene_, options_);
   p->discretization = regions::discretize(scene_, options_);

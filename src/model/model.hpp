@@ -55,6 +55,9 @@ class Model {
 
   // Throws Error (order) once the model is prepared.
   scene::Scene& editable_scene();
+  // After a call that failed: what it has prepared is given up, and so is a body whose first equilibrium was not found,
+  // so that the scene can be corrected.
+  void call_failed(bool was_prepared, bool unsolvable) noexcept;
   void set_load_values(int load, scene::SampledValues values);
   void set_support_values(int support, scene::SampledValues values);
 

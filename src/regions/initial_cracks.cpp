@@ -13,8 +13,8 @@ namespace {
 // Where a segment may pass from one region to another: crossings with edges, and vertices and ends that touch.
 std::vector<double> crossings(const Scene& scene, const Segment& segment, double tolerance) {
   std::vector<double> fractions{0.0, 1.0};
-  for (const auto& region : scene.regions()) {
-    for (const Edge& edge : edges_of(region->outline())) {
+  for (int id : scene.region_ids()) {
+    for (const Edge& edge : edges_of(scene.region(id).outline())) {
       for (const Crossing& crossing : meeting_points(Edge(segment.start, segment.end), edge))
         fractions.push_back(crossing.fraction_a);
       if (distance(segment, edge.start) <= tolerance) fractions.push_back(closest_fraction(segment, edge.start));

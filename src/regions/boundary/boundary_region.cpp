@@ -30,7 +30,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   middles_follow_ends_ = !rules.nodes_on_grids;
   BoundaryPanels panels = mesh_edges(preparation, rules, id());
   panels_ = std::move(panels.sources);
-  mesh_ = mesh_boundary(panels.loops, corner_tractions());
+  mesh_ = make_mesh(panels.loops);
 }
 
 BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
@@ -85,7 +85,8 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(contributions.registry);
   // The operator of a region before that differs by a translation only.
-  for (const auto& other : std::span(preparation.regions).first(static_cast<std::size_t>(id()) - 1)) {
+  for (const auto& other : preparation.regions) {
+    if (other.get() == this) break;
     if (typeid(*other) != typeid(*this)) continue;
     const auto& alike = static_cast<const BoundaryRegion&>(*other);
     if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;
