@@ -20,7 +20,7 @@ module bempd_c
   !> Called too early or too late in the order of a run.
   integer(c_int), parameter :: BEMPD_ERROR_ORDER = -2
   !> The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
-  !> error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
+  !> error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
   !> never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning.
   integer(c_int), parameter :: BEMPD_ERROR_UNSOLVABLE = -3
   !> An iteration or the limit on events ended before the goal.

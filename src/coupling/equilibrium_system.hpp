@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -147,6 +148,10 @@ class EquilibriumSystem {
   const Eigen::SparseMatrix<double>& assemble() const;
 
   const SolverCounters& counters() const { return counters_; }
+  // A reciprocal condition that the equations have from elsewhere.
+  void note_condition(double reciprocal) {
+    counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, reciprocal);
+  }
 
  private:
   enum class Condensed : char { nothing, operators, operators_and_load };

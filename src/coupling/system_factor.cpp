@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -25,6 +24,7 @@ constexpr double suspicious_pivot_ratio = 1e-10;
 // of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
 constexpr int inverse_iterations = 8;
+constexpr double no_stiffness = 1e-16;  // of the largest: what stands for a diagonal entry without any
 
 }  // namespace
 
@@ -117,7 +117,8 @@ Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::Sparse
                                double& resistance) {
   // Relative to the diagonal, which neither units nor stiff neighbours spoil. The shift makes a singular matrix
   // factorizable without hiding its null space behind motions that are merely soft, such as those of slender parts.
-  const Eigen::VectorXd diagonal = matrix.diagonal().cwiseMax(std::numeric_limits<double>::min());
+  const double unit = matrix.diagonal().maxCoeff();
+  const Eigen::VectorXd diagonal = matrix.diagonal().cwiseMax(no_stiffness * unit);
   std::unique_ptr<SystemSolver> solver = method.make_solver();
   const auto factorize = [&](double shift) {
     Eigen::SparseMatrix<double> shifted = matrix;
@@ -129,7 +130,6 @@ Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::Sparse
   }
   Eigen::VectorXd vector =
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
-  const double unit = diagonal.maxCoeff();
   for (int iteration = 0; iteration < inverse_iterations; ++iteration) {
     check_cancelled();
     vector.array() *= diagonal.array() / unit;

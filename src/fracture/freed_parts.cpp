@@ -20,6 +20,9 @@ constexpr double collinearity_tolerance = 1e-10;
 // Forces whose work on a free motion is a smaller share of their size are in equilibrium without support.
 constexpr double balance_tolerance = 1e-9;
 
+// Components of a motion that differ by less are equal, so that rounding does not choose what is held.
+constexpr double tie_rounding = 1e-6;
+
 }  // namespace
 
 FreedPartFinder::FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
@@ -151,7 +154,7 @@ HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eige
   int largest = -1;
   for (int dof = 0; dof < motion.size(); ++dof) {
     if (!system_.is_unknown(dof)) continue;
-    if (largest < 0 || std::abs(motion[dof]) > std::abs(motion[largest])) largest = dof;
+    if (largest < 0 || std::abs(motion[dof]) > (1 + tie_rounding) * std::abs(motion[largest])) largest = dof;
   }
   return spring(largest / 2, largest % 2 == 0 ? 1 : 0, largest % 2 == 0 ? 0 : 1, displacement);
 }

@@ -23,6 +23,9 @@ constexpr double energy_rounding = 1e-14;
 // above: a strip under tension at 1 / (number of elements along it).
 constexpr double scale_without_stress = 1e-5;
 
+// From this residual on a motion may have lost its resistance.
+constexpr double suspicious_residual = 1e-8;
+
 // How far supports, and springs that hold what came free, have moved the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
   double largest = coupling::evaluate(system.prescribed(), load_factor).lpNorm<Eigen::Infinity>();
@@ -143,7 +146,7 @@ bool LoadedBody::is_balanced() const {
   const Eigen::VectorXd force = system_.internal_force(evaluate(state_.displacement, f), f);
   const double largest =
       std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
-  return fracture::residual(system_, force, f, largest) <= most_residual;
+  return fracture::residual(system_, force, f, largest) <= suspicious_residual;
 }
 
 void LoadedBody::solve() { state_.displacement = system_.solve(); }

@@ -1,5 +1,7 @@
 #include "regions/incompressible.hpp"
 
+#include <algorithm>
+
 #include "error.hpp"
 #include "linalg/symmetric_modes.hpp"
 
@@ -32,6 +34,29 @@ void require_determined_pressure(const Discretization& d, const std::vector<char
   fail(Failure::unsolvable, "the pressure in the incompressible region", count > 1 ? "s " : " ", regions,
        " is undetermined: supports hold the whole boundary; leave a part of it free, or use a Poisson's ratio below "
        "1/2");
+}
+
+double condition_of_held_pressure(const scene::Scene& scene, const Discretization& d,
+                                  const std::vector<char>& prescribed, std::vector<std::string>& warnings) {
+  constexpr double many = 1e-6;
+  double condition = 1;
+  for (const auto& region : d.regions) {
+    const PlaneElasticity& elasticity = scene.material_of(region->id()).elasticity;
+    if (elasticity.state != PlaneState::strain || region->outflow(static_cast<Eigen::Index>(prescribed.size())))
+      continue;
+    const std::vector<int>& nodes = region->nodes();
+    const bool is_held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+      return prescribed[static_cast<std::size_t>(2 * node)] && prescribed[static_cast<std::size_t>(2 * node + 1)];
+    });
+    if (!is_held) continue;
+    const double share = 1 - 2 * elasticity.poisson_ratio;
+    condition = std::min(condition, share);
+    if (share > many) continue;
+    warnings.push_back(text("region ", region->id(), " is nearly incompressible and supports hold its whole boundary: ",
+                            "errors of their displacements enter its pressure ", 1 / share,
+                            "-fold; leave a part of the boundary free"));
+  }
+  return condition;
 }
 
 }  // namespace bempd::regions

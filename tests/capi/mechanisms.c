@@ -204,6 +204,47 @@ static void digits_lost_to_a_stiff_neighbour_are_reported(void) {
   bempd_model_free(model);
 }
 
+/** Held all round, a nearly incompressible body's pressure is what a tiny change of volume makes of it. */
+static void pressure_of_a_nearly_incompressible_body_is_reported(void) {
+  bempd_model* model = new_model();
+  bempd_material material = sound_material();
+  warnings kept = {0, 0};
+  bempd_statistics statistics;
+  int32_t id = 0, edge;
+  material.plane = BEMPD_PLANE_STRAIN;
+  material.poisson_ratio = 0.4999999;
+  CHECK_OK(model, bempd_add_material(model, &material, &id));
+  add_bem_rectangle(model, id, 0.0, 0.0, 10.0, 8.0, 2.0);
+  for (edge = 1; edge <= 4; ++edge) CHECK_OK(model, bempd_fix_edge(model, 1, edge, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_set_log(model, keep_warning, &kept));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(NULL, bempd_statistics_init(&statistics, sizeof statistics));
+  CHECK_OK(model, bempd_get_statistics(model, &statistics));
+  CHECK(statistics.reciprocal_condition < 1e-6);
+  CHECK(kept.count == 1);
+  bempd_model_free(model);
+}
+
+/** A strip 400 times as long as wide, bent, with a lattice in the middle. */
+static void digits_lost_by_a_slender_strip_are_reported(void) {
+  bempd_model* model = new_model();
+  const int32_t id = add_sound_material(model);
+  const double push = 1e-9;
+  warnings kept = {0, 0};
+  int32_t k;
+  add_bem_rectangle(model, id, 0.0, 0.0, 199.0, 1.0, 2.0);
+  add_pd_rectangle(model, id, 199.0, 0.0, 201.0, 1.0, 0.125);
+  add_bem_rectangle(model, id, 201.0, 0.0, 400.0, 1.0, 2.0);
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_add_traction(model, 3, 2, 0.0, 1.0, BEMPD_Y, 1, NULL, &push, NULL));
+  CHECK_OK(model, bempd_set_log(model, keep_warning, &kept));
+  for (k = 1; k <= 2; ++k) {
+    CHECK_OK(model, bempd_step(model, k, NULL));
+    CHECK(kept.count == 1);
+  }
+  bempd_model_free(model);
+}
+
 int main(void) {
   body_without_supports_is_refused();
   body_on_rollers_can_translate();
@@ -216,5 +257,7 @@ int main(void) {
   loads_that_push_a_part_on_a_hinge_are_dropped();
   motion_without_stress_balances();
   digits_lost_to_a_stiff_neighbour_are_reported();
+  pressure_of_a_nearly_incompressible_body_is_reported();
+  digits_lost_by_a_slender_strip_are_reported();
   return check_finish();
 }

@@ -255,7 +255,7 @@ since: 0.1""",
     "BEMPD_ERROR_ORDER": """Called too early or too late in the order of a run.""",
     "BEMPD_ERROR_UNSOLVABLE": """\
 The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or
-energy balance error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of
+energy balance error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the range of
 doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off,
 are held where they are, with a warning.""",
     "BEMPD_ERROR_CONVERGENCE": """An iteration or the limit on events ended before the goal.""",

@@ -8,7 +8,7 @@ pub const BEMPD_ERROR_ARGUMENT: bempd_status = -1;
 /// Called too early or too late in the order of a run.
 pub const BEMPD_ERROR_ORDER: bempd_status = -2;
 /// The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual
-/// or energy balance error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the
+/// or energy balance error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the
 /// range of doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge,
 /// or cut off, are held where they are, with a warning.
 pub const BEMPD_ERROR_UNSOLVABLE: bempd_status = -3;
