@@ -97,8 +97,11 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
   if (modes.values[0] > limit) return;
   const Eigen::Vector2d weak = modes.vectors.col(0);
   const Eigen::RowVector2d push = weak.transpose() * system_.force().middleRows<2>(2 * node);
-  if (push.norm() > balance_tolerance * system_.force().middleRows<2>(2 * node).norm()) {
-    found.nodes_with_lost_loads.push_back(node);
+  auto& lost = found.nodes_with_lost_loads;
+  const bool pushed = push.norm() > balance_tolerance * system_.force().middleRows<2>(2 * node).norm();
+  if (pushed && std::find(lost.begin(), lost.end(), node) == lost.end()) {
+    lost.push_back(node);
+    ++found.fragments;  // it swings on its last bond
   }
   double held = 0;
   for (const HoldingSpring& s : system_.springs()) {

@@ -35,6 +35,12 @@ inline bool good(const char* call, const bempd_model* model, bempd_status status
   return false;
 }
 
+// The first argument of a call.
+template <class... Others>
+const bempd_model* model_of(const bempd_model* model, const Others&...) {
+  return model;
+}
+
 inline void require_finite(const char* call, const double* values, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k)
     if (!std::isfinite(values[k])) report(call, "success with a number that is not finite", "");
@@ -47,6 +53,6 @@ inline void require_true(bool condition, const char* call, const char* finding) 
 }  // namespace fuzz
 
 // The call is made and checked; true when it is good.
-#define FUZZ_CALL(name, model, ...) ::fuzz::good(#name, model, name(model, ##__VA_ARGS__))
+#define FUZZ_CALL(name, ...) ::fuzz::good(#name, ::fuzz::model_of(__VA_ARGS__), name(__VA_ARGS__))
 
 #endif
