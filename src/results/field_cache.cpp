@@ -1,5 +1,10 @@
 #include "results/field_cache.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+
 namespace bempd::results {
 
 using regions::BondState;
@@ -13,7 +18,12 @@ const regions::FieldValues& FieldCache::of(const regions::Region& region, region
   const auto key = std::make_pair(region.id(), field);
   const auto found = fields_.find(key);
   if (found != fields_.end()) return found->second;
-  return fields_.emplace(key, region.field(field, solution)).first->second;
+  regions::FieldValues computed = region.field(field, solution);
+  if (!std::all_of(computed.values.begin(), computed.values.end(), [](double value) { return std::isfinite(value); })) {
+    fail(Failure::unsolvable, "a value of this field of region ", region.id(),
+         " is beyond the range of numbers; choose other units, or smaller loads");
+  }
+  return fields_.emplace(key, std::move(computed)).first->second;
 }
 
 std::vector<BondState> bond_states(const regions::Region& region, const std::vector<char>& intact,

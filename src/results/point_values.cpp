@@ -39,7 +39,12 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
       };
       evaluator = d.region(region).evaluator(solution, of_region, with_stress);
     }
-    result.values.push_back(evaluator->at(place));
+    const regions::PointValue value = evaluator->at(place);
+    if (!value.displacement.allFinite() || !value.stress.allFinite()) {
+      fail(Failure::unsolvable, "the displacement or stress at point ", i, ", (", place.x(), ", ", place.y(),
+           "), is beyond the range of numbers; choose other units, or smaller loads");
+    }
+    result.values.push_back(value);
   }
   for (const auto& [region, evaluator] : evaluators) result.kernel_evaluations += evaluator->kernel_evaluations();
   return result;
