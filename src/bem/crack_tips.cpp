@@ -105,7 +105,7 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
                                                              const std::vector<CrackedState>& states) {
   const CrackMesh& cracks = body.cracks();
   const double shear = body.elasticity().shear_modulus(), length = body.boundary().length;
-  const Eigen::Index count = static_cast<Eigen::Index>(states.size()), displacements = body.stiffness().rows();
+  const Eigen::Index count = static_cast<Eigen::Index>(states.size());
   Eigen::MatrixXd values(body.matrices().hypersingular.rows(), count);
   Eigen::MatrixXd tractions(body.matrices().single_layer.rows(), count);
   for (Eigen::Index s = 0; s < count; ++s) {
