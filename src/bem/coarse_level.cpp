@@ -67,9 +67,7 @@ class Merging {
       if (stays[n]) numbers[n] = next++;
     return numbers;
   }
-  int left() const {
-    return static_cast<int>(std::count(keeps_.begin(), keeps_.end(), 1) + middles_.size());
-  }
+  int left() const { return static_cast<int>(std::count(keeps_.begin(), keeps_.end(), 1) + middles_.size()); }
 
   struct Entry {
     int node, from;
@@ -117,8 +115,8 @@ Merged merge_pairs(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return merged;
 }
 
-// Displacements and openings of the coarse level from its unknowns. What holds between openings at joints is a matter of
-// nodes that stay.
+// Displacements and openings of the coarse level from its unknowns. What holds between openings at joints is a matter
+// of nodes that stay.
 Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   const Map some = merging.selection() * from_unknowns;
   std::vector<Eigen::Triplet<double>> entries;

@@ -21,6 +21,11 @@ constexpr double least_kink = 0.2;
 
 constexpr int most_halvings = 40;
 
+// Longest element over the way to the next thing, along a crack and of an element that ends at the tip: the openings
+// next to it share the energy release rate between the modes (measured on infinitesimal kinks: 4e-4 of K_II with half
+// the way, 2e-5 with a quarter).
+constexpr double longest = 0.5, longest_at_tip = 0.25;
+
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
 
 double distance(const CrackLine& line, const Point& x) {
@@ -83,10 +88,17 @@ double CrackSizes::on_line(int l, double way) const {
   std::size_t own = 0;
   while (own + 2 < ways.size() && way > ways[own + 1]) ++own;
   const Point x = segment(line, own).at((way - ways[own]) / (ways[own + 1] - ways[own]));
-  double limit = from_kinks(l, way);
-  // `apart`: way from here to the thing along the line, infinite if the line does not lead to it.
+  const bool at_tip = (way == 0 && line.joints[0] < 0) || (way == ways.back() && line.joints[1] < 0);
+  const double share = at_tip ? longest_at_tip : longest;
+  double limit = share * from_kinks(l, way);
+  // `apart`: way from here to the thing along the line, infinite if the line does not lead to it. In the angle between
+  // a line and what it leads to elements get no smaller than at kinks.
+  const double least = std::ldexp(ways.back() / grading_.elements_per_line, -grading_.halvings_at_kinks);
   const auto consider = [&](double gap, double apart) {
-    if (apart == infinite || gap < aside * apart) limit = std::min(limit, gap);
+    if (apart == infinite)
+      limit = std::min(limit, share * gap);
+    else if (gap < aside * apart)
+      limit = std::min(limit, std::max(gap, least));
   };
   const auto way_to_joint = [&](const auto& is_there) {
     double apart = infinite;
@@ -130,6 +142,8 @@ std::vector<double> CrackSizes::stations_of(int l) const {
 }
 
 double CrackSizes::on_boundary(const Point& x) const {
+  // Of the element at a mouth, in a small angle beside it.
+  const double least = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {
     const CrackLine& line = cracks_.lines[l];
@@ -139,7 +153,7 @@ double CrackSizes::on_boundary(const Point& x) const {
       if (line.joints[end] < 0 || !cracks_.joints[line.joints[end]].mouth) continue;
       const double apart = (cracks_.joints[line.joints[end]].place - x).norm();
       const double element = end == 0 ? stations[1] : stations.back() - stations[stations.size() - 2];
-      if (distance(line, x) >= aside * apart) allowed = std::max({allowed, apart, element});
+      allowed = std::max(allowed, distance(line, x) < aside * apart ? least * element : std::max(apart, element));
     }
     limit = std::min(limit, allowed);
   }
