@@ -32,6 +32,19 @@ void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::functio
   }
 }
 
+void add_stress_forces(const BoundaryMesh& mesh, const std::function<Eigen::Vector3d(const Point&)>& stress,
+                       double thickness, Eigen::Ref<Eigen::VectorXd> forces) {
+  for (const BoundaryElement& element : mesh.elements) {
+    at_gauss_points(
+        mesh, element, [&](const std::array<double, 3>& shape, const Point& x, const Point& dx, double weight) {
+          const Eigen::Vector3d s = stress(x);
+          const Point n = scaled_normal(dx);
+          const Point force = thickness * weight * Point(s[0] * n.x() + s[2] * n.y(), s[2] * n.x() + s[1] * n.y());
+          for (int k = 0; k < 3; ++k) forces.segment<2>(2 * element.nodes[k]) += shape[k] * force;
+        });
+  }
+}
+
 void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals) {
   for (const BoundaryElement& element : mesh.elements) {
     at_gauss_points(mesh, element,

@@ -12,6 +12,10 @@ namespace bempd::bem {
 void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
                          double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
+// The same all along the boundary of the tractions that a state of stress (xx, yy, xy) [Pa] has there.
+void add_stress_forces(const BoundaryMesh& mesh, const std::function<Eigen::Vector3d(const Point&)>& stress,
+                       double thickness, Eigen::Ref<Eigen::VectorXd> forces);
+
 // Adds the integrals of N_a n ds, n being the outward normal.
 void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals);
 

@@ -2,16 +2,18 @@
 #include <memory>
 
 #include "capi/guard.hpp"
+#include "regions/places/edge_part.hpp"
+#include "regions/places/single_point.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
 
 namespace {
 
-using model::BoundaryFunction;
-using model::BoundaryValue;
-using model::Condition;
-using model::SampledValues;
+using scene::BoundaryFunction;
+using scene::BoundaryValue;
+using scene::Condition;
+using scene::SampledValues;
 
 std::vector<double> copy_samples(std::int64_t count, const double* values) {
   if (!values) return std::vector<double>(static_cast<std::size_t>(count), 0.0);
@@ -47,6 +49,14 @@ void require_single(std::int32_t component) {
           "; it must be BEMPD_X (1) or BEMPD_Y (2)");
 }
 
+std::shared_ptr<const scene::Place> on_edge(std::int32_t region, std::int32_t edge, double from, double to) {
+  return std::make_shared<const regions::EdgePart>(region, edge, from, to);
+}
+
+std::shared_ptr<const scene::Place> at_point(double x, double y) {
+  return std::make_shared<const regions::SinglePoint>(Point(x, y));
+}
+
 bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id,
                          const std::function<Condition()>& make) {
   return with_model(handle, function, [&](model::Model& m) {
@@ -67,12 +77,12 @@ bempd_status add_load(bempd_model* handle, const char* function, std::int32_t* i
 
 bempd_status bempd_fix_edge(bempd_model* model, int32_t region, int32_t edge, int32_t component, int32_t* support) {
   return add_support(model, __func__, support, [&] {
-    return Condition{model::EdgePart{region, edge, 0, 1}, component, single(0, 0)};
+    return Condition{on_edge(region, edge, 0, 1), component, single(0, 0)};
   });
 }
 
 bempd_status bempd_fix_point(bempd_model* model, double x, double y, int32_t component, int32_t* support) {
-  return add_support(model, __func__, support, [&] { return Condition{Point(x, y), component, single(0, 0)}; });
+  return add_support(model, __func__, support, [&] { return Condition{at_point(x, y), component, single(0, 0)}; });
 }
 
 bempd_status bempd_prescribe_edge(bempd_model* model, int32_t region, int32_t edge, double from, double to,
@@ -80,7 +90,7 @@ bempd_status bempd_prescribe_edge(bempd_model* model, int32_t region, int32_t ed
                                   const double* proportional, int32_t* support) {
   return add_support(model, __func__, support, [&] {
     require_single(component);
-    return Condition{model::EdgePart{region, edge, from, to}, component, samples(value_count, constant, proportional)};
+    return Condition{on_edge(region, edge, from, to), component, samples(value_count, constant, proportional)};
   });
 }
 
@@ -88,7 +98,7 @@ bempd_status bempd_prescribe_edge_function(bempd_model* model, int32_t region, i
                                            int32_t component, bempd_boundary_function function, void* user,
                                            int32_t* support) {
   return add_support(model, __func__, support, [&] {
-    return Condition{model::EdgePart{region, edge, from, to}, component, remember(function, user)};
+    return Condition{on_edge(region, edge, from, to), component, remember(function, user)};
   });
 }
 
@@ -96,7 +106,7 @@ bempd_status bempd_prescribe_point(bempd_model* model, double x, double y, int32
                                    double proportional, int32_t* support) {
   return add_support(model, __func__, support, [&] {
     require_single(component);
-    return Condition{Point(x, y), component, single(constant, proportional)};
+    return Condition{at_point(x, y), component, single(constant, proportional)};
   });
 }
 
@@ -105,14 +115,14 @@ bempd_status bempd_add_traction(bempd_model* model, int32_t region, int32_t edge
                                 const double* proportional, int32_t* load) {
   return add_load(model, __func__, load, [&] {
     require_single(component);
-    return Condition{model::EdgePart{region, edge, from, to}, component, samples(value_count, constant, proportional)};
+    return Condition{on_edge(region, edge, from, to), component, samples(value_count, constant, proportional)};
   });
 }
 
 bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int32_t edge, double from, double to,
                                          bempd_boundary_function function, void* user, int32_t* load) {
   return add_load(model, __func__, load, [&] {
-    return Condition{model::EdgePart{region, edge, from, to}, BEMPD_BOTH, remember(function, user)};
+    return Condition{on_edge(region, edge, from, to), BEMPD_BOTH, remember(function, user)};
   });
 }
 
@@ -120,7 +130,7 @@ bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32
                                    double proportional, int32_t* load) {
   return add_load(model, __func__, load, [&] {
     require_single(component);
-    return Condition{Point(x, y), component, single(constant, proportional)};
+    return Condition{at_point(x, y), component, single(constant, proportional)};
   });
 }
 

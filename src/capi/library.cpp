@@ -57,15 +57,15 @@ void bempd_model_free(bempd_model* model) { delete model; }
 
 bempd_status bempd_option_count(int64_t* count) {
   return without_model(__func__,
-                       [&] { out(count, "count") = static_cast<int64_t>(model::option_descriptions().size()); });
+                       [&] { out(count, "count") = static_cast<int64_t>(scene::option_descriptions().size()); });
 }
 
 bempd_status bempd_option_describe(int64_t index, bempd_option_info* info) {
   return without_model(__func__, [&] {
-    const auto& all = model::option_descriptions();
+    const auto& all = scene::option_descriptions();
     require(index >= 0 && index < static_cast<int64_t>(all.size()), "index is ", index, "; options are 0 .. ",
             all.size() - 1);
-    const model::OptionDescription& o = all[static_cast<std::size_t>(index)];
+    const scene::OptionDescription& o = all[static_cast<std::size_t>(index)];
     const bempd_option_info values{sizeof(bempd_option_info),
                                    o.name,
                                    o.summary,

@@ -7,10 +7,10 @@ using namespace bempd::capi;
 
 namespace {
 
-model::Field field_of(std::int32_t field) {
+regions::Field field_of(std::int32_t field) {
   require(field >= BEMPD_POSITION && field <= BEMPD_ELEMENT_STRESS, "field is ", field,
           "; it must be a bempd_field, 1 .. 7");
-  return static_cast<model::Field>(field);
+  return static_cast<regions::Field>(field);
 }
 
 void require_capacity(std::int64_t capacity, std::int64_t needed, const char* what) {
@@ -28,16 +28,18 @@ bempd_status bempd_generation(const bempd_model* model, int64_t* generation) {
 }
 
 bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.node_count(region); });
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(count, "count") = m.field_size(region, regions::Field::position).count;
+  });
 }
 
 bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.element_count(region); });
+  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.region(region).cell_count(); });
 }
 
 bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const std::vector<std::int32_t> elements = m.elements(region);
+    const std::vector<std::int32_t> elements = m.region(region).cells().nodes;
     require_capacity(capacity, static_cast<std::int64_t>(elements.size()), "integers");
     std::copy(elements.begin(), elements.end(), &out(nodes, "nodes"));
   });
@@ -45,7 +47,7 @@ bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t cap
 
 bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field, int64_t* count, int32_t* components) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const model::FieldSize size = m.field_size(region, field_of(field));
+    const regions::FieldSize size = m.field_size(region, field_of(field));
     if (count) *count = size.count;
     if (components) *components = size.components;
   });
@@ -53,10 +55,10 @@ bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field,
 
 bempd_status bempd_copy_field(bempd_model* model, int32_t region, int32_t field, int64_t capacity, double* values) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const model::FieldSize size = m.field_size(region, field_of(field));
+    const regions::FieldSize size = m.field_size(region, field_of(field));
     require_capacity(capacity, size.count * size.components, "numbers");
     out(values, "values");
-    const model::FieldValues& f = m.field(region, field_of(field));
+    const regions::FieldValues& f = m.field(region, field_of(field));
     std::copy(f.values.begin(), f.values.end(), values);
   });
 }
@@ -65,7 +67,7 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
                               int32_t* components, int64_t* generation) {
   return with_model(model, __func__, [&](model::Model& m) {
     out(values, "values");
-    const model::FieldValues& f = m.field(region, field_of(field));
+    const regions::FieldValues& f = m.field(region, field_of(field));
     *values = f.values.data();
     if (count) *count = f.count();
     if (components) *components = f.components;
@@ -74,16 +76,15 @@ bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field,
 }
 
 bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    out(count, "count") = static_cast<std::int64_t>(m.lattice(region).bonds().size());
-  });
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(count, "count") = static_cast<std::int64_t>(m.bonds(region).size()); });
 }
 
 bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const auto& bonds = m.lattice(region).bonds();
+    const auto& bonds = m.bonds(region);
     require_capacity(capacity, static_cast<std::int64_t>(bonds.size()), "bonds");
-    const std::vector<model::BondState> known = m.bond_states(region);
+    const std::vector<regions::BondState> known = m.bond_states(region);
     for (std::size_t b = 0; b < bonds.size(); ++b) {
       if (points) {
         points[2 * b] = bonds[b].first;
@@ -125,12 +126,11 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
     s.reciprocal_condition = 1;
     if (const model::PreparedScene* p = m.prepared_or_null()) {
       const auto& c = p->system->counters();
-      s.kernel_evaluations = p->discretization.kernel_evaluations() + p->interior_kernel_evaluations;
-      for (const auto& part : p->discretization.boundaries) {
-        s.boundary_nodes += static_cast<int64_t>(part.mesh.nodes.size());
-        s.boundary_elements += static_cast<int64_t>(part.mesh.elements.size());
-      }
-      for (const auto& part : p->discretization.lattices) s.material_points += part.point_count();
+      const regions::RegionStatistics r = p->discretization.statistics();
+      s.kernel_evaluations = r.kernel_evaluations + p->interior_kernel_evaluations;
+      s.boundary_nodes = r.boundary_nodes;
+      s.boundary_elements = r.boundary_elements;
+      s.material_points = r.material_points;
       s.bonds = static_cast<int64_t>(p->system->bonds().size());
       s.cut_bonds = static_cast<int64_t>(p->cut_bonds.size());
       s.broken_bonds = p->evolution->progress().broken_bonds;
@@ -141,8 +141,8 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       s.factor_updates = c.factor_updates;
       s.solves = c.solves;
       s.solver_iterations = c.iterations;
-      s.seconds_boundary = p->discretization.seconds_boundary;
-      s.seconds_lattice = p->discretization.seconds_lattice;
+      s.seconds_boundary = r.seconds_boundary;
+      s.seconds_lattice = r.seconds_lattice;
       s.seconds_assembly = c.seconds_assembly;
       s.seconds_factorization = c.seconds_factorization;
       s.seconds_solve = c.seconds_solve;

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "capi/guard.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/lattice/lattice_description.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
@@ -27,7 +29,7 @@ bempd_status bempd_add_material(bempd_model* model, const bempd_material* materi
     require(given.plane == BEMPD_PLANE_STRESS || given.plane == BEMPD_PLANE_STRAIN, "plane is ", given.plane,
             "; it must be BEMPD_PLANE_STRESS (1) or BEMPD_PLANE_STRAIN (2)");
     require(given.reserved == 0, "reserved is ", given.reserved, "; it must be 0");
-    model::Material values;
+    scene::Material values;
     values.elasticity = {given.young_modulus, given.poisson_ratio,
                          given.plane == BEMPD_PLANE_STRESS ? PlaneState::stress : PlaneState::strain, given.thickness};
     values.critical_stretch = given.critical_stretch;
@@ -41,7 +43,7 @@ bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t 
                                   double element_length, int32_t* region) {
   return with_model(model, __func__, [&](model::Model& m) {
     const auto points = points_from(vertices, vertex_count, "vertices");
-    const int added = m.editable_scene().add_boundary_region(material, points, element_length);
+    const int added = regions::add_boundary_region(m.editable_scene(), material, points, element_length);
     if (region) *region = added;
   });
 }
@@ -51,7 +53,7 @@ bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t v
   return with_model(model, __func__, [&](model::Model& m) {
     const auto points = points_from(vertices, vertex_count, "vertices");
     const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
-    const int added = m.editable_scene().add_lattice_region(material, points, spacing, ratio);
+    const int added = regions::add_lattice_region(m.editable_scene(), material, points, spacing, ratio);
     if (region) *region = added;
   });
 }
@@ -96,8 +98,7 @@ bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const doub
 }
 
 bempd_status bempd_region_count(const bempd_model* model, int32_t* count) {
-  return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = static_cast<int32_t>(m.scene().regions().size()); });
+  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.scene().region_count(); });
 }
 
 bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count) {

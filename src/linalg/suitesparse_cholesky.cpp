@@ -15,6 +15,7 @@
 #include "linalg/cholmod_handles.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparsity_pattern.hpp"
+#include "linalg/supernodal_factor.hpp"
 
 namespace bempd::linalg {
 
@@ -73,27 +74,6 @@ void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t
   const auto end = reinterpret_cast<std::uintptr_t>(memory) + bytes;
   if (end > begin + page) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
 #endif
-}
-
-// Calls visit(j, d_j) for every pivot of L L^T or L D L^T.
-template <class Visit>
-void for_each_pivot(const cholmod_factor& factor, Visit visit) {
-  const double* x = static_cast<const double*>(factor.x);
-  if (!factor.is_super) {
-    const int* p = static_cast<const int*>(factor.p);
-    for (int j = 0; j < static_cast<int>(factor.n); ++j) visit(j, factor.is_ll ? x[p[j]] * x[p[j]] : x[p[j]]);
-    return;
-  }
-  const int* super = static_cast<const int*>(factor.super);
-  const int* pi = static_cast<const int*>(factor.pi);
-  const int* px = static_cast<const int*>(factor.px);
-  for (std::size_t s = 0; s < factor.nsuper; ++s) {
-    const int rows = pi[s + 1] - pi[s];
-    for (int k = 0; k < super[s + 1] - super[s]; ++k) {
-      const double diagonal = x[px[s] + k + static_cast<std::ptrdiff_t>(k) * rows];
-      visit(super[s] + k, diagonal * diagonal);
-    }
-  }
 }
 
 class SuiteSparseCholesky final : public SparseCholesky {
@@ -160,44 +140,12 @@ class SuiteSparseCholesky final : public SparseCholesky {
 
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
     assert(has_factor_ && factor_->is_super && transposed.cols() == diagonal_.size());
-    const double* x = static_cast<const double*>(factor_->x);
-    const int* super = static_cast<const int*>(factor_->super);
-    const int* pi = static_cast<const int*>(factor_->pi);
-    const int* px = static_cast<const int*>(factor_->px);
-    const int* row = static_cast<const int*>(factor_->s);
-    const int unknown = static_cast<int>(factor_->n) - known;
-    Eigen::MatrixXd later;  // what a supernode's columns depend on
-    for (auto s = static_cast<std::ptrdiff_t>(factor_->nsuper) - 1; s >= 0; --s) {
-      const int columns = std::min(super[s + 1], unknown) - super[s];
-      if (columns <= 0) continue;
-      const int rows = pi[s + 1] - pi[s];
-      const Eigen::Map<const Eigen::MatrixXd> panel(x + px[s], rows, columns);
-      auto own = transposed.middleCols(super[s], columns);
-      later.resize(transposed.rows(), rows - columns);
-      for (int r = columns; r < rows; ++r) later.col(r - columns) = transposed.col(row[pi[s] + r]);
-      if (rows > columns) own.noalias() -= later * panel.bottomRows(rows - columns);
-      panel.topRows(columns).triangularView<Eigen::Lower>().solveInPlace<Eigen::OnTheRight>(own);
-    }
+    SupernodalFactor(*factor_.get()).solve_backward(transposed, known);
   }
 
   Eigen::MatrixXd trailing_factor(int size) const override {
     assert(has_factor_ && factor_->is_super);
-    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
-    const double* x = static_cast<const double*>(factor_->x);
-    const int* super = static_cast<const int*>(factor_->super);
-    const int* pi = static_cast<const int*>(factor_->pi);
-    const int* px = static_cast<const int*>(factor_->px);
-    const int* row = static_cast<const int*>(factor_->s);
-    const int first = static_cast<int>(factor_->n) - size;
-    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
-      const int rows = pi[s + 1] - pi[s];
-      for (int j = std::max(super[s], first); j < super[s + 1]; ++j) {
-        const int k = j - super[s];
-        const double* column = x + px[s] + static_cast<std::ptrdiff_t>(k) * rows;
-        for (int r = k; r < rows; ++r) block(row[pi[s] + r] - first, j - first) = column[r];
-      }
-    }
-    return block;
+    return SupernodalFactor(*factor_.get()).trailing_block(size);
   }
 
   bool update(const SparseMatrix& columns, Change change) override {

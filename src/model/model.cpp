@@ -7,8 +7,8 @@
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
 #include "linalg/machine_rates.hpp"
-#include "model/incompressible.hpp"
-#include "model/initial_cracks.hpp"
+#include "regions/incompressible.hpp"
+#include "regions/initial_cracks.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::model {
@@ -22,16 +22,14 @@ constexpr double poor_condition = 1e-12;
 constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
 
 // "region 2" or "regions 1 and 3": those that have any of the nodes.
-std::string regions_with(const Discretization& d, const std::vector<int>& nodes) {
+std::string regions_with(const regions::Discretization& d, const std::vector<int>& nodes) {
   std::vector<char> member(d.positions.size(), 0);
   for (int node : nodes) member[node] = 1;
   std::vector<int> ids;
-  const auto look = [&](int region, const std::vector<int>& own) {
-    if (std::any_of(own.begin(), own.end(), [&](int node) { return member[node] != 0; })) ids.push_back(region);
-  };
-  for (const BoundaryPart& part : d.boundaries) look(part.region, part.nodes);
-  for (const LatticePart& part : d.lattices) look(part.region, part.nodes);
-  std::sort(ids.begin(), ids.end());
+  for (const auto& region : d.regions) {
+    const std::vector<int>& own = region->nodes();
+    if (std::any_of(own.begin(), own.end(), [&](int node) { return member[node] != 0; })) ids.push_back(region->id());
+  }
   std::string names = ids.size() > 1 ? "regions " : "region ";
   for (std::size_t i = 0; i < ids.size(); ++i) {
     names += (i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ") + std::to_string(ids[i]);
@@ -41,7 +39,7 @@ std::string regions_with(const Discretization& d, const std::vector<int>& nodes)
 
 }  // namespace
 
-Scene& Model::editable_scene() {
+scene::Scene& Model::editable_scene() {
   if (prepared_) {
     fail(Failure::order,
          "the model is prepared and its scene can no longer change; add everything before the first step or result, or "
@@ -73,11 +71,11 @@ void Model::prepare() {
   if (prepared_) return;
   if (scene_.regions().empty()) fail(Failure::order, "the scene has no region; add one first");
   auto p = std::make_unique<PreparedScene>();
-  p->discretization = discretize(scene_, options_);
-  Discretization& d = p->discretization;
-  p->conditions = apply_conditions(scene_, d);
-  require_determined_pressure(scene_, d, p->conditions.prescribed);
-  p->cut_bonds = bonds_cut_by_cracks(scene_, d, d.warnings);
+  p->discretization = regions::discretize(scene_, options_);
+  regions::Discretization& d = p->discretization;
+  p->conditions = regions::apply_conditions(scene_, d);
+  regions::require_determined_pressure(d, p->conditions.prescribed);
+  p->cut_bonds = regions::bonds_cut_by_cracks(scene_, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   check_mechanism(*p);
@@ -133,14 +131,14 @@ void Model::warn_of_condition() {
 
 void Model::reload() {
   if (!prepared_) return;
-  DofConditions conditions = apply_conditions(scene_, prepared_->discretization);
+  regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
   prepared_->evolution->set_load(conditions.force, conditions.displacement);
   prepared_->conditions = std::move(conditions);
   ++generation_;
 }
 
-void Model::set_values(Condition& condition, const char* what, int id, SampledValues values) {
-  Condition before = condition;
+void Model::set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values) {
+  scene::Condition before = condition;
   scene_.set_values(condition, what, id, std::move(values));
   try {
     reload();
@@ -150,11 +148,11 @@ void Model::set_values(Condition& condition, const char* what, int id, SampledVa
   }
 }
 
-void Model::set_load_values(int load, SampledValues values) {
+void Model::set_load_values(int load, scene::SampledValues values) {
   set_values(scene_.load(load), "load", load, std::move(values));
 }
 
-void Model::set_support_values(int support, SampledValues values) {
+void Model::set_support_values(int support, scene::SampledValues values) {
   set_values(scene_.support(support), "support", support, std::move(values));
 }
 
@@ -209,11 +207,5 @@ StepResult Model::advance(double target, fracture::Goal goal) {
 }
 
 double Model::load_factor() const { return prepared_ ? prepared_->evolution->progress().load_factor : 0.0; }
-
-Eigen::Vector2d Model::reaction(int support) {
-  scene_.support(support);
-  ensure_equilibrium();
-  return prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
-}
 
 }  // namespace bempd::model

@@ -185,9 +185,9 @@ std::uint64_t Model::scene_fingerprint() const {
   hash.add(prepared_->discretization.critical_stretch);
   hash.add(prepared_->conditions.prescribed);
   hash.add(prepared_->cut_bonds);
-  for (const BoundaryPart& part : prepared_->discretization.boundaries) {
-    const Eigen::MatrixXd& stiffness = part.mesh_stiffness();
-    hash.add(stiffness.data(), static_cast<std::size_t>(stiffness.rows()) * sizeof(double));
+  for (const auto& region : prepared_->discretization.regions) {
+    if (const Eigen::MatrixXd* stiffness = region->stiffness())
+      hash.add(stiffness->data(), static_cast<std::size_t>(stiffness->rows()) * sizeof(double));
   }
   const std::size_t supports = scene_.supports().size();
   hash.add(&supports, sizeof supports);

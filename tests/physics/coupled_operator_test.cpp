@@ -4,12 +4,17 @@
 #include <cstdio>
 
 #include "dense.hpp"
-#include "model/discretization.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/discretization.hpp"
+#include "regions/lattice/lattice_description.hpp"
 
 namespace {
 
 using namespace bempd;
-using namespace bempd::model;
+using namespace bempd::regions;
+using scene::Material;
+using scene::Options;
+using scene::Scene;
 
 std::vector<Point> rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -20,9 +25,9 @@ Scene sandwich(PlaneState state, int horizon_ratio) {
   Material material;
   material.elasticity = {30e9, bond_based_poisson_ratio(state), state, 0.02};
   const int id = scene.add_material(material);
-  scene.add_boundary_region(id, rectangle(0, 0, 4, 7), 2.0);
-  scene.add_lattice_region(id, rectangle(4, 0, 16, 7), 1.0, horizon_ratio);
-  scene.add_boundary_region(id, rectangle(16, 0, 20, 7), 2.0);
+  add_boundary_region(scene, id, rectangle(0, 0, 4, 7), 2.0);
+  add_lattice_region(scene, id, rectangle(4, 0, 16, 7), 1.0, horizon_ratio);
+  add_boundary_region(scene, id, rectangle(16, 0, 20, 7), 2.0);
   return scene;
 }
 
@@ -31,9 +36,9 @@ Scene box_in_plate(PlaneState state, int horizon_ratio) {
   Material material;
   material.elasticity = {30e9, bond_based_poisson_ratio(state), state, 0.02};
   const int id = scene.add_material(material);
-  const int plate = scene.add_boundary_region(id, rectangle(0, 0, 24, 20), 4.0);
+  const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
   scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
-  scene.add_lattice_region(id, rectangle(6, 5, 16, 15), 1.0, horizon_ratio);
+  add_lattice_region(scene, id, rectangle(6, 5, 16, 15), 1.0, horizon_ratio);
   return scene;
 }
 

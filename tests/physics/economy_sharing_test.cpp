@@ -1,15 +1,28 @@
 // Regions that differ by a translation share what is dear to build; of lattices the spacing may differ too.
 #include <gtest/gtest.h>
 
-#include "model/discretization.hpp"
+#include "regions/boundary/boundary_region.hpp"
+#include "regions/discretization.hpp"
+#include "regions/lattice/lattice_region.hpp"
 
 namespace {
 
 using namespace bempd;
-using namespace bempd::model;
+using namespace bempd::regions;
+using scene::Material;
+using scene::Options;
+using scene::Scene;
 
 std::vector<Point> rectangle(double x, double y, double width, double height) {
   return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+}
+
+const std::shared_ptr<const pd::Network>& network_of(const Discretization& d, int index) {
+  return dynamic_cast<const LatticeRegion&>(*d.regions[index]).network();
+}
+
+const bem::BoundaryOperator* operator_of(const Discretization& d, int index) {
+  return dynamic_cast<const BoundaryRegion&>(*d.regions[index]).boundary_operator();
 }
 
 Material stiff(double young) { return {{young, 1.0 / 3, PlaneState::stress, 0.1}}; }
@@ -18,19 +31,19 @@ TEST(Sharing, lattices_of_equal_cells_horizon_and_material_have_one_network) {
   for (const char* scheme : {"symmetric", "paper"}) {
     Scene scene;
     const int id = scene.add_material(stiff(3e9)), other = scene.add_material(stiff(4e9));
-    scene.add_lattice_region(id, rectangle(0.1, 0.2, 1, 0.6), 0.1, 3);
-    scene.add_lattice_region(id, rectangle(1.3, 0.3, 1, 0.6), 0.1, 3);
-    scene.add_lattice_region(id, rectangle(2.7, 0.3, 5, 3), 0.5, 3);
-    scene.add_lattice_region(id, rectangle(0.1, 1.2, 1, 0.6), 0.1, 4);
-    scene.add_lattice_region(id, rectangle(1.3, 1.2, 1, 0.7), 0.1, 3);
-    scene.add_lattice_region(other, rectangle(0.1, 2.2, 1, 0.6), 0.1, 3);
+    add_lattice_region(scene, id, rectangle(0.1, 0.2, 1, 0.6), 0.1, 3);
+    add_lattice_region(scene, id, rectangle(1.3, 0.3, 1, 0.6), 0.1, 3);
+    add_lattice_region(scene, id, rectangle(2.7, 0.3, 5, 3), 0.5, 3);
+    add_lattice_region(scene, id, rectangle(0.1, 1.2, 1, 0.6), 0.1, 4);
+    add_lattice_region(scene, id, rectangle(1.3, 1.2, 1, 0.7), 0.1, 3);
+    add_lattice_region(scene, other, rectangle(0.1, 2.2, 1, 0.6), 0.1, 3);
     Options options;
     options.set_text("scheme", scheme);
     const Discretization d = discretize(scene, options);
-    for (int same : {1, 2}) EXPECT_EQ(d.lattices[same].network, d.lattices[0].network) << same;
-    for (int different : {3, 4, 5}) EXPECT_NE(d.lattices[different].network, d.lattices[0].network) << different;
-    EXPECT_GT(d.lattices[1].first_bond, 0u);
-    EXPECT_EQ(d.lattices[1].bonds().size(), d.lattices[2].first_bond - d.lattices[1].first_bond);
+    for (int same : {1, 2}) EXPECT_EQ(network_of(d, same), network_of(d, 0)) << same;
+    for (int different : {3, 4, 5}) EXPECT_NE(network_of(d, different), network_of(d, 0)) << different;
+    EXPECT_GT(d.regions[1]->first_bond(), 0u);
+    EXPECT_EQ(d.regions[1]->bonds()->size(), d.regions[2]->first_bond() - d.regions[1]->first_bond());
   }
 }
 
@@ -38,19 +51,18 @@ TEST(Sharing, boundaries_of_equal_mesh_and_material_have_one_operator) {
   for (const char* scheme : {"symmetric", "paper"}) {
     Scene scene;
     const int id = scene.add_material(stiff(3e9)), other = scene.add_material(stiff(4e9));
-    scene.add_boundary_region(id, rectangle(0.1, 0.2, 1, 0.6), 0.2);
-    scene.add_boundary_region(id, rectangle(1.3, 0.3, 1, 0.6), 0.2);
-    scene.add_boundary_region(id, rectangle(2.7, 0.3, 1, 0.6 + 1e-9), 0.2);
-    scene.add_boundary_region(other, rectangle(0.1, 2.2, 1, 0.6), 0.2);
+    add_boundary_region(scene, id, rectangle(0.1, 0.2, 1, 0.6), 0.2);
+    add_boundary_region(scene, id, rectangle(1.3, 0.3, 1, 0.6), 0.2);
+    add_boundary_region(scene, id, rectangle(2.7, 0.3, 1, 0.6 + 1e-9), 0.2);
+    add_boundary_region(scene, other, rectangle(0.1, 2.2, 1, 0.6), 0.2);
     Options options;
     options.set_text("scheme", scheme);
     const Discretization d = discretize(scene, options);
-    EXPECT_EQ(d.boundaries[1].boundary_operator, d.boundaries[0].boundary_operator);
-    for (int different : {2, 3})
-      EXPECT_NE(d.boundaries[different].boundary_operator, d.boundaries[0].boundary_operator);
-    EXPECT_EQ(d.kernel_evaluations(), d.boundaries[0].boundary_operator->kernel_evaluations() +
-                                          d.boundaries[2].boundary_operator->kernel_evaluations() +
-                                          d.boundaries[3].boundary_operator->kernel_evaluations());
+    EXPECT_EQ(operator_of(d, 1), operator_of(d, 0));
+    for (int different : {2, 3}) EXPECT_NE(operator_of(d, different), operator_of(d, 0));
+    EXPECT_EQ(d.statistics().kernel_evaluations, operator_of(d, 0)->kernel_evaluations() +
+                                                     operator_of(d, 2)->kernel_evaluations() +
+                                                     operator_of(d, 3)->kernel_evaluations());
   }
 }
 

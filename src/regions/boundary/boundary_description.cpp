@@ -1,0 +1,69 @@
+#include "regions/boundary/boundary_description.hpp"
+
+#include <cmath>
+
+#include "error.hpp"
+#include "regions/scheme.hpp"
+#include "scene/outline_rules.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// More elements than this in one region is a mistyped length: no machine holds the operators.
+constexpr double most_elements = 1e6;
+
+void require_element_length(double element_length, double longest) {
+  require(std::isfinite(element_length) && element_length > 0, "element_length is ", element_length,
+          "; it must be > 0");
+  require(longest / element_length <= most_elements, "element_length ", element_length, " would need ",
+          longest / element_length, " elements; the limit is ", most_elements, ": choose a longer one");
+}
+
+double perimeter(const Outline& outline) {
+  double sum = 0;
+  for (const Edge& edge : edges_of(outline)) sum += edge.length();
+  return sum;
+}
+
+Outline checked_outline(const std::vector<Point>& vertices) {
+  scene::require_points(vertices, "vertex");
+  Outline outline{{vertices}};
+  scene::require_sound(outline);
+  return outline;
+}
+
+}  // namespace
+
+BoundaryDescription::BoundaryDescription(int material, const std::vector<Point>& vertices, double element_length)
+    : Region(material, checked_outline(vertices)), element_length_(element_length) {
+  require_element_length(element_length, perimeter(outline()));
+}
+
+void BoundaryDescription::set_outline(Outline changed) {
+  require_element_length(element_length_, perimeter(changed));
+  Region::set_outline(std::move(changed));
+}
+
+void BoundaryDescription::set_edge_mesh(int edge, const scene::EdgeMesh& mesh) {
+  require_element_length(mesh.element_length, this->edge(edge).length());
+  require(std::isfinite(mesh.grading) && mesh.grading >= 1 && mesh.grading <= 4, "grading is ", mesh.grading,
+          "; it must lie between 1 (equal elements) and 4");
+  own_mesh_[edge] = mesh;
+}
+
+scene::EdgeMesh BoundaryDescription::edge_mesh(int edge) const {
+  const auto found = own_mesh_.find(edge);
+  return found != own_mesh_.end() ? found->second : scene::EdgeMesh{element_length_, 1.0};
+}
+
+std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Preparation& preparation) const {
+  return preparation.scheme.boundary_region(id, *this, preparation.scene.material(material()));
+}
+
+int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length) {
+  scene.material(material);
+  return scene.add_region(std::make_unique<BoundaryDescription>(material, vertices, element_length));
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace bempd::regions {
+
+// A boundary element region as described: elements along its edges, which may be curved.
+class BoundaryDescription final : public scene::Region {
+ public:
+  // Throws Error (argument) for an outline or a length that cannot be used.
+  BoundaryDescription(int material, const std::vector<Point>& vertices, double element_length);
+
+  const char* adjective() const override { return "BEM"; }
+  void set_outline(Outline outline) override;
+  bool has_elements() const override { return true; }
+  void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;
+  bool has_own_mesh(int edge) const override { return own_mesh_.count(edge) > 0; }
+  scene::EdgeMesh edge_mesh(int edge) const override;
+  std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
+
+ private:
+  double element_length_;
+  std::map<int, scene::EdgeMesh> own_mesh_;  // by edge number
+};
+
+// Adds one to the scene and returns its id.
+int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length);
+
+}  // namespace bempd::regions

@@ -1,0 +1,177 @@
+#include "regions/boundary/boundary_meshing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "regions/boundary/corner_grading.hpp"
+
+namespace bempd::regions {
+
+using scene::Condition;
+using scene::EdgeMesh;
+using scene::NodeGrid;
+using scene::Scene;
+
+namespace {
+
+// The contact that a piece of an edge belongs to, or null. Breakpoints lie at the ends of all contacts.
+const Contact* contact_at(const Arrangement& arrangement, int region, int edge, double fraction) {
+  for (const Contact& contact : arrangement.contacts) {
+    if (contact.region == region - 1 && contact.edge == edge - 1 && contact.from < fraction && fraction < contact.to) {
+      return &contact;
+    }
+  }
+  return nullptr;
+}
+
+Border border_of(const Scene& scene, const Contact* contact) {
+  if (!contact) return Border::free;
+  return scene.region(contact->other_region + 1).node_grid() ? Border::grid : Border::elements;
+}
+
+// Places where panels of an edge end, without those that its neighbours ask for.
+std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
+  std::vector<double> breaks = p.arrangement.breakpoints[region - 1][edge - 1];
+  breaks.push_back(p.scene.region(region).edge(edge).joint());
+  for (const std::vector<Condition>* conditions : {&p.scene.supports(), &p.scene.loads()}) {
+    for (const Condition& condition : *conditions) {
+      for (double fraction : condition.place->breaks_on(p.scene, region, edge, p.tolerance)) {
+        // At a grid the elements follow its nodes.
+        if (border_of(p.scene, contact_at(p.arrangement, region, edge, fraction)) != Border::grid)
+          breaks.push_back(fraction);
+      }
+    }
+  }
+  return breaks;
+}
+
+std::vector<double> all_breaks(const Preparation& p, int region, int edge) {
+  std::vector<double> breaks = own_breaks(p, region, edge);
+  for (const Contact& contact : p.arrangement.contacts) {
+    if (contact.region != region - 1 || contact.edge != edge - 1) continue;
+    if (border_of(p.scene, &contact) != Border::elements) continue;
+    const double span = contact.other_to - contact.other_from;
+    for (double theirs : own_breaks(p, contact.other_region + 1, contact.other_edge + 1)) {
+      const double share = (theirs - contact.other_from) / span;
+      if (share > 0 && share < 1) breaks.push_back(contact.from + share * (contact.to - contact.from));
+    }
+  }
+  breaks.push_back(0);
+  breaks.push_back(1);
+  std::sort(breaks.begin(), breaks.end());
+  const double close = p.tolerance / p.scene.region(region).edge(edge).length();
+  std::vector<double> distinct{0.0};
+  for (double fraction : breaks) {
+    if (fraction - distinct.back() > close) distinct.push_back(fraction);
+  }
+  if (1 - distinct.back() <= close && distinct.size() > 1) distinct.pop_back();
+  distinct.push_back(1);
+  return distinct;
+}
+
+void require_grid_ends(const Scene& scene, int region, const Contact& contact, const Arc& piece, double tolerance) {
+  const scene::Region& other = scene.region(contact.other_region + 1);
+  const NodeGrid grid = *other.node_grid();
+  for (const Point& end : {piece.start, piece.end}) {
+    const Point scaled = (end - grid.origin) / grid.spacing;
+    const Point nearest = scaled.array().round();
+    require((scaled - nearest).norm() * grid.spacing <= 100 * tolerance, "the interface between region ", region,
+            " and the ", other.adjective(), " region ", contact.other_region + 1, " ends at (", end.x(), ", ", end.y(),
+            "), which is not a lattice point; move that corner to a multiple of the spacing ", grid.spacing,
+            " from the ", other.adjective(), " region's corner, such as (",
+            grid.origin.x() + grid.spacing * nearest.x(), ", ", grid.origin.y() + grid.spacing * nearest.y(), ")");
+  }
+}
+
+// Element ends on the points of a grid; `step` 2 if their middles are to be points too.
+std::vector<double> grid_stations(const Scene& scene, const Contact& contact, const Arc& piece, int step) {
+  const double spacing = scene.region(contact.other_region + 1).node_grid()->spacing;
+  const int count = static_cast<int>(std::lround(piece.length() / spacing));
+  std::vector<double> stations;
+  for (int i = 0; i < count; i += step) stations.push_back(static_cast<double>(i) / count);
+  stations.push_back(1);
+  return stations;
+}
+
+// Both sides of an interface must come to the same elements: the finer wish counts, seen from the lower region number.
+std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
+                                    const Arc& piece) {
+  const int other = contact.other_region + 1;
+  const EdgeMesh ours = scene.region(region).edge_mesh(edge);
+  const EdgeMesh theirs = scene.region(other).edge_mesh(contact.other_edge + 1);
+  const bool lower = region < other;
+  const EdgeMesh& first = lower ? ours : theirs;
+  const EdgeMesh& second = lower ? theirs : ours;
+  const EdgeMesh& mesh = second.element_length < first.element_length ? second : first;
+  return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
+}
+
+// Components of the displacement that supports hold on a piece of an edge.
+Held held_on(const Scene& scene, int region, const PanelSource& source) {
+  if (source.border != Border::free) return Held::interface;
+  const double middle = 0.5 * (source.from + source.to);
+  int components = 0;
+  for (const Condition& support : scene.supports())
+    if (support.place->covers(region, source.edge, middle)) components |= support.components;
+  constexpr int both = 3;
+  return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
+}
+
+// Smaller elements towards singular places, where the host has not chosen the elements.
+void grade_corners(const Scene& scene, int region, BoundaryPanels& panels) {
+  std::size_t first = 0;
+  for (auto& loop : panels.loops) {
+    std::vector<BoundaryPiece> pieces;
+    for (std::size_t p = 0; p < loop.size(); ++p)
+      pieces.push_back({loop[p].arc(), held_on(scene, region, panels.sources[first + p])});
+    const std::vector<SingularEnds> singular = singular_ends(pieces);
+    for (std::size_t p = 0; p < loop.size(); ++p)
+      if (pieces[p].held != Held::interface && !scene.region(region).has_own_mesh(panels.sources[first + p].edge))
+        loop[p].stations = refined_towards(singular[p], loop[p].stations);
+    first += loop.size();
+  }
+}
+
+// Element ends of a piece of an edge.
+std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules, int region, const PanelSource& source,
+                                const Contact* contact, const Arc& piece) {
+  if (source.border == Border::elements) return shared_stations(p.scene, region, source.edge, *contact, piece);
+  const scene::Region& described = p.scene.region(region);
+  if (source.border == Border::grid && !described.has_own_mesh(source.edge))
+    return grid_stations(p.scene, *contact, piece, rules.nodes_on_grids ? 2 : 1);
+  const EdgeMesh mesh = described.edge_mesh(source.edge);
+  return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
+}
+
+void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int edge, BoundaryPanels& result) {
+  const scene::Region& described = p.scene.region(region);
+  const Edge whole = described.edge(edge);
+  const std::vector<double> breaks = all_breaks(p, region, edge);
+  for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
+    const Arc piece = whole.part(breaks[b], breaks[b + 1]);
+    const Contact* contact = contact_at(p.arrangement, region, edge, 0.5 * (breaks[b] + breaks[b + 1]));
+    const Border border = border_of(p.scene, contact);
+    if (border == Border::grid) require_grid_ends(p.scene, region, *contact, piece, p.tolerance);
+    const bool tied = border == Border::grid && described.has_own_mesh(edge) && !rules.nodes_on_grids;
+    const PanelSource source{edge, breaks[b], breaks[b + 1], border, contact ? contact->other_region + 1 : 0, tied};
+    result.loops.back().push_back(
+        {piece.start, piece.end, stations_of(p, rules, region, source, contact, piece), piece.sweep});
+    result.sources.push_back(source);
+  }
+}
+
+}  // namespace
+
+BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region) {
+  BoundaryPanels result;
+  int edge = 0;
+  for (const auto& loop : preparation.scene.region(region).outline().loops) {
+    result.loops.emplace_back();
+    for (std::size_t k = 0; k < loop.size(); ++k) mesh_edge(preparation, rules, region, ++edge, result);
+  }
+  if (rules.grade_corners) grade_corners(preparation.scene, region, result);
+  return result;
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,165 @@
+#include "regions/boundary/boundary_region.hpp"
+
+#include <algorithm>
+#include <typeinfo>
+
+#include "bem/boundary_loads.hpp"
+#include "bem/galerkin_operator.hpp"
+
+namespace bempd::regions {
+
+// Nodes that other regions may have too, and mid nodes whose displacement is the mean of the element's ends.
+struct BoundaryRegion::NodeRoles {
+  std::vector<char> shared, slaved;
+  std::vector<std::array<int, 2>> masters;
+};
+
+BoundaryRegion::BoundaryRegion(int id, const BoundaryDescription&, const scene::Material& material)
+    : Region(id, material) {}
+
+MeshingRules BoundaryRegion::meshing_rules(const Preparation& preparation) const {
+  return {false, preparation.options.text_value("bem.grading") == "auto"};
+}
+
+std::shared_ptr<const bem::BoundaryOperator> BoundaryRegion::make_operator(const bem::AssemblyOptions& assembly) const {
+  return std::make_shared<const bem::GalerkinOperator>(mesh_, elasticity(), assembly);
+}
+
+void BoundaryRegion::mesh(const Preparation& preparation) {
+  const MeshingRules rules = meshing_rules(preparation);
+  middles_follow_ends_ = !rules.nodes_on_grids;
+  BoundaryPanels panels = mesh_edges(preparation, rules, id());
+  panels_ = std::move(panels.sources);
+  mesh_ = mesh_boundary(panels.loops, corner_tractions());
+}
+
+BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
+  const std::size_t count = mesh_.nodes.size();
+  NodeRoles roles{std::vector<char>(count, 0), std::vector<char>(count, 0), std::vector<std::array<int, 2>>(count)};
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    const BoundaryElement& element = mesh_.elements[e];
+    const PanelSource& panel = panels_[element.panel];
+    if (panel.border == Border::free) continue;
+    if (panel.tied) {
+      // The ends of the interface are nodes of both sides.
+      if (e == 0 || mesh_.elements[e - 1].panel != element.panel) roles.shared[element.nodes[0]] = 1;
+      const bool is_last = e + 1 == mesh_.elements.size() || mesh_.elements[e + 1].panel != element.panel;
+      if (is_last) roles.shared[element.nodes[2]] = 1;
+      continue;
+    }
+    for (int node : element.nodes) roles.shared[node] = 1;
+    if (panel.border == Border::grid && middles_follow_ends_) {
+      roles.slaved[element.nodes[1]] = 1;
+      roles.masters[element.nodes[1]] = {element.nodes[0], element.nodes[2]};
+    }
+  }
+  return roles;
+}
+
+void BoundaryRegion::number_nodes(NodeRegistry& registry) {
+  const std::size_t count = mesh_.nodes.size();
+  const NodeRoles roles = this->roles();
+  node_of_mesh_node_.assign(count, -1);
+  std::vector<int> column(count, -1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (roles.slaved[i]) continue;
+    column[i] = static_cast<int>(nodes_.size());
+    nodes_.push_back(roles.shared[i] ? registry.add_shared(mesh_.nodes[i], id()) : registry.add(mesh_.nodes[i]));
+    node_of_mesh_node_[i] = nodes_.back();
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int row = 2 * static_cast<int>(i);
+    for (int component = 0; component < 2; ++component) {
+      if (!roles.slaved[i]) {
+        entries.emplace_back(row + component, 2 * column[i] + component, 1.0);
+        continue;
+      }
+      for (int master : roles.masters[i]) entries.emplace_back(row + component, 2 * column[master] + component, 0.5);
+    }
+  }
+  trace_.resize(2 * static_cast<Eigen::Index>(count), 2 * static_cast<Eigen::Index>(nodes_.size()));
+  trace_.setFromTriplets(entries.begin(), entries.end());
+}
+
+void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
+  number_nodes(contributions.registry);
+  // The operator of a region before that differs by a translation only.
+  for (const auto& other : std::span(preparation.regions).first(static_cast<std::size_t>(id()) - 1)) {
+    if (typeid(*other) != typeid(*this)) continue;
+    const auto& alike = static_cast<const BoundaryRegion&>(*other);
+    if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;
+    operator_ = alike.operator_;
+    break;
+  }
+  if (!operator_) {
+    operator_ = make_operator(
+        {preparation.options.number("bem.quadrature_tolerance"), preparation.options.whole_number("threads")});
+  }
+  // Which nodes have interfaces is a matter of the region, not of its shape.
+  stiffness_ = own_stiffness(preparation);
+}
+
+std::vector<LeadingElements> BoundaryRegion::leading_elements() const {
+  std::vector<LeadingElements> all;
+  for (std::size_t panel = 0; panel < panels_.size(); ++panel) {
+    if (!panels_[panel].tied) continue;
+    LeadingElements leading{panels_[panel].edge, panels_[panel].other_region, {}, {}};
+    const auto append = [&](int node) {
+      leading.places.push_back(mesh_.nodes[node]);
+      leading.nodes.push_back(node_of_mesh_node_[node]);
+    };
+    for (const BoundaryElement& element : mesh_.elements) {
+      if (element.panel != static_cast<int>(panel)) continue;
+      if (leading.nodes.empty()) append(element.nodes[0]);
+      append(element.nodes[1]);
+      append(element.nodes[2]);
+    }
+    all.push_back(std::move(leading));
+  }
+  return all;
+}
+
+std::vector<Point> BoundaryRegion::places_facing(int other_region) const {
+  std::vector<Point> places;
+  for (const BoundaryElement& element : mesh_.elements) {
+    if (panels_[element.panel].other_region != other_region) continue;
+    for (int node : element.nodes) places.push_back(mesh_.nodes[node]);
+  }
+  return places;
+}
+
+bool BoundaryRegion::has_operator_of(const BoundaryRegion& other) const {
+  return other.operator_ == operator_ && other.stiffness_.size() == stiffness_.size() &&
+         (stiffness_.size() == 0 || other.stiffness_ == stiffness_) && other.trace_.rows() == trace_.rows() &&
+         other.trace_.cols() == trace_.cols() && other.trace_.isApprox(trace_, 0);
+}
+
+std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<const RegionOperator> before) const {
+  for (const RegionOperator& other : before) {
+    if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
+      return coupling::DenseOperator{nodes_, other.dense.stiffness, operator_->symmetric()};
+  }
+  const Eigen::MatrixXd half = mesh_stiffness() * trace_;
+  return coupling::DenseOperator{nodes_, std::make_shared<const Eigen::MatrixXd>(trace_.transpose() * half),
+                                 operator_->symmetric()};
+}
+
+std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {
+  if (!elasticity().incompressible()) return std::nullopt;
+  Eigen::VectorXd on_mesh = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
+  bem::add_normal_integrals(mesh_, on_mesh);
+  Eigen::VectorXd flow = Eigen::VectorXd::Zero(dof_count);
+  scatter(trace_.transpose() * on_mesh, flow);
+  return flow;
+}
+
+void BoundaryRegion::add_statistics(RegionStatistics& statistics) const {
+  statistics.boundary_nodes += static_cast<std::int64_t>(mesh_.nodes.size());
+  statistics.boundary_elements += static_cast<std::int64_t>(mesh_.elements.size());
+  statistics.seconds_boundary += seconds_preparing;
+  if (statistics.counted.insert(operator_.get()).second)
+    statistics.kernel_evaluations += operator_->kernel_evaluations();
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include "bem/boundary_operator.hpp"
+#include "bem/interior.hpp"
+#include "elasticity/uniform_body_force.hpp"
+#include "geometry/boundary_mesh.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/boundary/boundary_meshing.hpp"
+#include "regions/region.hpp"
+
+namespace bempd::regions {
+
+// A boundary element region on its nodes, those of its mesh. Mid nodes of elements that follow a grid are not nodes of
+// the scene: there the displacement is linear between the grid's points, so that a constant traction gives them their
+// exact forces. What other schemes do differently are the protected virtual functions.
+class BoundaryRegion : public Region {
+ public:
+  BoundaryRegion(int id, const BoundaryDescription& described, const scene::Material& material);
+
+  const BoundaryMesh& boundary_mesh() const { return mesh_; }
+  const bem::BoundaryOperator* boundary_operator() const { return operator_.get(); }
+
+  void mesh(const Preparation& preparation) override;
+  void build(const Preparation& preparation, Contributions& contributions) override;
+  std::vector<LeadingElements> leading_elements() const override;
+  std::vector<Point> places_facing(int other_region) const override;
+
+  std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const override;
+  const Eigen::MatrixXd* stiffness() const override { return &mesh_stiffness(); }
+  std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
+
+  std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
+  void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
+                    Eigen::Ref<Eigen::VectorXd> force) const override;
+  // By a state of stress that has the body force everywhere: what is left to the boundary is free of it.
+  void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
+
+  FieldSize field_size(Field field) const override;
+  FieldValues field(Field field, const Solution& solution) const override;
+  std::int64_t cell_count() const override { return static_cast<std::int64_t>(mesh_.elements.size()); }
+  Cells cells() const override;
+  SnapshotBlock snapshot_block() const override;
+  FieldValues at_nodes(Field field, const FieldValues& values) const override;
+  std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
+                                       bool with_stress) const override;
+  int rank_at_interfaces() const override { return 1; }
+  void add_statistics(RegionStatistics& statistics) const override;
+
+ protected:
+  virtual MeshingRules meshing_rules(const Preparation& preparation) const;
+  virtual CornerTractions corner_tractions() const { return CornerTractions::two; }
+  virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
+  // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
+  // empty for none.
+  virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }
+
+  const std::vector<PanelSource>& panels() const { return panels_; }
+
+ private:
+  struct NodeRoles;
+
+  NodeRoles roles() const;
+  void number_nodes(NodeRegistry& registry);
+  const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
+  bool has_operator_of(const BoundaryRegion& other) const;
+  UniformBodyForce particular(const Point& body_force) const;
+  // Displacements of the mesh's nodes without those of the particular solution.
+  Eigen::VectorXd displacement_without(const UniformBodyForce& particular, const Solution& solution) const;
+  bem::InteriorEvaluator interior_without(const UniformBodyForce& particular, const Solution& solution) const;
+  FieldValues element_tractions(const Solution& solution) const;
+  FieldValues element_stress(const Solution& solution) const;
+  FieldValues boundary_stress(const Solution& solution) const;
+
+  std::vector<PanelSource> panels_;
+  BoundaryMesh mesh_;
+  std::vector<int> node_of_mesh_node_;                     // of the scene, or -1
+  Eigen::SparseMatrix<double> trace_;                      // mesh displacements from those of the region's nodes
+  std::shared_ptr<const bem::BoundaryOperator> operator_;  // shared by regions that are alike
+  Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
+  bool middles_follow_ends_ = true;                        // at grids that the elements follow
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,155 @@
+#include "bem/element_geometry.hpp"
+#include "error.hpp"
+#include "regions/boundary/boundary_region.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+FieldValues pairs_of(const Eigen::VectorXd& values) { return {{values.data(), values.data() + values.size()}, 2}; }
+
+void append(FieldValues& field, const Eigen::Vector3d& stress) {
+  field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
+}
+
+Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
+  return {stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y()};
+}
+
+// Somigliana's identity for what is left without the body force, and the particular solution that has it.
+class BoundaryEvaluator final : public Evaluator {
+ public:
+  BoundaryEvaluator(int region, bem::InteriorEvaluator interior, const UniformBodyForce& particular, bool with_stress)
+      : region_(region), interior_(std::move(interior)), particular_(particular), with_stress_(with_stress) {}
+
+  PointValue at(const Point& place) override {
+    if (!with_stress_)
+      return {region_, interior_.displacement_at(place) + particular_.displacement(place), Eigen::Vector3d::Zero()};
+    const auto rest = interior_.at(place);
+    return {region_, rest.displacement + particular_.displacement(place), rest.stress + particular_.stress(place)};
+  }
+  std::int64_t kernel_evaluations() const override { return interior_.kernel_evaluations(); }
+
+ private:
+  int region_;
+  bem::InteriorEvaluator interior_;
+  UniformBodyForce particular_;
+  bool with_stress_;
+};
+
+}  // namespace
+
+FieldSize BoundaryRegion::field_size(Field field) const {
+  require(field != Field::damage && field != Field::bond_stretch, "region ", id(),
+          " is a BEM region and has no bonds; ask a peridynamic region");
+  const bool of_elements = field == Field::traction || field == Field::element_stress;
+  return {static_cast<std::int64_t>(of_elements ? 3 * mesh_.elements.size() : mesh_.nodes.size()),
+          components_of(field)};
+}
+
+FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
+  switch (field) {
+    case Field::position: {
+      FieldValues positions{{}, 2};
+      for (const Point& p : mesh_.nodes) positions.values.insert(positions.values.end(), {p.x(), p.y()});
+      return positions;
+    }
+    case Field::displacement:
+      return pairs_of(trace_ * gather(solution.displacement));
+    case Field::traction:
+      return element_tractions(solution);
+    case Field::stress:
+      return boundary_stress(solution);
+    case Field::element_stress:
+      return element_stress(solution);
+    case Field::damage:
+    case Field::bond_stretch:
+      break;  // refused by field_size()
+  }
+  return {};
+}
+
+FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
+  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const Eigen::VectorXd tractions = operator_->tractions(displacement_without(particular, solution));
+  FieldValues field{{}, 2};
+  for (const BoundaryElement& element : mesh_.elements) {
+    const auto geometry = bem::element_through(mesh_.nodes[element.nodes[0]], mesh_.nodes[element.nodes[1]],
+                                               mesh_.nodes[element.nodes[2]], element.sweep);
+    for (int k = 0; k < 3; ++k) {
+      const Point normal = bem::scaled_normal(geometry.derivative(k - 1)).normalized();
+      const Point traction = Point(tractions.segment<2>(2 * element.traction_nodes[k])) +
+                             traction_of(particular.stress(mesh_.nodes[element.nodes[k]]), normal);
+      field.values.insert(field.values.end(), {traction.x(), traction.y()});
+    }
+  }
+  return field;
+}
+
+// At the three nodes of every element, from its own traction and tangential strain.
+FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
+  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const bem::InteriorEvaluator rest = interior_without(particular, solution);
+  FieldValues field{{}, 3};
+  for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+    for (int k = 0; k < 3; ++k)
+      append(field, rest.stress_on(e, k - 1) + particular.stress(mesh_.nodes[mesh_.elements[e].nodes[k]]));
+  }
+  return field;
+}
+
+// The mean of the elements that meet in a node.
+FieldValues BoundaryRegion::boundary_stress(const Solution& solution) const {
+  const FieldValues sides = element_stress(solution);
+  Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(mesh_.nodes.size()));
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(sums.cols());
+  const double* side = sides.values.data();
+  for (const BoundaryElement& element : mesh_.elements) {
+    for (int node : element.nodes) {
+      sums.col(node) += Eigen::Map<const Eigen::Vector3d>(side);
+      counts[node] += 1;
+      side += 3;
+    }
+  }
+  FieldValues field{{}, 3};
+  for (Eigen::Index node = 0; node < sums.cols(); ++node) append(field, sums.col(node) / counts[node]);
+  return field;
+}
+
+Cells BoundaryRegion::cells() const {
+  Cells cells{3, {}};
+  for (const BoundaryElement& element : mesh_.elements)
+    cells.nodes.insert(cells.nodes.end(), element.nodes.begin(), element.nodes.end());
+  return cells;
+}
+
+SnapshotBlock BoundaryRegion::snapshot_block() const {
+  return {"boundary",
+          1,
+          output::VtuCell::quadratic_edge,
+          {{"displacement", Field::displacement}, {"traction", Field::traction}, {"stress", Field::stress}}};
+}
+
+// Tractions of the two elements at a node differ at corners: their mean is what a picture shows.
+FieldValues BoundaryRegion::at_nodes(Field which, const FieldValues& values) const {
+  if (which != Field::traction) return values;
+  FieldValues field{std::vector<double>(2 * mesh_.nodes.size(), 0.0), 2};
+  std::vector<int> count(mesh_.nodes.size(), 0);
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    for (int k = 0; k < 3; ++k) {
+      const int node = mesh_.elements[e].nodes[k];
+      for (int c = 0; c < 2; ++c) field.values[2 * node + c] += values.values[2 * (3 * e + k) + c];
+      ++count[node];
+    }
+  }
+  for (std::size_t i = 0; i < field.values.size(); ++i) field.values[i] /= count[i / 2];
+  return field;
+}
+
+std::unique_ptr<Evaluator> BoundaryRegion::evaluator(const Solution& solution, const FieldsOfRegion&,
+                                                     bool with_stress) const {
+  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  return std::make_unique<BoundaryEvaluator>(id(), interior_without(particular, solution), particular, with_stress);
+}
+
+}  // namespace bempd::regions

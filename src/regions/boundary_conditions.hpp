@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "regions/discretization.hpp"
+
+namespace bempd::regions {
+
+// Supports and loads as values on the degrees of freedom of the scene's nodes (2 * node + component).
+struct DofConditions {
+  std::vector<char> prescribed;                 // per degree of freedom
+  coupling::Affine displacement;                // of prescribed degrees of freedom [m]
+  coupling::Affine force;                       // [N]
+  coupling::Affine body_force;                  // [N/m^3], 2 * (region - 1) + component; part of `force`
+  std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
+
+  // Of every region at a load factor.
+  std::vector<Point> body_forces(double load_factor) const;
+};
+
+// Throws Error (argument) for contradictory supports, tractions on interfaces, and places without a node.
+DofConditions apply_conditions(const scene::Scene& scene, const Discretization& discretization);
+
+}  // namespace bempd::regions

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupling/node_ties.hpp"
+#include "coupling/operators.hpp"
+#include "geometry/arrangement.hpp"
+#include "regions/region.hpp"
+#include "scene/options.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::regions {
+
+struct Discretization {
+  double tolerance;  // distance below which places are the same
+  Arrangement arrangement;
+  std::vector<Point> positions;  // of the scene's nodes
+  std::vector<std::unique_ptr<Region>> regions;
+  coupling::BondSet bonds;
+  coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
+  std::vector<double> critical_stretch;  // per bond
+  std::vector<std::string> warnings;
+
+  const Region& region(int id) const { return *regions[static_cast<std::size_t>(id) - 1]; }
+  std::vector<coupling::DenseOperator> dense_operators() const;
+  RegionStatistics statistics() const;
+};
+
+// Throws Error (argument) if regions overlap, touch at points only, or do not match at interfaces.
+Discretization discretize(const scene::Scene& scene, const scene::Options& options);
+
+}  // namespace bempd::regions

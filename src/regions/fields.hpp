@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "coupling/operators.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::regions {
+
+enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch, element_stress };
+enum class BondState { intact = 0, broken = 1, cut = 2 };
+
+// A field as numbers, entry by entry.
+struct FieldValues {
+  std::vector<double> values;
+  int components = 1;
+  std::int64_t count() const { return static_cast<std::int64_t>(values.size()) / components; }
+};
+
+struct FieldSize {
+  std::int64_t count;
+  int components;
+};
+
+inline int components_of(Field field) {
+  if (field == Field::stress || field == Field::element_stress) return 3;
+  return field == Field::damage || field == Field::bond_stretch ? 1 : 2;
+}
+
+// A state of all nodes and bonds at one load factor.
+struct Solution {
+  const Eigen::VectorXd& displacement;  // [m], 2 * node + component
+  const coupling::BondSet& bonds;
+  const std::vector<char>& intact;  // per bond
+  std::vector<Point> body_forces;   // [N/m^3], per region
+
+  const Point& body_force(int region) const { return body_forces[static_cast<std::size_t>(region) - 1]; }
+};
+
+struct PointValue {
+  int region = 0;
+  Point displacement = Point::Zero();
+  Eigen::Vector3d stress = Eigen::Vector3d::Zero();
+};
+
+// Fields of one region under one solution, computed when they are asked for.
+using FieldsOfRegion = std::function<const FieldValues&(Field)>;
+
+// Displacement and stress at places in one region under one solution.
+class Evaluator {
+ public:
+  virtual ~Evaluator() = default;
+  virtual PointValue at(const Point& place) = 0;
+  virtual std::int64_t kernel_evaluations() const { return 0; }
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,96 @@
+#include "regions/lattice/lattice_description.hpp"
+
+#include <cmath>
+
+#include "error.hpp"
+#include "regions/scheme.hpp"
+#include "scene/outline_rules.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// More cells than this in one region is a mistyped length: no machine holds the operators.
+constexpr double most_cells = 1e9;
+
+std::string list_of(const std::vector<double>& values) {
+  std::string list;
+  for (std::size_t i = 0; i < values.size(); ++i) list += text(i == 0 ? "" : " or ", values[i]);
+  return list;
+}
+
+LatticeOutline require_lattice(const Outline& outline, double spacing) {
+  LatticeFit fit = fit_lattice(outline, spacing);
+  const std::string advice = fit.suggestions.empty()
+                                 ? std::string("; choose one that divides all edges and offsets of holes")
+                                 : "; try " + list_of(fit.suggestions);
+  switch (fit.misfit) {
+    case LatticeMisfit::none:
+      break;
+    case LatticeMisfit::bad_spacing:
+      require(false, "spacing ", spacing,
+              " is not a usable lattice spacing for this outline; it must be positive, and large enough for cells to "
+              "be counted");
+      break;
+    case LatticeMisfit::oblique_edge:
+      require(false, "edge ", fit.edge + 1,
+              " is parallel to neither axis; the outline of a peridynamic region must be rectilinear");
+      break;
+    case LatticeMisfit::indivisible_edge:
+      require(false, "spacing ", spacing, " does not divide edge ", fit.edge + 1, " of length ", fit.length, advice);
+      break;
+    case LatticeMisfit::shifted_hole:
+      require(false, "the hole is ", fit.length,
+              " away from the first vertex along an axis, which is not a whole number of spacings ", spacing, advice);
+      break;
+  }
+  return fit.outline;
+}
+
+void require_bond_based(int material_id, const PlaneElasticity& elasticity) {
+  const double needed = bond_based_poisson_ratio(elasticity.state);
+  require(std::abs(elasticity.poisson_ratio - needed) < 1e-9, "material ", material_id, " has Poisson's ratio ",
+          elasticity.poisson_ratio, "; bond-based peridynamics needs ",
+          elasticity.state == PlaneState::stress ? "1/3 in plane stress" : "1/4 in plane strain");
+}
+
+Outline checked_outline(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
+                        double spacing, int horizon_ratio) {
+  require_bond_based(material_id, material.elasticity);
+  require(horizon_ratio >= 2 && horizon_ratio <= 8, "horizon_ratio is ", horizon_ratio, "; it must be 2 .. 8");
+  require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
+  scene::require_points(vertices, "vertex");
+  require(vertices.size() >= 4, "the outline has ", vertices.size(),
+          " vertices; a rectilinear outline has at least 4, without repeating the first at the end");
+  Outline outline{{vertices}};
+  scene::require_sound(outline);
+  const double cells = area(outline) / (spacing * spacing);
+  require(cells <= most_cells, "spacing ", spacing, " would need ", cells, " cells; the limit is ", most_cells,
+          ": choose a larger one");
+  return outline;
+}
+
+}  // namespace
+
+LatticeDescription::LatticeDescription(int material_id, const scene::Material& material,
+                                       const std::vector<Point>& vertices, double spacing, int horizon_ratio)
+    : Region(material_id, checked_outline(material_id, material, vertices, spacing, horizon_ratio)),
+      horizon_ratio_(horizon_ratio),
+      lattice_(require_lattice(outline(), spacing)) {}
+
+void LatticeDescription::set_outline(Outline changed) {
+  lattice_ = require_lattice(changed, lattice_.spacing);
+  Region::set_outline(std::move(changed));
+}
+
+std::unique_ptr<regions::Region> LatticeDescription::build(int id, const Preparation& preparation) const {
+  return preparation.scheme.lattice_region(id, *this, preparation.scene.material(material()));
+}
+
+int add_lattice_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
+                       int horizon_ratio) {
+  return scene.add_region(
+      std::make_unique<LatticeDescription>(material, scene.material(material), vertices, spacing, horizon_ratio));
+}
+
+}  // namespace bempd::regions

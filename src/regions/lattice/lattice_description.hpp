@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/rectilinear.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::regions {
+
+// A peridynamic region as described: a rectilinear outline on a square lattice and a horizon.
+class LatticeDescription : public scene::Region {
+ public:
+  // Throws Error (argument) for an outline that the spacing does not divide, a horizon out of range, and a material
+  // that is not bond-based; `material_id` names that one in sentences.
+  LatticeDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
+                     double spacing, int horizon_ratio);
+
+  const LatticeOutline& lattice() const { return lattice_; }
+  int horizon_ratio() const { return horizon_ratio_; }
+
+  const char* adjective() const override { return "peridynamic"; }
+  void set_outline(Outline outline) override;
+  std::optional<scene::NodeGrid> node_grid() const override {
+    return scene::NodeGrid{lattice_.origin, lattice_.spacing};
+  }
+  std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
+
+ private:
+  int horizon_ratio_;
+  LatticeOutline lattice_;
+};
+
+// Adds one to the scene and returns its id.
+int add_lattice_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
+                       int horizon_ratio);
+
+}  // namespace bempd::regions

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/rectilinear.hpp"
+#include "pd/cell_lattice.hpp"
+#include "pd/network.hpp"
+#include "regions/lattice/lattice_description.hpp"
+#include "regions/region.hpp"
+
+namespace bempd::regions {
+
+// A peridynamic region on its material points, the corners of its cells. What other lattices do differently are the
+// protected virtual functions.
+class LatticeRegion : public Region {
+ public:
+  LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material);
+
+  const std::shared_ptr<const pd::Network>& network() const { return network_; }
+
+  void build(const Preparation& preparation, Contributions& contributions) override;
+  void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const override;
+
+  std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
+  void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
+                    Eigen::Ref<Eigen::VectorXd> force) const override;
+  void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
+
+  bool takes_cracks() const override { return true; }
+  void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
+           std::vector<std::string>& warnings) const override;
+  const std::vector<pd::Bond>* bonds() const override { return &network_->bonds; }
+  std::size_t first_bond() const override { return first_bond_; }
+
+  FieldSize field_size(Field field) const override;
+  FieldValues field(Field field, const Solution& solution) const override;
+  std::int64_t cell_count() const override { return grid_->cell_count(); }
+  Cells cells() const override;
+  SnapshotBlock snapshot_block() const override;
+  std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
+                                       bool with_stress) const override;
+  int rank_at_interfaces() const override { return 2; }
+  void add_statistics(RegionStatistics& statistics) const override;
+
+ protected:
+  // Where supports and loads on an edge act.
+  struct EdgePoint {
+    int point;
+    double fraction;  // of the edge
+  };
+
+  // Puts points where the edges of neighbours ask for them; those of the grid are there.
+  virtual void place_points(const Preparation& /*preparation*/) {}
+  // Material points that are nodes of other regions too: all on interfaces that match, the ends of others.
+  virtual std::vector<char> shared_points(const Preparation& preparation) const;
+  virtual pd::Network make_network(int threads) const;
+  // Whether another region, of the same class, has the same network.
+  virtual bool is_alike(const LatticeRegion& other) const;
+  virtual double critical_stretch(const Preparation& preparation) const;
+  virtual std::vector<EdgePoint> edge_points(int edge) const;
+  // Adds forces at the points of a traction on a straight piece of boundary, all in coordinates of the cells.
+  virtual void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
+                               Eigen::Ref<Eigen::VectorXd> forces) const;
+  // Share of a full cell's volume that every point takes of a force per volume.
+  virtual std::vector<double> cell_shares() const;
+  // 1 - intact bonds / bonds before any crack.
+  virtual FieldValues damage(const std::vector<char>& intact) const;
+  // Whether a crack may pass through points, which then stay bonded to both of its faces.
+  virtual bool cracks_may_meet_points() const { return false; }
+  // How far beyond the grid's cells values are asked for, in spacings.
+  virtual double reach_beyond_cells() const { return 0; }
+
+  void use_grid(pd::CellLattice grid, const Point& origin);
+
+  int point_count() const { return static_cast<int>(points_.size()); }
+  double spacing() const { return outline_.spacing; }
+  const LatticeOutline& outline() const { return outline_; }
+  const pd::CellLattice& grid() const { return *grid_; }
+  const Point& origin() const { return origin_; }
+  int horizon_ratio() const { return horizon_ratio_; }
+  // One entry a bond, nonzero where it is broken or cut.
+  std::vector<std::uint8_t> broken_bonds(const std::vector<char>& intact) const;
+  // Points on an edge or a part of it between corners of cells, ends included; only where the corners are the points.
+  std::vector<int> points_along(const Point& start, const Point& end) const;
+  Point position(int point) const { return from_grid(points_[static_cast<std::size_t>(point)]); }
+  Point to_grid(const Point& p) const { return (p - origin_) / spacing(); }
+  Point from_grid(const Point& p) const { return origin_ + spacing() * p; }
+
+  std::vector<Point> points_;  // all material points, in grid coordinates; those of the grid first
+
+ private:
+  class LatticeEvaluator;
+
+  void take_network(const Preparation& preparation, std::vector<std::string>& warnings);
+  void add_bonds(double critical_stretch, Contributions& contributions);
+  FieldValues stress(const Solution& solution) const;
+  FieldValues bond_stretch(const Solution& solution) const;
+
+  LatticeOutline outline_;                 // of the cells
+  std::unique_ptr<pd::CellLattice> grid_;  // points of the grid and the cells between them
+  Point origin_ = Point::Zero();           // place of the grid's point (0, 0) [m]
+  int horizon_ratio_;
+  std::shared_ptr<const pd::Network> network_;  // shared by regions that are alike
+  std::size_t first_bond_ = 0;                  // index of its first bond among the scene's
+};
+
+}  // namespace bempd::regions

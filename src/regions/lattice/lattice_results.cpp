@@ -1,0 +1,155 @@
+#include <cmath>
+
+#include "error.hpp"
+#include "pd/deformation.hpp"
+#include "regions/lattice/lattice_region.hpp"
+
+namespace bempd::regions {
+
+std::vector<std::uint8_t> LatticeRegion::broken_bonds(const std::vector<char>& intact) const {
+  std::vector<std::uint8_t> broken(network_->bonds.size());
+  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[first_bond_ + b] ? 0 : 1;
+  return broken;
+}
+
+FieldSize LatticeRegion::field_size(Field field) const {
+  require(field != Field::traction && field != Field::element_stress, "region ", id(),
+          " is peridynamic and has no tractions and no boundary elements; ask a BEM region");
+  const std::int64_t count =
+      field == Field::bond_stretch ? static_cast<std::int64_t>(network_->bonds.size()) : point_count();
+  return {count, components_of(field)};
+}
+
+FieldValues LatticeRegion::field(Field field, const Solution& solution) const {
+  switch (field) {
+    case Field::position: {
+      FieldValues positions{{}, 2};
+      for (int i = 0; i < point_count(); ++i) {
+        const Point p = position(i);
+        positions.values.insert(positions.values.end(), {p.x(), p.y()});
+      }
+      return positions;
+    }
+    case Field::displacement: {
+      const Eigen::VectorXd values = gather(solution.displacement);
+      return {{values.data(), values.data() + values.size()}, 2};
+    }
+    case Field::damage:
+      return damage(solution.intact);
+    case Field::stress:
+      return stress(solution);
+    case Field::bond_stretch:
+      return bond_stretch(solution);
+    case Field::traction:
+    case Field::element_stress:
+      break;  // refused by field_size()
+  }
+  return {};
+}
+
+FieldValues LatticeRegion::damage(const std::vector<char>& intact) const {
+  std::vector<int> all(points_.size(), 0), left(points_.size(), 0);
+  for (std::size_t b = 0; b < network_->bonds.size(); ++b) {
+    for (int point : {network_->bonds[b].first, network_->bonds[b].second}) {
+      ++all[point];
+      left[point] += intact[first_bond_ + b];
+    }
+  }
+  FieldValues field{std::vector<double>(points_.size(), 0.0), 1};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] > 0) field.values[i] = 1 - static_cast<double>(left[i]) / all[i];
+  }
+  return field;
+}
+
+FieldValues LatticeRegion::stress(const Solution& solution) const {
+  const Eigen::VectorXd displacement = gather(solution.displacement) / spacing();
+  FieldValues field{{}, 3};
+  for (const Eigen::Vector3d& strain :
+       pd::bond_strains(point_count(), *network_, broken_bonds(solution.intact), displacement)) {
+    const Eigen::Vector3d stress = pd::stress_of(strain, elasticity());
+    field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
+  }
+  return field;
+}
+
+FieldValues LatticeRegion::bond_stretch(const Solution& solution) const {
+  FieldValues field{{}, 1};
+  for (std::size_t b = first_bond_; b < first_bond_ + network_->bonds.size(); ++b)
+    field.values.push_back(solution.bonds.elongation(b, solution.displacement.data()) / solution.bonds.length[b]);
+  return field;
+}
+
+Cells LatticeRegion::cells() const {
+  Cells cells{4, {}};
+  for (int i = 0; i < grid_->point_count(); ++i) {
+    const Eigen::Vector2i corner = grid_->point(i);
+    if (!grid_->has_cell(corner)) continue;
+    const auto corners = grid_->cell_corners(corner);
+    // From rows to counter-clockwise order.
+    cells.nodes.insert(cells.nodes.end(), {corners[0], corners[1], corners[3], corners[2]});
+  }
+  return cells;
+}
+
+SnapshotBlock LatticeRegion::snapshot_block() const {
+  return {"lattice",
+          0,
+          output::VtuCell::quad,
+          {{"displacement", Field::displacement}, {"damage", Field::damage}, {"stress", Field::stress}}};
+}
+
+// Bilinear interpolation in a cell of the grid.
+class LatticeRegion::LatticeEvaluator final : public Evaluator {
+ public:
+  LatticeEvaluator(const LatticeRegion& region, const FieldsOfRegion& fields, bool with_stress)
+      : region_(region),
+        displacement_(fields(Field::displacement)),
+        stress_(with_stress ? &fields(Field::stress) : nullptr) {}
+
+  PointValue at(const Point& place) override {
+    const CellWeights cell = weights_at(place);
+    PointValue value;
+    value.region = region_.id();
+    for (int k = 0; k < 4; ++k) {
+      value.displacement += cell.weights[k] * Eigen::Map<const Point>(&displacement_.values[2 * cell.points[k]]);
+      if (stress_)
+        value.stress += cell.weights[k] * Eigen::Map<const Eigen::Vector3d>(&stress_->values[3 * cell.points[k]]);
+    }
+    return value;
+  }
+
+ private:
+  struct CellWeights {
+    std::array<int, 4> points;
+    std::array<double, 4> weights;
+  };
+
+  CellWeights weights_at(const Point& place) const {
+    const Point p = region_.to_grid(place);
+    const double reach = region_.reach_beyond_cells() + 1e-6;
+    const Eigen::Vector2i base(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
+    // On a boundary the cell may lie on the other side of a lattice line.
+    for (const Eigen::Vector2i& shift :
+         {Eigen::Vector2i(0, 0), {-1, 0}, {0, -1}, {-1, -1}, {1, 0}, {0, 1}, {1, 1}, {-1, 1}, {1, -1}}) {
+      const Eigen::Vector2i cell = base + shift;
+      const Point local = p - cell.cast<double>();
+      if (!region_.grid().has_cell(cell) || (local.array() < -reach).any() || (local.array() > 1 + reach).any())
+        continue;
+      const double x = local.x(), y = local.y();
+      return {region_.grid().cell_corners(cell), {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}};
+    }
+    fail(Failure::argument, "the place (", place.x(), ", ", place.y(), ") lies in no lattice cell");
+  }
+
+  const LatticeRegion& region_;
+  const FieldValues& displacement_;
+  const FieldValues* stress_;
+};
+
+std::unique_ptr<Evaluator> LatticeRegion::evaluator(const Solution&, const FieldsOfRegion& fields,
+                                                    bool with_stress) const {
+  return std::make_unique<LatticeEvaluator>(*this, fields, with_stress);
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace bempd::regions {
+
+// Numbers the nodes of all regions. Nodes on interfaces of different regions that lie at the same place become one.
+class NodeRegistry {
+ public:
+  NodeRegistry(const Point& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
+
+  // A node that belongs to one region only.
+  int add(const Point& position);
+
+  // A node on an interface: the one that another region has put at this place, or a new one.
+  int add_shared(const Point& position, int region);
+
+  const std::vector<Point>& positions() const { return positions_; }
+
+ private:
+  struct Entry {
+    int node;
+    int last_region;
+  };
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const;
+  };
+  Cell cell_of(const Point& position) const;
+
+  Point origin_;
+  double tolerance_;
+  std::vector<Point> positions_;
+  std::unordered_map<Cell, std::vector<Entry>, CellHash> cells_;
+};
+
+}  // namespace bempd::regions

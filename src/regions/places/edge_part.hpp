@@ -1,0 +1,27 @@
+#pragma once
+
+#include "scene/place.hpp"
+
+namespace bempd::regions {
+
+// Part of an edge between two fractions of its length; loads on it are tractions [Pa].
+class EdgePart final : public scene::Place {
+ public:
+  EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
+
+  void check(const scene::Scene& scene) const override;
+  std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
+  bool covers(int region, int edge, double fraction) const override;
+  std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
+                                     int support) const override;
+  void add_load(const scene::Scene& scene, const Discretization& discretization, int load,
+                DofConditions& conditions) const override;
+
+ private:
+  void require_free_edge(const Discretization& discretization, int load, double edge_length) const;
+
+  int region_, edge_;  // ids
+  double from_, to_;   // fractions of the edge
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "geometry/point.hpp"
+#include "scene/place.hpp"
+
+namespace bempd::regions {
+
+// A node or material point; loads on it are forces [N].
+class SinglePoint final : public scene::Place {
+ public:
+  explicit SinglePoint(const Point& where) : where_(where) {}
+
+  void check(const scene::Scene& scene) const override;
+  std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
+  bool covers(int, int, double) const override { return false; }
+  std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
+                                     int support) const override;
+  void add_load(const scene::Scene& scene, const Discretization& discretization, int load,
+                DofConditions& conditions) const override;
+
+ private:
+  int node_in(const Discretization& discretization) const;
+
+  Point where_;
+};
+
+}  // namespace bempd::regions

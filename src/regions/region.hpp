@@ -1,0 +1,158 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "coupling/node_ties.hpp"
+#include "coupling/operators.hpp"
+#include "geometry/edge.hpp"
+#include "output/vtu.hpp"
+#include "pd/network.hpp"
+#include "regions/fields.hpp"
+#include "regions/preparation.hpp"
+#include "scene/material.hpp"
+
+namespace bempd::regions {
+
+// Part of an edge between two fractions of its length.
+struct EdgeSpan {
+  int edge;  // number in its region
+  Edge geometry;
+  double from, to;
+};
+
+// A node of the scene and where it lies on a part of an edge, as a fraction of the part.
+struct PlacedNode {
+  int node;
+  double fraction;
+};
+
+// Elements along a straight interface, which the nodes of the region on the other side follow: start and, for every
+// element, its middle and its end.
+struct LeadingElements {
+  int edge;      // of the region that has the elements
+  int follower;  // id of the other region
+  std::vector<Point> places;
+  std::vector<int> nodes;  // of the scene
+};
+
+struct RegionOperator {
+  const class Region* region;
+  coupling::DenseOperator dense;
+};
+
+// Cells between the nodes of a region, or elements of its boundary.
+struct Cells {
+  int nodes_per_cell;
+  std::vector<std::int32_t> nodes;  // in the region's own numbering
+};
+
+// The part of a snapshot that a region is written to, together with the others that name it.
+struct SnapshotBlock {
+  std::string name;
+  int number;  // blocks are written in this order
+  output::VtuCell cell;
+  struct Array {
+    const char* name;
+    Field field;
+  };
+  std::vector<Array> arrays;
+};
+
+// What regions are made of, summed up.
+struct RegionStatistics {
+  std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
+  double seconds_boundary = 0, seconds_lattice = 0;
+  std::set<const void*> counted;  // what regions share counts once
+};
+
+// A region as operators on the scene's nodes. Its own nodes are numbered from 0; `nodes()` gives theirs in the scene.
+class Region {
+ public:
+  Region(int id, const scene::Material& material) : id_(id), material_(material) {}
+  virtual ~Region() = default;
+  Region(const Region&) = delete;
+  Region& operator=(const Region&) = delete;
+
+  int id() const { return id_; }
+  const scene::Material& material() const { return material_; }
+  const PlaneElasticity& elasticity() const { return material_.elasticity; }
+  const std::vector<int>& nodes() const { return nodes_; }
+
+  // --- Preparation: each step for all regions, in the order of their ids, before the next one.
+
+  virtual void mesh(const Preparation& /*preparation*/) {}
+  // Numbers the nodes and builds operators; bonds go to the scene's.
+  virtual void build(const Preparation& preparation, Contributions& contributions) = 0;
+  // Interfaces at which nodes of the other side are to follow this region's elements, and the other side's part in it.
+  virtual std::vector<LeadingElements> leading_elements() const { return {}; }
+  virtual void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const;
+  // Places of nodes on interfaces with another region, once meshed [m].
+  virtual std::vector<Point> places_facing(int /*other_region*/) const { return {}; }
+
+  // --- What it contributes to equilibrium
+
+  // Stiffness on its nodes, if it has one as a matrix; taken over from a region before if it is the same.
+  virtual std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const;
+  // The matrix that tells this region from others, for the fingerprint of the scene; null if its bonds do.
+  virtual const Eigen::MatrixXd* stiffness() const { return nullptr; }
+  // Volume that flows out per displacement of each degree of freedom, of a region that cannot change its volume.
+  virtual std::optional<Eigen::VectorXd> outflow(Eigen::Index /*dof_count*/) const { return std::nullopt; }
+
+  // --- Supports and loads
+
+  // Nodes on a part of an edge, with its ends.
+  virtual std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const = 0;
+  // Adds nodal forces [N] of a traction [Pa] on a part of a free edge. Forces are numbered 2 * scene node + component.
+  virtual void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
+                            Eigen::Ref<Eigen::VectorXd> force) const = 0;
+  // Adds nodal forces [N] of a constant force per volume [N/m^3].
+  virtual void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
+
+  // --- Cracks and bonds
+
+  virtual bool takes_cracks() const { return false; }
+  // Adds the scene's bonds that crack number `crack` cuts.
+  virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
+                   std::vector<std::string>& /*warnings*/) const {}
+  // Pairs of own nodes; null for a region without bonds. They are a row of the scene's bonds.
+  virtual const std::vector<pd::Bond>* bonds() const { return nullptr; }
+  virtual std::size_t first_bond() const { return 0; }
+
+  // --- Results
+
+  // Throws Error (argument) for a field that the region does not have.
+  virtual FieldSize field_size(Field field) const = 0;
+  virtual FieldValues field(Field field, const Solution& solution) const = 0;
+  virtual std::int64_t cell_count() const = 0;
+  virtual Cells cells() const = 0;
+  virtual SnapshotBlock snapshot_block() const = 0;
+  // A field as a snapshot shows it, one entry a node.
+  virtual FieldValues at_nodes(Field /*field*/, const FieldValues& values) const { return values; }
+  // `fields` and the solution outlive the evaluator.
+  virtual std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
+                                               bool with_stress) const = 0;
+  // On an interface the region with the highest rank is asked for values.
+  virtual int rank_at_interfaces() const = 0;
+  virtual void add_statistics(RegionStatistics& statistics) const = 0;
+
+  double seconds_preparing = 0;
+
+ protected:
+  // Values at the region's own nodes from those of all nodes, two each, and their sums back.
+  Eigen::VectorXd gather(const Eigen::VectorXd& of_scene) const;
+  void scatter(const Eigen::VectorXd& own, Eigen::Ref<Eigen::VectorXd> of_scene) const;
+
+  std::vector<int> nodes_;
+
+ private:
+  int id_;
+  scene::Material material_;
+};
+
+}  // namespace bempd::regions

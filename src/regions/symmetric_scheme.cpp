@@ -1,0 +1,26 @@
+#include "regions/symmetric_scheme.hpp"
+
+#include "regions/boundary/boundary_region.hpp"
+#include "regions/lattice/lattice_region.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+class SymmetricScheme final : public Scheme {
+ public:
+  std::unique_ptr<Region> boundary_region(int id, const BoundaryDescription& described,
+                                          const scene::Material& material) const override {
+    return std::make_unique<BoundaryRegion>(id, described, material);
+  }
+  std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
+                                         const scene::Material& material) const override {
+    return std::make_unique<LatticeRegion>(id, described, material);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Scheme> make_symmetric_scheme() { return std::make_unique<SymmetricScheme>(); }
+
+}  // namespace bempd::regions

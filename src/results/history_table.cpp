@@ -1,0 +1,31 @@
+#include "results/history_table.hpp"
+
+#include "output/csv.hpp"
+#include "output/file.hpp"
+#include "results/writing.hpp"
+
+namespace bempd::results {
+
+void write_history(const std::string& path, const fracture::EvolutionState* state, std::size_t support_count) {
+  std::vector<std::string> columns{"event",         "load_factor",          "total_broken_bonds",
+                                   "stretch_ratio", "stored_energy",        "released_energy",
+                                   "work",          "energy_balance_error", "residual"};
+  for (std::size_t s = 1; s <= support_count; ++s) {
+    columns.push_back(text("reaction_x_", s));
+    columns.push_back(text("reaction_y_", s));
+  }
+  output::CsvTable table(columns);
+  const std::size_t lines = state ? state->history.size() : 0;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const fracture::HistoryEntry& h = state->history[i];
+    std::vector<output::CsvValue> row{h.event,         h.load_factor,          h.total_broken_bonds,
+                                      h.stretch_ratio, h.stored_energy,        h.released_energy,
+                                      h.work,          h.energy_balance_error, h.residual};
+    for (std::size_t r = 2 * support_count * i; r < 2 * support_count * (i + 1); ++r)
+      row.emplace_back(state->reactions[r]);
+    table.add_row(row);
+  }
+  writing([&] { table.save(output::path_from_utf8(path)); });
+}
+
+}  // namespace bempd::results

@@ -1,0 +1,92 @@
+#include "results/snapshots.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "output/file.hpp"
+#include "output/pvd.hpp"
+#include "output/vtu.hpp"
+#include "results/writing.hpp"
+
+namespace bempd::results {
+
+namespace {
+
+using regions::Field;
+using regions::FieldValues;
+using regions::SnapshotBlock;
+
+// Fields of several regions, one after the other.
+class GridBuilder {
+ public:
+  explicit GridBuilder(SnapshotBlock block) : block_(std::move(block)) {
+    for (const SnapshotBlock::Array& array : block_.arrays)
+      grid_.point_data.push_back({array.name, regions::components_of(array.field), std::vector<double>()});
+    grid_.cell_data.push_back({"region", 1, std::vector<std::int32_t>()});
+  }
+
+  void add_region(const regions::Region& region, const FieldsOfScene& fields) {
+    const auto first = static_cast<std::int64_t>(grid_.points.size());
+    const FieldValues& positions = fields(region.id(), Field::position);
+    for (std::size_t i = 0; i < positions.values.size(); i += 2)
+      grid_.points.emplace_back(positions.values[i], positions.values[i + 1]);
+    for (std::size_t f = 0; f < block_.arrays.size(); ++f) {
+      const Field field = block_.arrays[f].field;
+      const FieldValues at_nodes = region.at_nodes(field, fields(region.id(), field));
+      auto& values = std::get<std::vector<double>>(grid_.point_data[f].values);
+      values.insert(values.end(), at_nodes.values.begin(), at_nodes.values.end());
+    }
+    const regions::Cells cells = region.cells();
+    for (std::size_t e = 0; e < cells.nodes.size(); e += cells.nodes_per_cell) {
+      std::vector<std::int64_t> nodes;
+      for (int k = 0; k < cells.nodes_per_cell; ++k) nodes.push_back(first + cells.nodes[e + k]);
+      // VTK lists the ends of a quadratic edge before its middle.
+      if (block_.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);
+      grid_.add_cell(block_.cell, nodes);
+      std::get<std::vector<std::int32_t>>(grid_.cell_data[0].values).push_back(region.id());
+    }
+  }
+
+  const output::VtuGrid& grid() const { return grid_; }
+  const std::string& name() const { return block_.name; }
+
+ private:
+  SnapshotBlock block_;
+  output::VtuGrid grid_;
+};
+
+}  // namespace
+
+void Snapshots::write(const std::string& prefix, double load_factor, const regions::Discretization& d,
+                      const FieldsOfScene& fields) {
+  const std::filesystem::path base = output::path_from_utf8(prefix);
+  std::vector<Moment>& series = series_[prefix];
+  char number[16];
+  std::snprintf(number, sizeof number, "_%04zu", series.size());
+  std::map<int, GridBuilder> blocks;
+  for (const auto& region : d.regions) {
+    SnapshotBlock block = region->snapshot_block();
+    const int at = block.number;
+    blocks.try_emplace(at, std::move(block)).first->second.add_region(*region, fields);
+  }
+  std::vector<Moment> all = series;
+  all.push_back({load_factor, {}});
+  writing([&] {
+    for (const auto& [at, builder] : blocks) {
+      std::filesystem::path file = base;
+      file += std::string(number) + "_" + builder.name() + ".vtu";
+      output::write_vtu(file, builder.grid());
+      all.back().files.emplace(at, file.filename().generic_string());
+    }
+    std::vector<output::PvdEntry> entries;
+    for (const Moment& moment : all) {
+      for (const auto& [block, file] : moment.files) entries.push_back({moment.load_factor, block, file});
+    }
+    std::filesystem::path collection = base;
+    collection += ".pvd";
+    output::write_pvd(collection, entries);
+  });
+  series = std::move(all);
+}
+
+}  // namespace bempd::results

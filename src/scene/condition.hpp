@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "scene/place.hpp"
+
+namespace bempd::scene {
+
+// Values along a boundary part as functions of the place: constant and proportional parts, x and y.
+struct BoundaryValue {
+  Point constant = Point::Zero();
+  Point proportional = Point::Zero();
+};
+using BoundaryFunction = std::function<BoundaryValue(const Point&)>;
+
+// Equally spaced samples, linear between them; one sample is a uniform value.
+struct SampledValues {
+  std::vector<double> constant, proportional;
+
+  // At a fraction of the part, 0 .. 1.
+  double constant_at(double fraction) const;
+  double proportional_at(double fraction) const;
+
+  // Throws Error (argument) for values that are not numbers.
+  void check() const;
+};
+
+// A support or a load. Components: 1 x, 2 y, 3 both.
+struct Condition {
+  std::shared_ptr<const Place> place;
+  int components;
+  std::variant<SampledValues, BoundaryFunction> values;
+
+  BoundaryValue value(const Point& where, double fraction_of_part) const;
+  // The same with components that it does not act on at zero.
+  BoundaryValue acting_value(const Point& where, double fraction_of_part) const;
+  bool acts_on(int component) const { return (components >> component) & 1; }
+};
+
+}  // namespace bempd::scene

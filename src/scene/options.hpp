@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bempd::scene {
+
+struct OptionDescription {
+  const char* name;
+  const char* summary;
+  const char* unit;
+  bool is_text;
+  bool whole_number;
+  double default_value, minimum, maximum;
+  const char* choices;  // of a text option, separated by " | "
+  const char* default_text;
+};
+
+const std::vector<OptionDescription>& option_descriptions();
+
+// Tuning knobs by name: a value that was set, else what the option `accuracy` makes of it, else its default. Throws
+// Error (argument) for unknown names and illegal values.
+class Options {
+ public:
+  void set(std::string_view name, double value);
+  void set_text(std::string_view name, std::string_view value);
+  double number(std::string_view name) const;
+  int whole_number(std::string_view name) const { return static_cast<int>(number(name)); }
+  std::string text_value(std::string_view name) const;
+
+ private:
+  // Only what was set.
+  std::map<std::string, double, std::less<>> numbers_;
+  std::map<std::string, std::string, std::less<>> texts_;
+};
+
+}  // namespace bempd::scene

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+namespace bempd::regions {
+struct Discretization;
+struct DofConditions;
+struct PlacedNode;
+}  // namespace bempd::regions
+
+namespace bempd::scene {
+
+class Scene;
+
+// Where a support or a load acts. A kind of place says what it asks of the elements there, which nodes a support holds,
+// and which forces a load puts on nodes.
+class Place {
+ public:
+  virtual ~Place() = default;
+
+  // Throws Error (argument) unless the scene has the place.
+  virtual void check(const Scene& scene) const = 0;
+
+  // Fractions of an edge where something begins, ends or acts, so that elements have to end.
+  virtual std::vector<double> breaks_on(const Scene& scene, int region, int edge, double tolerance) const = 0;
+
+  // Whether a piece of boundary around this fraction of an edge belongs to the place.
+  virtual bool covers(int region, int edge, double fraction) const = 0;
+
+  // Nodes that the scene's support number `support` (from 0) holds here. Throws Error (argument) if there are none.
+  virtual std::vector<regions::PlacedNode> held_nodes(const Scene& scene, const regions::Discretization& discretization,
+                                                      int support) const = 0;
+
+  // Adds what the scene's load number `load` (from 0) does here.
+  virtual void add_load(const Scene& scene, const regions::Discretization& discretization, int load,
+                        regions::DofConditions& conditions) const = 0;
+};
+
+}  // namespace bempd::scene

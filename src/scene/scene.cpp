@@ -1,0 +1,59 @@
+#include "scene/scene.hpp"
+
+#include "error.hpp"
+#include "scene/outline_rules.hpp"
+
+namespace bempd::scene {
+
+int Scene::add_material(const Material& material) {
+  material.check();
+  if (!materials_.empty()) {
+    require(materials_.front().elasticity.state == material.elasticity.state,
+            "this material's plane differs from the model's first material; a model is either in plane stress or in "
+            "plane strain");
+  }
+  materials_.push_back(material);
+  return static_cast<int>(materials_.size());
+}
+
+int Scene::add_region(std::unique_ptr<Region> region) {
+  material(region->material());
+  regions_.push_back(std::move(region));
+  return static_cast<int>(regions_.size());
+}
+
+int Scene::add_crack(const std::vector<Point>& points) {
+  require(points.size() >= 2, "the crack has ", points.size(), " points; give at least 2");
+  require_points(points, "point");
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    require(points[i] != points[i + 1], "points ", i, " and ", i + 1,
+            " of the crack are the same; give distinct points");
+  }
+  cracks_.push_back({points});
+  return static_cast<int>(cracks_.size());
+}
+
+const Material& Scene::material(int id) const {
+  require(id >= 1 && id <= static_cast<int>(materials_.size()), "material ", id, " does not exist; ",
+          materials_.empty() ? text("add a material first") : text("ids run from 1 to ", materials_.size()));
+  return materials_[id - 1];
+}
+
+const Region& Scene::region(int id) const {
+  require(id >= 1 && id <= static_cast<int>(regions_.size()), "region ", id, " does not exist; ",
+          regions_.empty() ? text("add a region first") : text("ids run from 1 to ", regions_.size()));
+  return *regions_[id - 1];
+}
+
+Region& Scene::mutable_region(int id) {
+  region(id);
+  return *regions_[id - 1];
+}
+
+Box Scene::bounding_box() const {
+  Box box;
+  for (const auto& region : regions_) box.extend(bempd::bounding_box(region->outline()));
+  return box;
+}
+
+}  // namespace bempd::scene

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scene/condition.hpp"
+#include "scene/material.hpp"
+#include "scene/region.hpp"
+
+namespace bempd::scene {
+
+struct Crack {
+  std::vector<Point> points;
+};
+
+// The scene as the host described it. Ids are positions in these vectors plus 1.
+class Scene {
+ public:
+  int add_material(const Material& material);
+  int add_region(std::unique_ptr<Region> region);
+  int add_hole(int region, const std::vector<Point>& vertices);  // number of its first edge
+  int add_circular_hole(int region, const Point& centre, double radius);
+  void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
+  // The edge becomes the arc through a place between its ends.
+  void set_edge_arc(int region, int edge, const Point& between);
+  // A row of edges of one loop becomes a smooth curve through their vertices.
+  void set_edges_smooth(int region, int first_edge, int last_edge);
+  int add_crack(const std::vector<Point>& points);
+  int add_support(Condition condition);
+  int add_load(Condition condition);
+  void set_values(Condition& condition, const char* what, int id, SampledValues values);
+
+  const Material& material(int id) const;
+  const Region& region(int id) const;
+  int region_count() const { return static_cast<int>(regions_.size()); }
+  const std::vector<std::unique_ptr<Region>>& regions() const { return regions_; }
+  const Material& material_of(int region_id) const { return material(region(region_id).material()); }
+  const std::vector<Crack>& cracks() const { return cracks_; }
+  const std::vector<Condition>& supports() const { return supports_; }
+  const std::vector<Condition>& loads() const { return loads_; }
+  Condition& support(int id);
+  Condition& load(int id);
+
+  // Size of the whole scene.
+  Box bounding_box() const;
+
+ private:
+  Region& mutable_region(int id);
+  Region& region_with_edge(int id, int edge, const char* purpose);
+  void check_condition(const Condition& condition, bool is_support) const;
+
+  std::vector<Material> materials_;
+  std::vector<std::unique_ptr<Region>> regions_;
+  std::vector<Crack> cracks_;
+  std::vector<Condition> supports_, loads_;
+};
+
+}  // namespace bempd::scene
