@@ -253,9 +253,13 @@ BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region
 BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                            double grading);
 
-/** @brief Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
+/** @brief Add an initial crack, a polyline.
  *
- *  It must lie in peridynamic regions (ending on their boundary is fine) and keep off the material points.
+ *  In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material points.
+ * It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
+ *  themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end
+ *  at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM
+ *  region, and ends before interfaces of BEM regions.
  *  @param[in] model the model @param[in] point_count number of points, >= 2
  *  @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);
@@ -351,6 +355,26 @@ BEMPD_API bempd_status bempd_add_traction_function(bempd_model* model, int32_t r
  *  @param[out] load its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* load);
+
+/** @brief What acts on the faces of a crack. @since 0.2 */
+typedef enum bempd_face_component {
+  /** Pressure that pushes the faces apart. */
+  BEMPD_PRESSURE = 1,
+  /** Shear along the crack: it drives the face on the left, seen from the crack's first point, towards the last point
+   * and the other face back. */
+  BEMPD_SHEAR = 2
+} bempd_face_component;
+
+/** @brief Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
+ *  Energies and work leave out what such loads do within the crack alone.
+ *  @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
+ *  @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
+ *  @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
+ *  @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+ *  @param[out] load its id; may be NULL @return status @since 0.2 */
+BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crack, int32_t component,
+                                                int64_t value_count, const double* constant, const double* proportional,
+                                                int32_t* load);
 
 /** @brief Give a traction or point force new values, at any time; a prepared model only changes its right-hand side.
  *
@@ -568,6 +592,57 @@ BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, doubl
  *  @return status; a place outside the body is an argument error @since 0.1 */
 BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                                       double* stress, int32_t* regions);
+
+/** @brief End of a crack. @since 0.2 */
+typedef enum bempd_crack_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_crack_end;
+
+/** @brief The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+ *
+ *  Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
+ *  the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than what
+ *  they border on. @since 0.2 */
+typedef struct bempd_crack_tip {
+  int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
+  int32_t crack;               /**< id of the crack */
+  int32_t end;                 /**< a bempd_crack_end */
+  double x;                    /**< place [m] */
+  double y;                    /**< place [m] */
+  double direction_x;          /**< unit vector in which the crack would go straight on [-] */
+  double direction_y;          /**< [-] */
+  double stress_intensity_1;   /**< K_I [Pa m^(1/2)]; negative if the faces overlap at the tip */
+  double stress_intensity_2;   /**< K_II, positive if the left side, seen in the direction, moves forward
+                                  [Pa m^(1/2)] */
+  double energy_release_rate;  /**< G of growth straight on [J/m^2] */
+  double t_stress;             /**< stress along the crack beside the singular one [Pa] */
+  double error;                /**< estimate of the error of the stress intensity factors, from elements twice as long
+                                  [Pa m^(1/2)] */
+  double kink_angle;           /**< angle from the direction to that of the largest hoop stress, counter-clockwise
+                                  [rad] */
+  double critical_load_factor; /**< smallest load factor >= 0 at which the energy release rate is the material's
+                                  fracture_energy; infinite if it never is or the material has none [-] */
+} bempd_crack_tip;
+
+/** @brief Set struct_size and zeros. @param[out] tip the struct to fill
+ *  @param[in] struct_size sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
+ *  @return status @since 0.2 */
+BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
+
+/** @brief Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
+ *  model. @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
+BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
+
+/** @brief A tip, by crack and the end nearer to its first point first. @param[in] model the model
+ *  @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
+BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip);
+
+/** @brief Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen
+ *  from its first point, less that of the face on its right.
+ *  @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
+ *  @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+ *  @param[out] normal shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+ *  @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.2 */
+BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
+                                           double* normal, double* tangential);
 
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {

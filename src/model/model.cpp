@@ -101,6 +101,7 @@ void Model::ensure_equilibrium() {
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
   warn_of_condition();
+  warn_of_overlap();
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
@@ -199,6 +200,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "and their balance are not; choose other units");
   }
   warn_of_condition();
+  warn_of_overlap();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

@@ -87,6 +87,11 @@ class Model {
   // Values at places in the body; stress only if asked for.
   std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);
 
+  // Tips of cracks that have elements, by crack; computed once per generation (crack_results.cpp).
+  const std::vector<regions::TipValues>& tips();
+  // Openings along a crack and normal to it [m].
+  std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
+
   // state.cpp
   SavedState save();
   void restore(const SavedState& state);
@@ -100,6 +105,8 @@ class Model {
   void ensure_equilibrium();
   void warn_of_condition();
   void warn_of_blas() const;
+  void warn_of_overlap();
+  bool has_crack_elements() const;
   void reload();
   void check_mechanism(const PreparedScene& prepared) const;
   regions::Solution solution() const;
@@ -117,7 +124,9 @@ class Model {
   Progress progress_;
   Log log_;
   std::atomic<bool> cancel_requested_{false};
-  bool warned_of_energies_ = false, warned_of_condition_ = false;
+  std::vector<regions::TipValues> tips_;
+  std::int64_t tips_generation_ = 0;
+  bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
 };
 
 // Bytes of a saved state and back (state.cpp); throws Error (argument) for damaged bytes.

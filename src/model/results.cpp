@@ -33,8 +33,13 @@ std::vector<regions::BondState> Model::bond_states(int id) {
 
 regions::Solution Model::solution() const {
   const fracture::EvolutionState& state = prepared_->evolution->state();
-  return {state.total_displacement, prepared_->system->bonds(), state.intact,
-          prepared_->conditions.body_forces(state.load_factor)};
+  return {state.total_displacement,
+          prepared_->system->bonds(),
+          state.intact,
+          prepared_->conditions.body_forces(state.load_factor),
+          &state.displacement,
+          &prepared_->conditions.crack_loads,
+          state.load_factor};
 }
 
 const FieldValues& Model::field(int id, Field which) {

@@ -1,5 +1,6 @@
 #include "regions/discretization.hpp"
 
+#include "regions/initial_cracks.hpp"
 #include "regions/interfaces.hpp"
 #include "regions/scheme.hpp"
 #include "stopwatch.hpp"
@@ -30,10 +31,11 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
   d.tolerance = geometric_tolerance(box);
   d.arrangement = arrange(outlines);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
-  const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions};
+  const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions, d.crack_regions};
   require_compatible(preparation);
 
   for (int id = 1; id <= scene.region_count(); ++id) d.regions.push_back(scene.region(id).build(id, preparation));
+  d.crack_regions = regions_of_cracks(preparation);
   for (const auto& region : d.regions) {
     const Stopwatch watch(region->seconds_preparing);
     region->mesh(preparation);
