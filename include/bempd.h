@@ -594,7 +594,7 @@ BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const d
                                       double* stress, int32_t* regions);
 
 /** @brief End of a crack. @since 0.2 */
-typedef enum bempd_crack_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_crack_end;
+typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
 
 /** @brief The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
  *
@@ -604,7 +604,7 @@ typedef enum bempd_crack_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bemp
 typedef struct bempd_crack_tip {
   int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
   int32_t crack;               /**< id of the crack */
-  int32_t end;                 /**< a bempd_crack_end */
+  int32_t end;                 /**< a bempd_tip_end */
   double x;                    /**< place [m] */
   double y;                    /**< place [m] */
   double direction_x;          /**< unit vector in which the crack would go straight on [-] */

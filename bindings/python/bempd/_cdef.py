@@ -107,6 +107,12 @@ bempd_status bempd_add_traction_function(bempd_model *model, int32_t region, int
     double from, double to, bempd_boundary_function function, void *user, int32_t *load);
 bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32_t component,
     double constant, double proportional, int32_t *load);
+typedef enum bempd_face_component {
+  BEMPD_PRESSURE = 1,
+  BEMPD_SHEAR = 2
+} bempd_face_component;
+bempd_status bempd_add_crack_traction(bempd_model *model, int32_t crack, int32_t component,
+    int64_t value_count, const double *constant, const double *proportional, int32_t *load);
 bempd_status bempd_set_load_values(bempd_model *model, int32_t load, int64_t value_count,
     const double *constant, const double *proportional);
 bempd_status bempd_set_support_values(bempd_model *model, int32_t support, int64_t value_count,
@@ -182,6 +188,31 @@ bempd_status bempd_copy_bonds(bempd_model *model, int32_t region, int64_t capaci
 bempd_status bempd_reaction(bempd_model *model, int32_t support, double *force);
 bempd_status bempd_evaluate(bempd_model *model, int64_t count, const double *points,
     double *displacement, double *stress, int32_t *regions);
+typedef enum bempd_tip_end {
+  BEMPD_CRACK_START = 1,
+  BEMPD_CRACK_END = 2
+} bempd_tip_end;
+typedef struct bempd_crack_tip {
+  int64_t struct_size;
+  int32_t crack;
+  int32_t end;
+  double x;
+  double y;
+  double direction_x;
+  double direction_y;
+  double stress_intensity_1;
+  double stress_intensity_2;
+  double energy_release_rate;
+  double t_stress;
+  double error;
+  double kink_angle;
+  double critical_load_factor;
+} bempd_crack_tip;
+bempd_status bempd_crack_tip_init(bempd_crack_tip *tip, int64_t struct_size);
+bempd_status bempd_tip_count(bempd_model *model, int64_t *count);
+bempd_status bempd_tip(bempd_model *model, int64_t index, bempd_crack_tip *tip);
+bempd_status bempd_crack_opening(bempd_model *model, int32_t crack, int64_t count,
+    const double *fractions, double *normal, double *tangential);
 typedef struct bempd_statistics {
   int64_t struct_size;
   int64_t boundary_nodes;
@@ -486,10 +517,14 @@ grading [in]: ratio of neighbouring elements' lengths, growing from both ends; 1
 return: status
 since: 0.1""",
     "bempd_add_crack": """\
-Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
+Add an initial crack, a polyline.
 
-It must lie in peridynamic regions (ending on their boundary is fine) and keep off the material
-points.
+In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the
+material points. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets
+boundary elements, which are divided by themselves around its tips: it stands still, and bempd_tip()
+tells how much it is loaded. There it may start or end at a free edge, a hole or another crack, and
+cracks may cross. One crack lies in peridynamic regions or in one BEM region, and ends before
+interfaces of BEM regions.
 
 model [in]: the model
 point_count [in]: number of points, >= 2
@@ -630,6 +665,27 @@ proportional [in]: part multiplied by the load factor [N]
 load [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_face_component": """What acts on the faces of a crack.
+
+since: 0.2""",
+    "BEMPD_PRESSURE": """Pressure that pushes the faces apart.""",
+    "BEMPD_SHEAR": """\
+Shear along the crack: it drives the face on the left, seen from the crack's first point, towards
+the last point and the other face back.""",
+    "bempd_add_crack_traction": """\
+Add a traction on both faces of a crack in a BEM region; give it new values with
+bempd_set_load_values(). Energies and work leave out what such loads do within the crack alone.
+
+model [in]: the model
+crack [in]: id of a crack
+component [in]: BEMPD_PRESSURE or BEMPD_SHEAR
+value_count [in]: 1: uniform; 2: linear from the crack's start to its end; n: values at n equally
+  spaced places
+constant [in]: shape [value_count], constant part [Pa]; NULL for 0
+proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+load [out]: its id; may be NULL
+return: status
+since: 0.2""",
     "bempd_set_load_values": """\
 Give a traction or point force new values, at any time; a prepared model only changes its right-hand
 side.
@@ -905,6 +961,72 @@ stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
 regions [out]: shape [count], id of the region that holds each place; may be NULL
 return: status; a place outside the body is an argument error
 since: 0.1""",
+    "bempd_tip_end": """End of a crack.
+
+since: 0.2""",
+    "bempd_crack_tip": """\
+The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+
+Stress intensity factors come from the energy that the body releases when the tip moves, shared
+among the modes as the openings next to it are; they are right to 1e-4 and better where the
+boundary's elements are no longer than what they border on.
+
+since: 0.2""",
+    "bempd_crack_tip.struct_size": """sizeof(bempd_crack_tip), set by bempd_crack_tip_init()""",
+    "bempd_crack_tip.crack": """id of the crack""",
+    "bempd_crack_tip.end": """a bempd_tip_end""",
+    "bempd_crack_tip.x": """place [m]""",
+    "bempd_crack_tip.y": """place [m]""",
+    "bempd_crack_tip.direction_x": """unit vector in which the crack would go straight on [-]""",
+    "bempd_crack_tip.direction_y": """[-]""",
+    "bempd_crack_tip.stress_intensity_1": """K_I [Pa m^(1/2)]; negative if the faces overlap at the tip""",
+    "bempd_crack_tip.stress_intensity_2": """\
+K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)]""",
+    "bempd_crack_tip.energy_release_rate": """G of growth straight on [J/m^2]""",
+    "bempd_crack_tip.t_stress": """stress along the crack beside the singular one [Pa]""",
+    "bempd_crack_tip.error": """\
+estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]""",
+    "bempd_crack_tip.kink_angle": """\
+angle from the direction to that of the largest hoop stress, counter-clockwise [rad]""",
+    "bempd_crack_tip.critical_load_factor": """\
+smallest load factor >= 0 at which the energy release rate is the material's fracture_energy;
+infinite if it never is or the material has none [-]""",
+    "bempd_crack_tip_init": """\
+Set struct_size and zeros.
+
+tip [out]: the struct to fill
+struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working
+  when it grows
+return: status
+since: 0.2""",
+    "bempd_tip_count": """\
+Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none.
+Prepares the model.
+
+model [in]: the model
+count [out]: number of tips
+return: status
+since: 0.2""",
+    "bempd_tip": """\
+A tip, by crack and the end nearer to its first point first.
+
+model [in]: the model
+index [in]: 0 .. count-1
+tip [in,out]: struct_size in, the rest out
+return: status
+since: 0.2""",
+    "bempd_crack_opening": """\
+Openings of a crack in a BEM region at the present load factor: displacement of the face on its
+left, seen from its first point, less that of the face on its right.
+
+model [in]: the model
+crack [in]: id of a crack
+count [in]: number of places
+fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+tangential [out]: shape [count], along the crack [m]; may be NULL
+return: status
+since: 0.2""",
     "bempd_statistics": """\
 Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 
