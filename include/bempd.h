@@ -8,11 +8,15 @@
  * Units. Any consistent set; the SI unit of each number stands in brackets, [-] marks a pure number. The problem is
  * two-dimensional: forces are those of the whole thickness [N], energies likewise [J].
  *
+ * Places. Places that are closer than 1e-9 of the diagonal of all regions together count as one: edges that coincide so
+ * are bonded, wider gaps are not, wider overlaps are refused; gaps below a tenth of the elements are told to the log.
+ *
  * Load factor. Every prescribed displacement, traction and force is `constant + load_factor * proportional`. Stepping
  * moves the load factor; it starts at 0.
  *
  * Arrays. A pointer and a count; points are interleaved, shape [n][2] in C, (2,n) in Fortran. Inputs are copied.
- * Indices into arrays start at 0; ids of materials, regions, edges, cracks, supports and loads start at 1.
+ * Indices into arrays start at 0; ids of materials, regions, edges, cracks, supports and loads start at 1. Messages
+ * count vertices and points as they do edges, from 1.
  *
  * Ownership. What a `_create`, `_save` or `_from_bytes` function gave you, you free with the matching `_free`; all else
  * belongs to the model and lives until the model changes (field views) or is freed (strings).
@@ -21,7 +25,8 @@
  * error but BEMPD_ERROR_INTERNAL the model is as it was before the call; after that one only free it.
  *
  * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A call on a model
- * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL).
+ * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL); bempd_model_free()
+ * then waits: the model is freed when the call that runs returns.
  *
  * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or "paper", the method of Yang
  * and Liu (Int. J. Solids Struct., 2021) as published, in which material points are the centres of the cells and those
@@ -46,8 +51,7 @@
 extern "C" {
 #endif
 
-/* ------------------------------------------------------------------------------------------------ Library and errors
- */
+/* ------------------------------------------------------------------------------ Library and errors */
 
 /** @brief Outcome of a call: 0 is good, negative values are errors, by what the caller can do about them. @since 0.1 */
 typedef enum bempd_status {
@@ -80,34 +84,35 @@ typedef struct bempd_state bempd_state;
 BEMPD_API const char* bempd_version_string(void);
 
 /** @brief One line on how the library was built: factorization backend, compiler, BLAS in use.
- *  @return constant string @since 0.1 */
+ * @return constant string @since 0.1 */
 BEMPD_API const char* bempd_build_info(void);
 
 /** @brief Name of a status, such as "BEMPD_ERROR_ARGUMENT". @param[in] status any value
- *  @return constant string @since 0.1 */
+ * @return constant string @since 0.1 */
 BEMPD_API const char* bempd_status_name(bempd_status status);
 
 /** @brief Sentence about the last error of this model: what came, what is needed, what to do.
- *  @param[in] model the model, or NULL for the last failure of a call that had no model (kept per thread)
- *  @return never NULL; empty after no error; valid until the next call with this model @since 0.1 */
+ * @param[in] model the model, or NULL for the last failure of a call that had no model (kept per thread)
+ * @return never NULL; empty after no error; valid until the next call with this model @since 0.1 */
 BEMPD_API const char* bempd_last_error(const bempd_model* model);
 
 /** @brief Create an empty model. @param[out] model the new model; free it with bempd_model_free()
- *  @return status @since 0.1 */
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_model_create(bempd_model** model);
 
-/** @brief Free a model and everything it owns. @param[in] model may be NULL @since 0.1 */
+/** @brief Free a model and everything it owns; called while the model is in another call, from one of its callbacks,
+ * when that call returns. What failed then is said by bempd_last_error(NULL).
+ * @param[in] model may be NULL; not to be used afterwards @since 0.1 */
 BEMPD_API void bempd_model_free(bempd_model* model);
 
-/* ----------------------------------------------------------------------------------------------------------- Options
- */
+/* ----------------------------------------------------------------------------------------- Options */
 
 /** @brief Whether an option takes a number or a word. @since 0.1 */
 typedef enum bempd_option_kind { BEMPD_OPTION_NUMBER = 1, BEMPD_OPTION_TEXT = 2 } bempd_option_kind;
 
-/** @brief Description of one option. Set struct_size = sizeof(bempd_option_info) first. @since 0.1 */
+/** @brief Description of one option. Fill it with bempd_option_info_init(). @since 0.1 */
 typedef struct bempd_option_info {
-  int64_t struct_size;      /**< sizeof(bempd_option_info), set by the caller */
+  int64_t struct_size;      /**< sizeof(bempd_option_info), set by bempd_option_info_init() */
   const char* name;         /**< name for bempd_set_option() and its kin; constant string */
   const char* summary;      /**< one sentence; constant string */
   const char* unit;         /**< unit, "-" for a pure number; constant string */
@@ -120,47 +125,51 @@ typedef struct bempd_option_info {
   double maximum;           /**< largest legal number */
 } bempd_option_info;
 
+/** @brief Set struct_size and zeros. @param[out] info the struct to fill
+ * @param[in] struct_size sizeof(bempd_option_info) as the caller was compiled: older programs keep working
+ * @return status @since 0.2 */
+BEMPD_API bempd_status bempd_option_info_init(bempd_option_info* info, int64_t struct_size);
+
 /** @brief Number of options. @param[out] count number of options [-] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_option_count(int64_t* count);
 
 /** @brief Describe an option. @param[in] index 0 .. count-1 @param[in,out] info struct_size in, the rest out
- *  @return status @since 0.1 */
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_option_describe(int64_t index, bempd_option_info* info);
 
 /** @brief Set a number option, before or between steps; what a prepared model has built already keeps the old value.
- *  @param[in] model the model @param[in] name option name, UTF-8 @param[in] value within the option's range
- *  @return status; an unknown name is an argument error that lists the near ones @since 0.1 */
+ * @param[in] model the model @param[in] name option name, UTF-8 @param[in] value within the option's range
+ * @return status; an unknown name is an argument error that lists the near ones @since 0.1 */
 BEMPD_API bempd_status bempd_set_option(bempd_model* model, const char* name, double value);
 
 /** @brief Value of a number option. @param[in] model the model @param[in] name option name, UTF-8
- *  @param[out] value its value @return status @since 0.1 */
+ * @param[out] value its value @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_option(const bempd_model* model, const char* name, double* value);
 
 /** @brief Set a text option. @param[in] model the model @param[in] name option name, UTF-8
- *  @param[in] value one of the option's choices, UTF-8 @return status @since 0.1 */
+ * @param[in] value one of the option's choices, UTF-8 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_option_text(bempd_model* model, const char* name, const char* value);
 
 /** @brief Value of a text option. @param[in] model the model @param[in] name option name, UTF-8
- *  @param[out] buffer shape [capacity], receives the zero-terminated value; may be NULL when capacity is 0
- *  @param[in] capacity bytes in buffer
- *  @param[out] needed bytes that the value needs with its zero; may be NULL @return status @since 0.1 */
+ * @param[out] buffer shape [capacity], receives the zero-terminated value; may be NULL when capacity is 0
+ * @param[in] capacity bytes in buffer
+ * @param[out] needed bytes that the value needs with its zero; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_option_text(const bempd_model* model, const char* name, char* buffer, int64_t capacity,
                                              int64_t* needed);
 
-/* --------------------------------------------------------------------------------------------------------- Materials
- */
+/* --------------------------------------------------------------------------------------- Materials */
 
 /** @brief Plane stress (thin plates) or plane strain (long bodies). @since 0.1 */
 typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bempd_plane;
 
 /** @brief An isotropic elastic material that breaks at a critical bond stretch. Fill it with bempd_material_init().
  *
- *  Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
+ * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
- *  Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Give critical_stretch or
- *  fracture_energy, or neither for a material that does not break. From the fracture energy G0 and the horizon delta
- * the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane
- * strain. @since 0.1 */
+ * Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; a ratio within 1e-6 of that is
+ * taken for it. Give critical_stretch or fracture_energy, or neither for a material that does not break. From the
+ * fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
+ * sqrt(4 pi G0 / (7 E delta)) in plane strain. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;     /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;    /**< Young's modulus E [Pa], > 0 */
@@ -173,186 +182,184 @@ typedef struct bempd_material {
 } bempd_material;
 
 /** @brief Set struct_size and the defaults. @param[out] material the struct to fill
- *  @param[in] struct_size sizeof(bempd_material) as the caller was compiled: older programs keep working when it grows
- *  @return status @since 0.1 */
+ * @param[in] struct_size sizeof(bempd_material) as the caller was compiled: older programs keep working
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_material_init(bempd_material* material, int64_t struct_size);
 
 /** @brief Add a material. @param[in] model the model @param[in] material copied @param[out] id its id; may be NULL
- *  @return status @since 0.1 */
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_material* material, int32_t* id);
 
-/* ----------------------------------------------------------------------------------------------- Regions and cracks */
+/* ------------------------------------------------------------------------------ Regions and cracks */
 
 /** @brief Add a region treated by boundary elements: a polygon, its edges straight at first.
  *
- *  Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions
+ * Edge k (1 .. vertex_count) runs from vertex k to the next one. Edges that coincide with edges of other regions
  * become interfaces and are bonded; there the elements follow the peridynamic lattice unless bempd_set_edge_mesh() is
- * called for the edge, or the finer of two boundary meshes.
- * Towards places where stress is singular elements become smaller by themselves (option bem.grading).
- *  @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
- *  @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
- *  @param[in] element_length longest element on any edge [m], > 0
- *  @param[out] region its id; may be NULL @return status @since 0.1 */
+ * called for the edge, or the finer of two boundary meshes. Towards places where stress is singular elements become
+ * smaller by themselves (option bem.grading).
+ * @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
+ * @param[in] element_length longest element on any edge [m], > 0
+ * @param[out] region its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count,
                                             const double* vertices, double element_length, int32_t* region);
 
 /** @brief Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
  *
- *  Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges.
- *  @param[in] model the model @param[in] material id of a material with the Poisson's ratio of bond-based peridynamics
- *  @param[in] vertex_count number of vertices, >= 4
- *  @param[in] vertices shape [vertex_count][2], counter-clockwise, edges parallel to the axes [m]
- *  @param[in] spacing lattice spacing [m], > 0
- *  @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
- *  @param[out] region its id; may be NULL @return status @since 0.1 */
+ * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges.
+ * @param[in] model the model @param[in] material id of a material with the Poisson's ratio of bond-based peridynamics
+ * @param[in] vertex_count number of vertices, >= 4
+ * @param[in] vertices shape [vertex_count][2], counter-clockwise, edges parallel to the axes [m]
+ * @param[in] spacing lattice spacing [m], > 0
+ * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+ * @param[out] region its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count,
                                            const double* vertices, double spacing, int32_t horizon_ratio,
                                            int32_t* region);
 
 /** @brief Cut a hole into a region. The hole's edges continue the region's numbering.
- *  @param[in] model the model @param[in] region id of a region @param[in] vertex_count number of vertices, >= 3
- *  @param[in] vertices shape [vertex_count][2], clockwise (the body on the left) [m]
- *  @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], clockwise (the body on the left) [m]
+ * @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
                                       int32_t* first_edge);
 
 /** @brief Cut a circular hole into a BEM region. Its edges are four quarter circles: the first begins at the place with
- *  the largest x, and they run clockwise.
- *  @param[in] model the model @param[in] region id of a BEM region @param[in] x centre [m] @param[in] y centre [m]
- *  @param[in] radius radius [m], > 0
- *  @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
+ * the largest x, and they run clockwise.
+ * @param[in] model the model @param[in] region id of a BEM region @param[in] x centre [m] @param[in] y centre [m]
+ * @param[in] radius radius [m], > 0
+ * @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,
                                                int32_t* first_edge);
 
 /** @brief Make an edge of a BEM region the circular arc through a place between its ends.
  *
- *  Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give both
- *  edges a place on the same arc. Peridynamic regions and interfaces with them have straight edges only.
- *  @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
- *  @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
+ * Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give both
+ * edges a place on the same arc. Peridynamic regions and interfaces with them have straight edges only.
+ * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ * @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y);
 
 /** @brief Make a row of edges of a BEM region a smooth curve through their vertices.
  *
- *  Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one where that is enough.
- *  The tangent at a vertex is that of the circle through it and its two neighbours in the row, so vertices on a circle
- *  give that circle. All edges of a loop make a closed curve without a corner.
- *  @param[in] model the model @param[in] region id of a BEM region @param[in] first_edge first edge of the row
- *  @param[in] last_edge last edge of the row, > first_edge, on the same loop @return status @since 0.1 */
+ * Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one where that is enough.
+ * The tangent at a vertex is that of the circle through it and its two neighbours in the row, so vertices on a circle
+ * give that circle. All edges of a loop make a closed curve without a corner.
+ * @param[in] model the model @param[in] region id of a BEM region @param[in] first_edge first edge of the row
+ * @param[in] last_edge last edge of the row, > first_edge, on the same loop @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region, int32_t first_edge,
                                               int32_t last_edge);
 
 /** @brief Choose the elements of one edge of a BEM region.
  *
- *  On an interface with a peridynamic region they need not match the lattice then: the material points there follow the
- *  displacement of the elements, and forces return to them so that constant stress passes exactly.
- *  @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
- *  @param[in] element_length target length [m], > 0: ceil(length / element_length) elements
- *  @param[in] grading ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4
- *  @return status @since 0.1 */
+ * On an interface with a peridynamic region they need not match the lattice then: the material points there follow the
+ * displacement of the elements, and forces return to them so that constant stress passes exactly.
+ * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ * @param[in] element_length target length [m], > 0: ceil(length / element_length) elements
+ * @param[in] grading ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                            double grading);
 
 /** @brief Add an initial crack, a polyline.
  *
- *  In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material points.
+ * In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material points.
  * It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
- *  themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end
- *  at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM
- *  region, and ends before interfaces of BEM regions.
- *  @param[in] model the model @param[in] point_count number of points, >= 2
- *  @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
+ * themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end
+ * at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM
+ * region, and ends before interfaces of BEM regions.
+ * @param[in] model the model @param[in] point_count number of points, >= 2
+ * @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);
 
-/** @brief Number of regions. @param[in] model the model @param[out] count number of regions @return status @since 0.1
- */
+/** @brief Number of regions. @param[in] model the model @param[out] count their number @return status @since 0.1 */
 BEMPD_API bempd_status bempd_region_count(const bempd_model* model, int32_t* count);
 
 /** @brief Number of edges of a region with its holes. @param[in] model the model @param[in] region id of a region
- *  @param[out] count number of edges @return status @since 0.1 */
+ * @param[out] count number of edges @return status @since 0.1 */
 BEMPD_API bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count);
 
-/* ------------------------------------------------------------------------------------------------ Supports and loads
- */
+/* ------------------------------------------------------------------------------ Supports and loads */
 
 /** @brief Direction of a support or load; BEMPD_BOTH where the function says so. @since 0.1 */
 typedef enum bempd_component { BEMPD_X = 1, BEMPD_Y = 2, BEMPD_BOTH = 3 } bempd_component;
 
 /** @brief Values on a boundary given by the host; called while the call that received it runs and when the model is
- *  prepared, once per node or integration point.
- *  @param[in] x position [m] @param[in] y position [m]
- *  @param[out] constant shape [2], the constant part in x and y (0 on entry)
- *  @param[out] proportional shape [2], the part multiplied by the load factor (0 on entry)
- *  @param[in] user the pointer given with the function
- *  @return 0 to go on, else the call fails as cancelled @since 0.1 */
+ * prepared, once per node or integration point.
+ * @param[in] x position [m] @param[in] y position [m]
+ * @param[out] constant shape [2], the constant part in x and y (0 on entry)
+ * @param[out] proportional shape [2], the part multiplied by the load factor (0 on entry)
+ * @param[in] user the pointer given with the function
+ * @return 0 to go on, else the call fails as cancelled @since 0.1 */
 typedef int32_t (*bempd_boundary_function)(double x, double y, double* constant, double* proportional, void* user);
 
 /** @brief Fix a whole edge: displacement 0. @param[in] model the model @param[in] region id of a region
- *  @param[in] edge edge number @param[in] component a bempd_component, BEMPD_BOTH allowed
- *  @param[out] support its id; may be NULL @return status @since 0.1 */
+ * @param[in] edge edge number @param[in] component a bempd_component, BEMPD_BOTH allowed
+ * @param[out] support its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_fix_edge(bempd_model* model, int32_t region, int32_t edge, int32_t component,
                                       int32_t* support);
 
 /** @brief Fix the node or material point at a place. Boundary elements put a node at a place on their boundary.
- *  @param[in] model the model @param[in] x [m] @param[in] y [m]
- *  @param[in] component a bempd_component, BEMPD_BOTH allowed @param[out] support its id; may be NULL
- *  @return status @since 0.1 */
+ * @param[in] model the model @param[in] x [m] @param[in] y [m]
+ * @param[in] component a bempd_component, BEMPD_BOTH allowed @param[out] support its id; may be NULL
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_fix_point(bempd_model* model, double x, double y, int32_t component, int32_t* support);
 
 /** @brief Prescribe the displacement of an edge or a part of it.
- *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
- *  @param[in] from start of the part as a fraction of the edge, 0 <= from < to [-]
- *  @param[in] to end of the part, from < to <= 1 [-] @param[in] component BEMPD_X or BEMPD_Y
- *  @param[in] value_count 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
- *  @param[in] constant shape [value_count], constant part [m]; NULL for 0
- *  @param[in] proportional shape [value_count], part multiplied by the load factor [m]; NULL for 0
- *  @param[out] support its id; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part as a fraction of the edge, 0 <= from < to [-]
+ * @param[in] to end of the part, from < to <= 1 [-] @param[in] component BEMPD_X or BEMPD_Y
+ * @param[in] value_count 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
+ * @param[in] constant shape [value_count], constant part [m]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [m]; NULL for 0
+ * @param[out] support its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prescribe_edge(bempd_model* model, int32_t region, int32_t edge, double from, double to,
                                             int32_t component, int64_t value_count, const double* constant,
                                             const double* proportional, int32_t* support);
 
 /** @brief Prescribe the displacement of a part of an edge by a function of the position.
- *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
- *  @param[in] from start of the part [-] @param[in] to end of the part [-]
- *  @param[in] component a bempd_component, BEMPD_BOTH allowed
- *  @param[in] function gives displacements [m] @param[in] user handed to the function; may be NULL
- *  @param[out] support its id; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part [-] @param[in] to end of the part [-]
+ * @param[in] component a bempd_component, BEMPD_BOTH allowed
+ * @param[in] function gives displacements [m] @param[in] user handed to the function; may be NULL
+ * @param[out] support its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prescribe_edge_function(bempd_model* model, int32_t region, int32_t edge, double from,
                                                      double to, int32_t component, bempd_boundary_function function,
                                                      void* user, int32_t* support);
 
 /** @brief Prescribe the displacement of the node or material point at a place.
- *  @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
- *  @param[in] constant constant part [m] @param[in] proportional part multiplied by the load factor [m]
- *  @param[out] support its id; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
+ * @param[in] constant constant part [m] @param[in] proportional part multiplied by the load factor [m]
+ * @param[out] support its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prescribe_point(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* support);
 
 /** @brief Add a traction on a part of an edge that is not an interface.
- *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
- *  @param[in] from start of the part as a fraction of the edge [-] @param[in] to end of the part [-]
- *  @param[in] component BEMPD_X or BEMPD_Y
- *  @param[in] value_count 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
- *  @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
- *  @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
- *  @param[out] load its id; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part as a fraction of the edge [-] @param[in] to end of the part [-]
+ * @param[in] component BEMPD_X or BEMPD_Y
+ * @param[in] value_count 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
+ * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+ * @param[out] load its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_traction(bempd_model* model, int32_t region, int32_t edge, double from, double to,
                                           int32_t component, int64_t value_count, const double* constant,
                                           const double* proportional, int32_t* load);
 
 /** @brief Add a traction on a part of an edge, given by a function of the position.
- *  @param[in] model the model @param[in] region id of a region @param[in] edge edge number
- *  @param[in] from start of the part [-] @param[in] to end of the part [-]
- *  @param[in] function gives tractions [Pa], both components @param[in] user handed to the function; may be NULL
- *  @param[out] load its id; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part [-] @param[in] to end of the part [-]
+ * @param[in] function gives tractions [Pa], both components @param[in] user handed to the function; may be NULL
+ * @param[out] load its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int32_t edge, double from,
                                                    double to, bempd_boundary_function function, void* user,
                                                    int32_t* load);
 
 /** @brief Add a force on the node or material point at a place.
- *  @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
- *  @param[in] constant constant part [N] @param[in] proportional part multiplied by the load factor [N]
- *  @param[out] load its id; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
+ * @param[in] constant constant part [N] @param[in] proportional part multiplied by the load factor [N]
+ * @param[out] load its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* load);
 
@@ -366,63 +373,61 @@ typedef enum bempd_face_component {
 } bempd_face_component;
 
 /** @brief Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
- *  Energies and work leave out what such loads do within the crack alone.
- *  @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
- *  @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
- *  @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
- *  @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
- *  @param[out] load its id; may be NULL @return status @since 0.2 */
+ * Energies and work leave out what such loads do within the crack alone.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
+ * @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
+ * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+ * @param[out] load its id; may be NULL @return status @since 0.2 */
 BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crack, int32_t component,
                                                 int64_t value_count, const double* constant, const double* proportional,
                                                 int32_t* load);
 
 /** @brief Give a traction or point force new values, at any time; a prepared model only changes its right-hand side.
  *
- *  The new load acts from the next step on: that step begins by finding equilibrium at the present load factor.
- *  @param[in] model the model @param[in] load id of a load that was not given by a function
- *  @param[in] value_count as many as the load was made with
- *  @param[in] constant shape [value_count], constant part [Pa] or [N]; NULL for 0
- *  @param[in] proportional shape [value_count], part multiplied by the load factor [Pa] or [N]; NULL for 0
- *  @return status @since 0.1 */
+ * The new load acts from the next step on: that step begins by finding equilibrium at the present load factor.
+ * @param[in] model the model @param[in] load id of a load that was not given by a function
+ * @param[in] value_count as many as the load was made with
+ * @param[in] constant shape [value_count], constant part [Pa] or [N]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [Pa] or [N]; NULL for 0
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_load_values(bempd_model* model, int32_t load, int64_t value_count,
                                              const double* constant, const double* proportional);
 
 /** @brief Give a support new prescribed displacements, at any time; as bempd_set_load_values().
- *  @param[in] model the model @param[in] support id of a support that was not given by a function
- *  @param[in] value_count as many as the support was made with, 1 for a fixed edge or point
- *  @param[in] constant shape [value_count], constant part [m]; NULL for 0
- *  @param[in] proportional shape [value_count], part multiplied by the load factor [m]; NULL for 0
- *  @return status @since 0.1 */
+ * @param[in] model the model @param[in] support id of a support that was not given by a function
+ * @param[in] value_count as many as the support was made with, 1 for a fixed edge or point
+ * @param[in] constant shape [value_count], constant part [m]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [m]; NULL for 0
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count,
                                                 const double* constant, const double* proportional);
 
-/* ---------------------------------------------------------------------------------------------------------- Callbacks
- */
+/* --------------------------------------------------------------------------------------- Callbacks */
 
 /** @brief Progress of a step, called after every event. @param[in] load_factor where the run stands [-]
- *  @param[in] events events so far @param[in] broken_bonds bonds broken so far
- *  @param[in] user the pointer given with the function
- *  @return 0 to go on; else the step is cancelled and returns to its start @since 0.1 */
+ * @param[in] events events so far @param[in] broken_bonds bonds broken so far
+ * @param[in] user the pointer given with the function
+ * @return 0 to go on; else the step is cancelled and returns to its start @since 0.1 */
 typedef int32_t (*bempd_progress_function)(double load_factor, int64_t events, int64_t broken_bonds, void* user);
 
 /** @brief A line of the log. @param[in] level 1 warning, 2 information, 3 detail
- *  @param[in] message UTF-8, valid during the call @param[in] user the pointer given with the function @since 0.1 */
+ * @param[in] message UTF-8, valid during the call @param[in] user the pointer given with the function @since 0.1 */
 typedef void (*bempd_log_function)(int32_t level, const char* message, void* user);
 
 /** @brief Ask to be told of progress. @param[in] model the model @param[in] function NULL for none
- *  @param[in] user handed to the function; may be NULL @return status @since 0.1 */
+ * @param[in] user handed to the function; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function function, void* user);
 
 /** @brief Ask to receive the log. @param[in] model the model @param[in] function NULL for none
- *  @param[in] user handed to the function; may be NULL @return status @since 0.1 */
+ * @param[in] user handed to the function; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user);
 
 /** @brief Ask the step that runs in another thread to stop; it returns to its start and fails as cancelled. A request
- *  made while no step runs is forgotten. @param[in] model the model @return status @since 0.1 */
+ * made while no step runs is forgotten. @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
 
-/* ----------------------------------------------------------------------------------------------------------- Stepping
- */
+/* ---------------------------------------------------------------------------------------- Stepping */
 
 /** @brief Why a step ended. @since 0.1 */
 typedef enum bempd_stop_reason {
@@ -460,40 +465,38 @@ typedef struct bempd_step_report {
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill
- *  @param[in] struct_size sizeof(bempd_step_report) as the caller was compiled: older programs keep working when it
- * grows
- *  @return status @since 0.1 */
+ * @param[in] struct_size sizeof(bempd_step_report) as the caller was compiled: older programs keep working
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step_report_init(bempd_step_report* report, int64_t struct_size);
 
 /** @brief Check the scene and build its operators. The first step does it if you do not. From then on nothing can be
- *  added; loads and supports can still change their values. @param[in] model the model @return status @since 0.1 */
+ * added; loads and supports can still change their values. @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prepare(bempd_model* model);
 
 /** @brief Move the load factor, breaking every bond that reaches its critical stretch on the way.
  *
- *  Between two events the response is linear in the load factor: a step without an event costs no solution. At an event
- *  the most stretched bonds break first (those within the option stepping.tie_band of the largest stretch ratio), and
- *  equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With the option
+ * Between two events the response is linear in the load factor: a step without an event costs no solution. At an event
+ * the most stretched bonds break first (those within the option stepping.tie_band of the largest stretch ratio), and
+ * equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With the option
  * stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end
  * of each every bond that exceeds its critical stretch breaks.
- *  @param[in] model the model @param[in] load_factor where to go, up or down [-]
- *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] load_factor where to go, up or down [-]
+ * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);
 
 /** @brief Go to the next event and perform it: one batch of bonds. While bonds exceed their critical stretch at the
- *  present load factor the next event is there.
- *  @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
- *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
+ * present load factor the next event is there.
+ * @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
+ * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step_to_next_event(bempd_model* model, double load_factor_limit,
                                                 bempd_step_report* report);
 
 /** @brief Go on until the body is separated, no bond can break any more, or the limit is reached.
- *  @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
- *  @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
+ * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_run_to_separation(bempd_model* model, double load_factor_limit, bempd_step_report* report);
 
-/* ------------------------------------------------------------------------------------------------------------ Results
- */
+/* ----------------------------------------------------------------------------------------- Results */
 
 /** @brief A field on a region. Nodes are boundary nodes or material points. @since 0.1 */
 typedef enum bempd_field {
@@ -530,66 +533,66 @@ typedef enum bempd_bond_state {
 BEMPD_API bempd_status bempd_load_factor(const bempd_model* model, double* load_factor);
 
 /** @brief Number that changes whenever the model's fields may have changed. @param[in] model the model
- *  @param[out] generation the number @return status @since 0.1 */
+ * @param[out] generation the number @return status @since 0.1 */
 BEMPD_API bempd_status bempd_generation(const bempd_model* model, int64_t* generation);
 
 /** @brief Number of boundary nodes or material points of a region. Prepares the model.
- *  @param[in] model the model @param[in] region id of a region @param[out] count number of nodes @return status @since
+ * @param[in] model the model @param[in] region id of a region @param[out] count number of nodes @return status @since
  * 0.1 */
 BEMPD_API bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count);
 
 /** @brief Number of boundary elements or lattice cells of a region. Prepares the model.
- *  @param[in] model the model @param[in] region id of a region @param[out] count number @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[out] count number @return status @since 0.1 */
 BEMPD_API bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count);
 
 /** @brief Nodes of the boundary elements (start, mid, end) or of the lattice cells (counter-clockwise).
- *  @param[in] model the model @param[in] region id of a region @param[in] capacity integers in nodes
- *  @param[out] nodes shape [elements][3] for BEM, [cells][4] for PD; indices from 0 @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] capacity integers in nodes
+ * @param[out] nodes shape [elements][3] for BEM, [cells][4] for PD; indices from 0 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes);
 
 /** @brief Size of a field. Prepares the model. @param[in] model the model @param[in] region id of a region
- *  @param[in] field a bempd_field @param[out] count number of entries; may be NULL
- *  @param[out] components numbers per entry; may be NULL @return status @since 0.1 */
+ * @param[in] field a bempd_field @param[out] count number of entries; may be NULL
+ * @param[out] components numbers per entry; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_field_size(bempd_model* model, int32_t region, int32_t field, int64_t* count,
                                         int32_t* components);
 
 /** @brief Copy a field, computing it if needed. @param[in] model the model @param[in] region id of a region
- *  @param[in] field a bempd_field @param[in] capacity numbers in values, at least count * components
- *  @param[out] values shape [count][components] @return status @since 0.1 */
+ * @param[in] field a bempd_field @param[in] capacity numbers in values, at least count * components
+ * @param[out] values shape [count][components] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_copy_field(bempd_model* model, int32_t region, int32_t field, int64_t capacity,
                                         double* values);
 
 /** @brief Look at a field without copying. The view is read-only and valid until a call that changes the generation.
- *  @param[in] model the model @param[in] region id of a region @param[in] field a bempd_field
- *  @param[out] values shape [count][components], owned by the model @param[out] count number of entries; may be NULL
- *  @param[out] components numbers per entry; may be NULL
- *  @param[out] generation generation of the view; may be NULL @return status @since 0.1 */
+ * @param[in] model the model @param[in] region id of a region @param[in] field a bempd_field
+ * @param[out] values shape [count][components], owned by the model @param[out] count number of entries; may be NULL
+ * @param[out] components numbers per entry; may be NULL
+ * @param[out] generation generation of the view; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_view_field(bempd_model* model, int32_t region, int32_t field, const double** values,
                                         int64_t* count, int32_t* components, int64_t* generation);
 
 /** @brief Number of bonds of a PD region, with broken and cut ones. Prepares the model.
- *  @param[in] model the model @param[in] region id of a PD region @param[out] count number of bonds @return status
+ * @param[in] model the model @param[in] region id of a PD region @param[out] count number of bonds @return status
  * @since 0.1 */
 BEMPD_API bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count);
 
 /** @brief Ends and states of the bonds of a PD region. @param[in] model the model
- *  @param[in] region id of a PD region @param[in] capacity bonds that the arrays have room for
- *  @param[out] points shape [bonds][2], indices of material points from 0; may be NULL
- *  @param[out] states shape [bonds], each a bempd_bond_state; may be NULL @return status @since 0.1 */
+ * @param[in] region id of a PD region @param[in] capacity bonds that the arrays have room for
+ * @param[out] points shape [bonds][2], indices of material points from 0; may be NULL
+ * @param[out] states shape [bonds], each a bempd_bond_state; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points,
                                         int32_t* states);
 
 /** @brief Force that a support exerts on the body at the present load factor. Where supports share a node's component
- *  the first one counts it. @param[in] model the model @param[in] support id of a support
- *  @param[out] force shape [2], resultant [N] @return status @since 0.1 */
+ * the first one counts it. @param[in] model the model @param[in] support id of a support
+ * @param[out] force shape [2], resultant [N] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force);
 
 /** @brief Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
- *  between material points in PD regions. @param[in] model the model @param[in] count number of places
- *  @param[in] points shape [count][2] [m] @param[out] displacement shape [count][2] [m]; may be NULL
- *  @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
- *  @param[out] regions shape [count], id of the region that holds each place; may be NULL
- *  @return status; a place outside the body is an argument error @since 0.1 */
+ * between material points in PD regions. @param[in] model the model @param[in] count number of places
+ * @param[in] points shape [count][2] [m] @param[out] displacement shape [count][2] [m]; may be NULL
+ * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
+ * @param[out] regions shape [count], id of the region that holds each place; may be NULL
+ * @return status; a place outside the body is an argument error @since 0.1 */
 BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                                       double* stress, int32_t* regions);
 
@@ -598,9 +601,9 @@ typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_
 
 /** @brief The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
  *
- *  Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
- *  the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than what
- *  they border on. @since 0.2 */
+ * Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
+ * the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than what
+ * they border on. @since 0.2 */
 typedef struct bempd_crack_tip {
   int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
   int32_t crack;               /**< id of the crack */
@@ -623,24 +626,24 @@ typedef struct bempd_crack_tip {
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill
- *  @param[in] struct_size sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
- *  @return status @since 0.2 */
+ * @param[in] struct_size sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
+ * @return status @since 0.2 */
 BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
 
 /** @brief Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
- *  model. @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
+ * model. @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
 BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
 
 /** @brief A tip, by crack and the end nearer to its first point first. @param[in] model the model
- *  @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
+ * @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
 BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip);
 
 /** @brief Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen
- *  from its first point, less that of the face on its right.
- *  @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
- *  @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
- *  @param[out] normal shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
- *  @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.2 */
+ * from its first point, less that of the face on its right.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
+ * @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+ * @param[out] normal shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+ * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.2 */
 BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                            double* normal, double* tangential);
 
@@ -673,13 +676,12 @@ typedef struct bempd_statistics {
 } bempd_statistics;
 
 /** @brief Set struct_size and zeros. @param[out] statistics the struct to fill
- *  @param[in] struct_size sizeof(bempd_statistics) as the caller was compiled: older programs keep working when it
- * grows
- *  @return status @since 0.1 */
+ * @param[in] struct_size sizeof(bempd_statistics) as the caller was compiled: older programs keep working
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64_t struct_size);
 
 /** @brief Sizes, counters and times so far. @param[in] model the model
- *  @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
+ * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
 /** @brief One line of the history. Fill it with bempd_history_entry_init(). @since 0.1 */
@@ -697,57 +699,65 @@ typedef struct bempd_history_entry {
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill
- *  @param[in] struct_size sizeof(bempd_history_entry) as the caller was compiled: older programs keep working when it
- * grows
- *  @return status @since 0.1 */
+ * @param[in] struct_size sizeof(bempd_history_entry) as the caller was compiled: older programs keep working
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_history_entry_init(bempd_history_entry* entry, int64_t struct_size);
 
 /** @brief Number of lines of the history: one per event and per end of a step. @param[in] model the model
- *  @param[out] count number of lines @return status @since 0.1 */
+ * @param[out] count number of lines @return status @since 0.1 */
 BEMPD_API bempd_status bempd_history_count(const bempd_model* model, int64_t* count);
 
 /** @brief A line of the history. @param[in] model the model @param[in] index 0 .. count-1
- *  @param[in,out] entry struct_size in, the rest out @return status @since 0.1 */
+ * @param[in,out] entry struct_size in, the rest out @return status @since 0.2 */
+BEMPD_API bempd_status bempd_get_history_entry(const bempd_model* model, int64_t index, bempd_history_entry* entry);
+
+/** @brief The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
+ * @param[in] model the model @param[in] index 0 .. count-1
+ * @param[in,out] entry struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry);
 
-/* -------------------------------------------------------------------------------------------------------------- State
- */
+/* ------------------------------------------------------------------------------------------- State */
 
 /** @brief Save the state of a prepared model in memory, so that a host can repeat a step.
- *  @param[in] model the model @param[out] state the saved state; free it with bempd_state_free()
- *  @return status @since 0.1 */
+ *
+ * From then on the model goes on as one restored from that state does, to the last bit. A run that never saves may
+ * differ from both by rounding.
+ * @param[in] model the model @param[out] state the saved state; free it with bempd_state_free()
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state);
 
 /** @brief Bring a model back to a saved state. Loads and supports keep their present values.
- *  @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
- *  @return status @since 0.1 */
+ *
+ * The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in their
+ * order, options that shape the equations. The processor and the values of loads and supports may be others.
+ * @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
+ * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_restore(bempd_model* model, const bempd_state* state);
 
 /** @brief Free a saved state. @param[in] state may be NULL @since 0.1 */
 BEMPD_API void bempd_state_free(bempd_state* state);
 
 /** @brief Write a saved state as bytes, with magic, version, byte order and checksum. @param[in] state the state
- *  @param[in] capacity bytes in buffer
- *  @param[out] buffer shape [capacity]; may be NULL when capacity is 0
- *  @param[out] needed bytes that the state needs; may be NULL @return status @since 0.1 */
+ * @param[in] capacity bytes in buffer
+ * @param[out] buffer shape [capacity]; may be NULL when capacity is 0
+ * @param[out] needed bytes that the state needs; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_to_bytes(const bempd_state* state, int64_t capacity, uint8_t* buffer,
                                             int64_t* needed);
 
 /** @brief Read a saved state from bytes. @param[in] size number of bytes @param[in] bytes shape [size]
- *  @param[out] state the state; free it with bempd_state_free() @return status @since 0.1 */
+ * @param[out] state the state; free it with bempd_state_free() @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_state** state);
 
-/* -------------------------------------------------------------------------------------------------------------- Files
- */
+/* ------------------------------------------------------------------------------------------- Files */
 
 /** @brief Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
- *  damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
- *  @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
+ * damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
+ * @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
  * 0.1 */
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);
 
 /** @brief Write the history with the reactions of all supports as comma-separated values.
- *  @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
+ * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_write_history(const bempd_model* model, const char* path);
 
 #ifdef __cplusplus

@@ -77,7 +77,8 @@ module bempd
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
     load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate, get_statistics, &
-    history, add_crack_traction, tips, crack_opening, state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
+    history, add_crack_traction, tips, crack_opening, &
+    state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
 
   interface

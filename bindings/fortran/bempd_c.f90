@@ -117,11 +117,11 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_CRACK_START = 1
   integer(c_int), parameter :: BEMPD_CRACK_END = 2
 
-  !> Description of one option. Set struct_size = sizeof(bempd_option_info) first.
+  !> Description of one option. Fill it with bempd_option_info_init().
   !>
   !> since: 0.1
   type, bind(c) :: bempd_option_info
-    !> sizeof(bempd_option_info), set by the caller
+    !> sizeof(bempd_option_info), set by bempd_option_info_init()
     integer(c_int64_t) :: struct_size
     !> name for bempd_set_option() and its kin; constant string
     type(c_ptr) :: name
@@ -149,10 +149,10 @@ module bempd_c
   !>
   !> Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
   !> preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
-  !> Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Give critical_stretch or
-  !> fracture_energy, or neither for a material that does not break. From the fracture energy G0 and the horizon delta
-  !> the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane
-  !> strain.
+  !> Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; a ratio within 1e-6 of that
+  !> is taken for it. Give critical_stretch or fracture_energy, or neither for a material that does not break. From the
+  !> fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
+  !> sqrt(4 pi G0 / (7 E delta)) in plane strain.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_material
@@ -439,14 +439,28 @@ module bempd_c
       integer(c_int) :: bempd_model_create
     end function bempd_model_create
 
-    !> Free a model and everything it owns.
+    !> Free a model and everything it owns; called while the model is in another call, from one of its callbacks, when
+    !> that call returns. What failed then is said by bempd_last_error(NULL).
     !>
-    !> model [in]: may be NULL
+    !> model [in]: may be NULL; not to be used afterwards
     !> since: 0.1
     subroutine bempd_model_free(model) bind(c, name="bempd_model_free")
       import :: c_ptr
       type(c_ptr), value :: model
     end subroutine bempd_model_free
+
+    !> Set struct_size and zeros.
+    !>
+    !> info [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_option_info) as the caller was compiled: older programs keep working
+    !> return: status
+    !> since: 0.2
+    function bempd_option_info_init(info, struct_size) bind(c, name="bempd_option_info_init")
+      import :: bempd_option_info, c_int, c_int64_t
+      type(bempd_option_info), intent(inout) :: info
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_option_info_init
+    end function bempd_option_info_init
 
     !> Number of options.
     !>
@@ -539,7 +553,7 @@ module bempd_c
     !> Set struct_size and the defaults.
     !>
     !> material [out]: the struct to fill
-    !> struct_size [in]: sizeof(bempd_material) as the caller was compiled: older programs keep working when it grows
+    !> struct_size [in]: sizeof(bempd_material) as the caller was compiled: older programs keep working
     !> return: status
     !> since: 0.1
     function bempd_material_init(material, struct_size) bind(c, name="bempd_material_init")
@@ -749,7 +763,7 @@ module bempd_c
     !> Number of regions.
     !>
     !> model [in]: the model
-    !> count [out]: number of regions
+    !> count [out]: their number
     !> return: status
     !> since: 0.1
     function bempd_region_count(model, count) bind(c, name="bempd_region_count")
@@ -1086,7 +1100,7 @@ module bempd_c
     !> Set struct_size and zeros.
     !>
     !> report [out]: the struct to fill
-    !> struct_size [in]: sizeof(bempd_step_report) as the caller was compiled: older programs keep working when it grows
+    !> struct_size [in]: sizeof(bempd_step_report) as the caller was compiled: older programs keep working
     !> return: status
     !> since: 0.1
     function bempd_step_report_init(report, struct_size) bind(c, name="bempd_step_report_init")
@@ -1435,7 +1449,7 @@ module bempd_c
     !> Set struct_size and zeros.
     !>
     !> statistics [out]: the struct to fill
-    !> struct_size [in]: sizeof(bempd_statistics) as the caller was compiled: older programs keep working when it grows
+    !> struct_size [in]: sizeof(bempd_statistics) as the caller was compiled: older programs keep working
     !> return: status
     !> since: 0.1
     function bempd_statistics_init(statistics, struct_size) bind(c, name="bempd_statistics_init")
@@ -1461,8 +1475,7 @@ module bempd_c
     !> Set struct_size and zeros.
     !>
     !> entry [out]: the struct to fill
-    !> struct_size [in]: sizeof(bempd_history_entry) as the caller was compiled: older programs keep working when it
-    !>   grows
+    !> struct_size [in]: sizeof(bempd_history_entry) as the caller was compiled: older programs keep working
     !> return: status
     !> since: 0.1
     function bempd_history_entry_init(entry, struct_size) bind(c, name="bempd_history_entry_init")
@@ -1491,6 +1504,21 @@ module bempd_c
     !> index [in]: 0 .. count-1
     !> entry [in,out]: struct_size in, the rest out
     !> return: status
+    !> since: 0.2
+    function bempd_get_history_entry(model, index, entry) bind(c, name="bempd_get_history_entry")
+      import :: bempd_history_entry, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_history_entry), intent(inout) :: entry
+      integer(c_int) :: bempd_get_history_entry
+    end function bempd_get_history_entry
+
+    !> The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> entry [in,out]: struct_size in, the rest out
+    !> return: status
     !> since: 0.1
     function bempd_history(model, index, entry) bind(c, name="bempd_history")
       import :: bempd_history_entry, c_int, c_int64_t, c_ptr
@@ -1501,6 +1529,9 @@ module bempd_c
     end function bempd_history
 
     !> Save the state of a prepared model in memory, so that a host can repeat a step.
+    !>
+    !> From then on the model goes on as one restored from that state does, to the last bit. A run that never saves may
+    !> differ from both by rounding.
     !>
     !> model [in]: the model
     !> state [out]: the saved state; free it with bempd_state_free()
@@ -1514,6 +1545,9 @@ module bempd_c
     end function bempd_state_save
 
     !> Bring a model back to a saved state. Loads and supports keep their present values.
+    !>
+    !> The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in
+    !> their order, options that shape the equations. The processor and the values of loads and supports may be others.
     !>
     !> model [in]: the model that was saved, or one with the same scene
     !> state [in]: the state; not consumed

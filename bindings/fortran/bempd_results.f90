@@ -206,7 +206,7 @@ contains
     allocate (entries(count))
     do k = 1, count
       status = bempd_history_entry_init(entries(k), c_sizeof(entries(k)))
-      status = bempd_history(self%handle, k - 1, entries(k))
+      status = bempd_get_history_entry(self%handle, k - 1, entries(k))
       if (status /= BEMPD_OK) exit
     end do
     call finish(self, status, stat, errmsg)

@@ -169,8 +169,8 @@ contains
     status = bempd_option_count(count)
     allocate (options(count))
     do k = 1, count
-      info%struct_size = c_sizeof(info)
-      status = bempd_option_describe(k - 1, info)
+      status = bempd_option_info_init(info, c_sizeof(info))
+      if (status == BEMPD_OK) status = bempd_option_describe(k - 1, info)
       if (status /= BEMPD_OK) exit
       options(k)%name = text_at(info%name)
       options(k)%summary = text_at(info%summary)

@@ -74,6 +74,7 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
   kernel_evaluations_ = matrices_.kernel_evaluations;
   copy_lower_to_upper(matrices_.hypersingular);
   single_layer_.compute(matrices_.single_layer);
+  require_positive(single_layer_);
   full_ = stiffness_of(matrices_, single_layer_, from_unknowns(mesh, cracks)) *
           (elasticity.thickness * elasticity.shear_modulus());
   eliminate_openings();

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "bem/pair_blocks.hpp"
+#include "error.hpp"
 #include "parallel.hpp"
 
 namespace bempd::bem {
@@ -116,6 +117,13 @@ std::vector<GalerkinElement> boundary_galerkin_elements(const BoundaryMesh& mesh
         {boundary.elements[e], element.nodes, element.traction_nodes, {element.nodes[0], element.nodes[2]}});
   }
   return elements;
+}
+
+void require_positive(const Eigen::LLT<Eigen::MatrixXd>& single_layer) {
+  if (single_layer.info() == Eigen::Success) return;
+  fail(Failure::unsolvable,
+       "the boundary operator of a region is numerically singular; its shape has parts too thin for its elements, or "
+       "elements of too different length: give these parts shorter elements, or leave them out");
 }
 
 void copy_lower_to_upper(Eigen::MatrixXd& a) {

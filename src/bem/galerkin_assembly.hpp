@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Cholesky>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -32,6 +32,9 @@ struct GalerkinMatrices {
 // traction, so it has columns in B and D only.
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
                                    double nu, const AssemblyOptions& options);
+
+// Throws Error (unsolvable) unless the single layer has a Cholesky factor.
+void require_positive(const Eigen::LLT<Eigen::MatrixXd>& single_layer);
 
 void copy_lower_to_upper(Eigen::MatrixXd& a);
 

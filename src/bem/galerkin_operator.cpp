@@ -1,7 +1,5 @@
 #include "bem/galerkin_operator.hpp"
 
-#include <cassert>
-
 #include "bem/boundary_elements.hpp"
 #include "bem/galerkin_assembly.hpp"
 
@@ -15,7 +13,7 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
                                                 elasticity.effective_poisson_ratio(), options);
   kernel_evaluations_ = matrices.kernel_evaluations;
   single_layer_.compute(matrices.single_layer);
-  assert(single_layer_.info() == Eigen::Success);
+  require_positive(single_layer_);
   reduced_transpose_ = std::move(matrices.double_layer);
   single_layer_.matrixU().solveInPlace<Eigen::OnTheRight>(reduced_transpose_);
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bem/kernel_sums.hpp"
-#include "bem/smoothness.hpp"
 
 namespace bempd::bem {
 
@@ -20,6 +19,9 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
     for (int j = 0; j < 3; ++j) distances[i][j] = (inner[j] - outer[i]).norm();
   return distances;
 }
+
+// About as much work as alongside() does.
+constexpr std::size_t most_short_pairs = 256;
 
 double closest_singularity(const ElementGeometry& element, const Interval& interval,
                            const std::array<Point, 3>& other) {
@@ -56,9 +58,8 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
 // The kernels are analytic along one stretch, seen from a point of the other
 // one, up to the complex parameter at which r vanishes. On a straight one that
 // is where its line meets the other point, whose distances to both ends are
-// real distances in the plane.
-void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart part, int depth,
-                           PairMoments& moments) const {
+// real distances in the plane. False when it takes more pairs than are worth it.
+bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const {
   const Distances d = distances_between(outer.sample, inner.sample);
   const double outer_sum = outer.straight
                                ? std::min({d[0][0] + d[2][0], d[0][1] + d[2][1], d[0][2] + d[2][2]}) / outer.half_length
@@ -70,19 +71,30 @@ void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart 
   const int inner_rule = std::max(rules_.rule(inner_sum), inner.shape_rule);
 
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1, max_depth = 60;
-  if ((outer_rule > largest || inner_rule > largest) && depth < max_depth) {
-    const bool halve_outer = outer_sum < inner_sum;
-    const auto& [element, interval] = halve_outer ? outer.side : inner.side;
-    const double mid = interval.mid();
-    for (const Stretch& half : {stretch({element, {interval.from, mid}}), stretch({element, {mid, interval.to}})})
-      halve_outer ? apart(half, inner, part, depth + 1, moments) : apart(outer, half, part, depth + 1, moments);
-    return;
+  if ((outer_rule <= largest && inner_rule <= largest) || depth == max_depth) {
+    pairs.push_back({outer.side, inner.side, std::min(outer_rule, largest), std::min(inner_rule, largest)});
+    return pairs.size() <= most_short_pairs;
   }
+  const bool halve_outer = outer_sum < inner_sum;
+  const auto& [element, interval] = halve_outer ? outer.side : inner.side;
+  const Stretch first = stretch({element, {interval.from, interval.mid()}});
+  const Stretch second = stretch({element, {interval.mid(), interval.to}});
+  return halve_outer ? halve(first, inner, depth + 1, pairs) && halve(second, inner, depth + 1, pairs)
+                     : halve(outer, first, depth + 1, pairs) && halve(outer, second, depth + 1, pairs);
+}
 
+void PairIntegrator::add(const ShortPair& pair, PairPart part, PairMoments& moments) const {
   ElementPoints outer_scratch, inner_scratch;
-  const ElementPoints& x = points(outer.side, std::min(outer_rule, largest), outer_scratch);
-  const ElementPoints& y = points(inner.side, std::min(inner_rule, largest), inner_scratch);
+  const ElementPoints& x = points(pair.outer, pair.outer_rule, outer_scratch);
+  const ElementPoints& y = points(pair.inner, pair.inner_rule, inner_scratch);
   add_kernel_sums(x, y, part, moments);
+}
+
+void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const {
+  thread_local std::vector<ShortPair> pairs;
+  pairs.clear();
+  if (!halve(outer, inner, 0, pairs)) return alongside(outer.side, inner.side, part, moments);
+  for (const ShortPair& pair : pairs) add(pair, part, moments);
 }
 
 PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, PairPart part) const {
@@ -101,11 +113,11 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       // Two elements that form a loop: halves with the same sign are apart, opposite ones touch.
       touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
       touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
-      apart(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, 0, moments);
-      apart(stretch({outer, {-1, 0}}), stretch({inner, {-1, 0}}), part, 0, moments);
+      apart(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);
+      apart(stretch({outer, {-1, 0}}), stretch({inner, {-1, 0}}), part, moments);
       break;
     case Contact::none:
-      apart(whole_stretches_[outer], whole_stretches_[inner], part, 0, moments);
+      apart(whole_stretches_[outer], whole_stretches_[inner], part, moments);
       break;
   }
   return moments;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bem/boundary_elements.hpp"
+#include "bem/smoothness.hpp"
 
 namespace bempd::bem {
 
@@ -33,8 +34,10 @@ enum class PairPart { everything, double_layer_only };
 enum class Contact { none, same, end_to_start, start_to_end, both_ends };
 
 // Integrates over pairs of elements, each pair with the relative error `tolerance`. Pairs apart: products of Gauss
-// rules, halving intervals until they are short enough for their distance. Touching pairs: polar-like coordinates
-// around the common point, in which all that is singular is a factor ln(radius).
+// rules, halving intervals until they are short enough for their distance. Pairs that lie along each other at a small
+// distance, as on the two sides of a slit, would take as many halves as they are longer than that distance: there the
+// inner integral is split anew for every outer point, and the work grows with the square of a logarithm. Touching
+// pairs: polar-like coordinates around the common point, in which all that is singular is a factor ln(radius).
 class PairIntegrator {
  public:
   PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance);
@@ -59,7 +62,21 @@ class PairIntegrator {
     bool straight;
   };
   Stretch stretch(const Side& side) const;
-  void apart(const Stretch& outer, const Stretch& inner, PairPart part, int depth, PairMoments& moments) const;
+  // Two sides short enough for their distance, with their rules.
+  struct ShortPair {
+    Side outer, inner;
+    int outer_rule, inner_rule;
+  };
+  // A piece of an element on which one rule is enough.
+  struct Piece {
+    Interval interval;
+    int rule;
+  };
+  void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
+  bool halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const;
+  void add(const ShortPair& pair, PairPart part, PairMoments& moments) const;
+  void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
+  void split(const Side& side, const Singularities* singularities, std::size_t count, std::vector<Piece>& pieces) const;
   void touching(const Side& outer, const Side& inner, bool common_node, PairPart part, PairMoments& moments) const;
   void same(int element, PairMoments& moments) const;
   void same_tip(int element, PairMoments& moments) const;

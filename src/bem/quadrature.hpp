@@ -34,6 +34,8 @@ int regular_rule(int points_needed);
 class RegularRules {
  public:
   explicit RegularRules(double tolerance);
+  // The sum of distances for which the largest rule is just enough.
+  double least_sum() const { return least_sum_.back(); }
   // The argument is that of ellipse_size().
   int rule(double sum_of_distances) const {
     int index = 0;

@@ -41,6 +41,18 @@ double Singularities::sum_of_distances(const Interval& interval) const {
   return 2 * closest / std::abs(interval.to - interval.from);
 }
 
+// With the distance r of the singularity from the start, u along the interval, the other end at h has the distance
+// sqrt(r^2 - 2 u h + h^2), and the two add to sum h / 2 where h = 2 (k r - u) / (k^2 - 1), k = sum / 2.
+double Singularities::longest_interval(double from, double sum) const {
+  const double k = 0.5 * sum;
+  double longest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < count_; ++i) {
+    const Complex offset = at_[i] - from;
+    longest = std::min(longest, 2 * (k * std::abs(offset) - offset.real()) / (k * k - 1));
+  }
+  return longest;
+}
+
 Singularities singularities_from(const ElementGeometry& element, const Point& x) {
   Singularities s;
   const Complex c0 = as_complex(element.c0 - x), c1 = as_complex(element.c1), c2 = as_complex(element.c2);
@@ -52,6 +64,21 @@ Singularities singularities_from(const ElementGeometry& element, const Point& x)
     add_angles(element, x, s);
   }
   return s;
+}
+
+std::vector<Singularities> singularities_of_integral(const ElementGeometry& outer, const ElementGeometry& inner,
+                                                     const Interval& interval) {
+  std::vector<Singularities> all{singularities_from(outer, inner.at(interval.from)),
+                                 singularities_from(outer, inner.at(interval.to))};
+  if (inner.straight()) return all;
+  if (inner.basis.powers()) {
+    const Complex c1 = as_complex(inner.c1), focus = as_complex(inner.c0) - c1 * c1 / (4.0 * as_complex(inner.c2));
+    all.push_back(singularities_from(outer, Point(focus.real(), focus.imag())));
+  } else {
+    const double root = std::sin(0.5 * inner.basis.half_angle());
+    all.push_back(singularities_from(outer, inner.c0 + inner.c2 / (2 * root * root)));
+  }
+  return all;
 }
 
 Singularities singularities_of_chord(const ElementGeometry& element, double xi0) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <complex>
+#include <vector>
 
 #include "bem/element_geometry.hpp"
 #include "bem/quadrature.hpp"
@@ -16,6 +17,8 @@ class Singularities {
   // Distances of the nearest one from the ends of the interval, added, where the interval has the length 2; infinite
   // without singularities.
   double sum_of_distances(const Interval& interval) const;
+  // The longest interval from `from` upwards for which sum_of_distances() is at least `sum` > 2.
+  double longest_interval(double from, double sum) const;
   // Size of the ellipse around the interval in which the integrand is analytic.
   double ellipse(const Interval& interval) const { return ellipse_size(sum_of_distances(interval)); }
 
@@ -26,6 +29,12 @@ class Singularities {
 
 // Where the distance from the point x vanishes.
 Singularities singularities_from(const ElementGeometry& element, const Point& x);
+
+// Where a function of the place x on `outer` that is an integral over the interval of `inner`, with kernels of the
+// distance, is not analytic: where the path of integration ends, and where the parameter of `inner` is not analytic in
+// the place (at the centre of an arc, the focus of a parabola). The rest of the path can be moved out of the way.
+std::vector<Singularities> singularities_of_integral(const ElementGeometry& outer, const ElementGeometry& inner,
+                                                     const Interval& interval);
 
 // Those that are left when the distance from the element's own point xi0 is divided by |xi - xi0|.
 Singularities singularities_of_chord(const ElementGeometry& element, double xi0);

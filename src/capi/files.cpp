@@ -11,7 +11,7 @@ bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix) {
 }
 
 bempd_status bempd_write_history(const bempd_model* model, const char* path) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
     m.write_history(path);
   });

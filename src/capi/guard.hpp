@@ -11,12 +11,18 @@
 #include "error.hpp"
 #include "model/model.hpp"
 
-// The handles of the C interface.
+namespace bempd::capi {
+
+enum class Use { idle, in_a_call, to_be_freed };  // the last: once the call that runs returns
+
+}  // namespace bempd::capi
+
+// The handles of the C interface. A const model keeps its engine as it is; the books of the calls are not part of that.
 struct bempd_model {
   bempd::model::Model engine;
-  std::string error;
-  std::atomic<bool> busy{false};
-  bool broken = false;  // after an internal error
+  mutable std::string error;
+  mutable std::atomic<bempd::capi::Use> use{bempd::capi::Use::idle};
+  mutable bool broken = false;  // after an internal error
 };
 
 struct bempd_state {
@@ -64,15 +70,14 @@ bempd_status without_model(const char* function, const Body& body) noexcept {
   return catch_all(function, thread_error(), nullptr, body);
 }
 
-// A call on a model; `body` receives its engine.
-template <class Body>
-bempd_status with_model(const bempd_model* handle, const char* function, const Body& body) noexcept {
-  if (!handle) {
+// A call on a model, const or not; `body` receives its engine.
+template <class Handle, class Body>
+bempd_status with_model(Handle* model, const char* function, const Body& body) noexcept {
+  if (!model) {
     return without_model(function, [] { require(false, "model is NULL; create one with bempd_model_create()"); });
   }
-  // Errors and the busy mark are bookkeeping, not part of what a const model promises to keep.
-  auto* model = const_cast<bempd_model*>(handle);
-  if (model->busy.exchange(true)) {
+  Use idle = Use::idle;
+  if (!model->use.compare_exchange_strong(idle, Use::in_a_call)) {
     return without_model(function, [] {
       fail(Failure::order,
            "the model is in another call; from a callback or another thread only bempd_request_cancel() is allowed");
@@ -83,7 +88,11 @@ bempd_status with_model(const bempd_model* handle, const char* function, const B
       throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
     body(model->engine);
   });
-  model->busy = false;
+  Use in_a_call = Use::in_a_call;
+  if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
+    thread_error().swap(model->error);  // what happened can still be asked for
+    delete model;
+  }
   return status;
 }
 

@@ -1,6 +1,7 @@
 #include <cstring>
 
 #include "capi/guard.hpp"
+#include "linalg/blas.hpp"
 #include "linalg/sparse_cholesky.hpp"
 
 using namespace bempd;
@@ -12,7 +13,8 @@ const char* bempd_build_info(void) {
   static const std::string info = [] {
     return std::string("bempd ") + BEMPD_VERSION + ", sparse factorization " + linalg::backend_name() + ", Eigen " +
            std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-           std::to_string(EIGEN_MINOR_VERSION) + ", compiler " + __VERSION__;
+           std::to_string(EIGEN_MINOR_VERSION) + ", compiler " + __VERSION__ + ", " +
+           linalg::describe(linalg::running_blas());
   }();
   return info.c_str();
 }
@@ -53,7 +55,13 @@ bempd_status bempd_model_create(bempd_model** model) {
   });
 }
 
-void bempd_model_free(bempd_model* model) { delete model; }
+void bempd_model_free(bempd_model* model) {
+  if (model && model->use.exchange(Use::to_be_freed) == Use::idle) delete model;
+}
+
+bempd_status bempd_option_info_init(bempd_option_info* info, int64_t struct_size) {
+  return init_struct(__func__, "info", info, struct_size, {});
+}
 
 bempd_status bempd_option_count(int64_t* count) {
   return without_model(__func__,
@@ -89,7 +97,7 @@ bempd_status bempd_set_option(bempd_model* model, const char* name, double value
 }
 
 bempd_status bempd_get_option(const bempd_model* model, const char* name, double* value) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     require(name != nullptr, "name is NULL; give an option's name");
     out(value, "value") = m.options().number(name);
   });
@@ -105,7 +113,7 @@ bempd_status bempd_set_option_text(bempd_model* model, const char* name, const c
 
 bempd_status bempd_get_option_text(const bempd_model* model, const char* name, char* buffer, int64_t capacity,
                                    int64_t* needed) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     require(name != nullptr, "name is NULL; give an option's name");
     const std::string& value = m.options().text_value(name);
     const auto size = static_cast<int64_t>(value.size()) + 1;

@@ -17,14 +17,28 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
   require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
 }
 
+bempd_status get_history_entry(const bempd_model* model, const char* function, std::int64_t index,
+                               bempd_history_entry* entry) {
+  return with_model(model, function, [&](const model::Model& m) {
+    const model::PreparedScene* p = m.prepared_or_null();
+    const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
+    require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
+    const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
+    write_struct(entry,
+                 {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
+                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
+                 "entry");
+  });
+}
+
 }  // namespace
 
 bempd_status bempd_load_factor(const bempd_model* model, double* load_factor) {
-  return with_model(model, __func__, [&](model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });
 }
 
 bempd_status bempd_generation(const bempd_model* model, int64_t* generation) {
-  return with_model(model, __func__, [&](model::Model& m) { out(generation, "generation") = m.generation(); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(generation, "generation") = m.generation(); });
 }
 
 bempd_status bempd_node_count(bempd_model* model, int32_t region, int64_t* count) {
@@ -121,7 +135,7 @@ bempd_status bempd_statistics_init(bempd_statistics* statistics, int64_t struct_
 }
 
 bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     bempd_statistics s{};
     s.reciprocal_condition = 1;
     if (const model::PreparedScene* p = m.prepared_or_null()) {
@@ -159,21 +173,16 @@ bempd_status bempd_history_entry_init(bempd_history_entry* entry, int64_t struct
 }
 
 bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) {
+  return with_model(model, __func__, [&](const model::Model& m) {
     const model::PreparedScene* p = m.prepared_or_null();
     out(count, "count") = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
   });
 }
 
+bempd_status bempd_get_history_entry(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
+  return get_history_entry(model, __func__, index, entry);
+}
+
 bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    const model::PreparedScene* p = m.prepared_or_null();
-    const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
-    require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
-    const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
-    write_struct(entry,
-                 {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
-                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
-                 "entry");
-  });
+  return get_history_entry(model, __func__, index, entry);
 }

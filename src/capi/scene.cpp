@@ -98,10 +98,10 @@ bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const doub
 }
 
 bempd_status bempd_region_count(const bempd_model* model, int32_t* count) {
-  return with_model(model, __func__, [&](model::Model& m) { out(count, "count") = m.scene().region_count(); });
+  return with_model(model, __func__, [&](const model::Model& m) { out(count, "count") = m.scene().region_count(); });
 }
 
 bempd_status bempd_edge_count(const bempd_model* model, int32_t region, int32_t* count) {
   return with_model(model, __func__,
-                    [&](model::Model& m) { out(count, "count") = m.scene().region(region).edge_count(); });
+                    [&](const model::Model& m) { out(count, "count") = m.scene().region(region).edge_count(); });
 }

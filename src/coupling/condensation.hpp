@@ -42,7 +42,7 @@ class Condensation {
   Affine displacement(const Affine& kept) const;
 
  private:
-  EquilibriumSystem& system_;
+  ReducedSystem system_;
   std::vector<int> dofs_;
   Eigen::MatrixXd factor_;
   Affine eliminated_;  // L^-1 load

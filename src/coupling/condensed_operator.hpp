@@ -1,54 +1,14 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <memory>
 #include <vector>
 
 #include "coupling/affine.hpp"
+#include "coupling/elimination.hpp"
 #include "coupling/operators.hpp"
 
 namespace bempd::coupling {
-
-enum class DofKind : char { prescribed, private_free, shared_free, tied };
-
-// The private unknowns of a stiffness (free, and touched by no other operator) eliminated. Degrees of freedom are the
-// stiffness' own.
-class Elimination {
- public:
-  using Stiffness = std::shared_ptr<const Eigen::MatrixXd>;
-
-  // Throws Error (unsolvable) if the private part is singular.
-  Elimination(Stiffness stiffness, bool symmetric, std::vector<DofKind> kind);
-
-  bool is_of(const Stiffness& stiffness, const std::vector<DofKind>& kind) const {
-    return stiffness_ == stiffness && kind_ == kind;
-  }
-  const Eigen::MatrixXd& stiffness() const { return *stiffness_; }
-  const std::vector<int>& private_dofs() const { return private_; }
-  const std::vector<int>& shared_dofs() const { return shared_; }
-  const Eigen::MatrixXd& schur_complement() const { return schur_; }
-  // Private displacements per shared displacement, sign reversed.
-  const Eigen::MatrixXd& transfer() const { return transfer_; }
-  // Private displacements to private forces, the shared ones held at 0.
-  Affine solve_private(const Affine& force) const;
-  // Of the private block, estimated; 1 if it is empty.
-  double reciprocal_condition() const;
-
- private:
-  void eliminate_symmetric();
-  void eliminate_unsymmetric();
-
-  Stiffness stiffness_;
-  bool symmetric_;
-  std::vector<DofKind> kind_;
-  std::vector<int> private_, shared_;
-  // Of the private block: one of the two.
-  Eigen::LLT<Eigen::MatrixXd> cholesky_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  Eigen::MatrixXd transfer_, schur_;
-};
 
 // A dense operator whose private unknowns are eliminated once, so that only the unknowns it shares with others enter
 // the sparse system.
@@ -75,11 +35,17 @@ class CondensedOperator {
   // that the present loads make of them.
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
-  // force += stiffness * displacement, on all of the operator's nodes.
-  void add_internal_force(const Eigen::VectorXd& displacement, Eigen::VectorXd& force) const;
+  // force += stiffness * (displacement - rest), on all of the operator's nodes.
+  void add_internal_force(const Eigen::VectorXd& displacement, double load_factor, Eigen::VectorXd& force) const;
+
+  // Half of what these forces do on (displacement - rest).
+  double energy(const Eigen::VectorXd& displacement, double load_factor) const;
 
  private:
+  Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest
+
   std::shared_ptr<const Elimination> elimination_;
+  Affine rest_;  // of all its degrees of freedom, or empty
   bool has_factorized_ = false;
   std::vector<int> all_, private_, shared_;  // global degrees of freedom
   Affine private_load_;                      // private displacements with the shared unknowns held at 0

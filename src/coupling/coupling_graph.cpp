@@ -2,7 +2,7 @@
 
 namespace bempd::coupling {
 
-linalg::NodeGraph coupling_graph(const std::vector<Point>& positions, const BondSet& bonds, const NodeTies& ties,
+linalg::NodeGraph coupling_graph(const std::vector<Point>& positions, const Terms& terms, const NodeTies& ties,
                                  const std::vector<std::vector<int>>& bodies) {
   const auto pulled = [&](int node) {
     std::vector<int> nodes;
@@ -12,14 +12,20 @@ linalg::NodeGraph coupling_graph(const std::vector<Point>& positions, const Bond
     return nodes;
   };
   std::vector<int> first, second;
-  first.reserve(bonds.size()), second.reserve(bonds.size());
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    if (ties.empty()) {
-      first.push_back(bonds.first[b]), second.push_back(bonds.second[b]);
+  first.reserve(terms.size()), second.reserve(terms.size());
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (ties.empty() && !terms.is_wide(t)) {
+      first.push_back(terms.first[t]), second.push_back(terms.second[t]);
       continue;
     }
-    for (int i : pulled(bonds.first[b])) {
-      for (int j : pulled(bonds.second[b])) first.push_back(i), second.push_back(j);
+    std::vector<std::vector<int>> pulled_by;
+    terms.for_each_node(t, [&](int node) { pulled_by.push_back(pulled(node)); });
+    for (std::size_t a = 0; a < pulled_by.size(); ++a) {
+      for (std::size_t b = a + 1; b < pulled_by.size(); ++b) {
+        for (int i : pulled_by[a]) {
+          for (int j : pulled_by[b]) first.push_back(i), second.push_back(j);
+        }
+      }
     }
   }
   return {positions, first, second, bodies};

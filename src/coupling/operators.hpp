@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <memory>
 #include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/solution_method.hpp"
+#include "coupling/terms.hpp"
 
 namespace bempd::coupling {
 
@@ -14,24 +17,13 @@ namespace bempd::coupling {
 struct DenseOperator {
   std::vector<int> nodes;
   std::shared_ptr<const Eigen::MatrixXd> stiffness;  // operators that are alike have one
-  bool symmetric = true;
+  const SolutionMethod* method = &symmetric_solution();
+  // Displacement of the nodes (2 * node of the list + component) without any force, as of a body that swells: the force
+  // is stiffness * (displacement - rest). Empty: 0.
+  Affine rest = Affine(0, 2);
 };
 
-// Pairwise bonds, as a lattice has them; structure of arrays because stepping sweeps over all of them at every event.
-struct BondSet {
-  std::vector<int> first, second;    // nodes
-  std::vector<double> cosine, sine;  // unit vector from first to second
-  std::vector<double> length;        // [m]
-  std::vector<double> stiffness;     // force per elongation [N/m]
-
-  std::size_t size() const { return first.size(); }
-
-  double elongation(std::size_t bond, const double* displacement) const {
-    const double* a = displacement + 2 * first[bond];
-    const double* b = displacement + 2 * second[bond];
-    return cosine[bond] * (b[0] - a[0]) + sine[bond] * (b[1] - a[1]);
-  }
-};
+using BondSet = Terms;
 
 // A spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium
 // it carries no force; `anchor` is the displacement along the direction at which it was attached [m].

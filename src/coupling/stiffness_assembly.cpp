@@ -1,7 +1,7 @@
 #include "coupling/stiffness_assembly.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 
 namespace bempd::coupling {
 
@@ -19,70 +19,71 @@ void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int n
   for (const NodeTies::Master& m : ties.masters(tie)) add(m.node, size * m.weight);
 }
 
-StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const BondSet& bonds, const NodeTies& ties,
+StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                                      const std::vector<CondensedOperator>& operators, bool symmetric)
-    : unknown_of_(unknown_of), bonds_(bonds), ties_(ties), operators_(operators), symmetric_(symmetric) {
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    if (is_tied(b)) tied_bonds_.push_back(b);
+    : unknown_of_(unknown_of), terms_(terms), ties_(ties), operators_(operators), symmetric_(symmetric) {
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (is_general(t)) general_.push_back(t);
   }
   make_pattern();
   find_places();
 }
 
-bool StiffnessAssembly::is_tied(std::size_t bond) const {
-  return ties_.tie_of(bonds_.first[bond]) >= 0 || ties_.tie_of(bonds_.second[bond]) >= 0;
+bool StiffnessAssembly::is_general(std::size_t term) const {
+  return terms_.is_wide(term) || ties_.tie_of(terms_.first[term]) >= 0 || ties_.tie_of(terms_.second[term]) >= 0;
 }
 
-std::vector<int> StiffnessAssembly::nodes_pulled(std::size_t bond) const {
+std::vector<int> StiffnessAssembly::nodes_pulled(std::size_t term) const {
   std::vector<int> nodes;
-  for (int node : {bonds_.first[bond], bonds_.second[bond]}) {
+  terms_.for_each_node(term, [&](int node) {
     const int tie = ties_.tie_of(node);
-    if (tie < 0) nodes.push_back(node);
-    if (tie < 0) continue;
+    if (tie < 0) {
+      nodes.push_back(node);
+      return;
+    }
     for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
-  }
+  });
   return nodes;
 }
 
-void StiffnessAssembly::make_pattern() {
-  const int node_count = static_cast<int>(unknown_of_.size() / 2);
-  // Coupled nodes by column node, those with a smaller number left out where the matrix is symmetric.
-  std::vector<int> start(node_count + 1, 0), row_node;
-  const auto each_pair = [&](const auto& visit) {
-    for (std::size_t b = 0; b < bonds_.size(); ++b) visit(bonds_.first[b], bonds_.second[b]);
-    const auto each_of = [&](const std::vector<int>& nodes) {
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) visit(nodes[i], nodes[j]);
-      }
-    };
-    for (std::size_t b : tied_bonds_) each_of(nodes_pulled(b));
-    for (const CondensedOperator& op : operators_) {
-      std::vector<int> nodes;
-      for (int dof : op.shared_dofs()) {
-        if (nodes.empty() || nodes.back() != dof / 2) nodes.push_back(dof / 2);
-      }
-      each_of(nodes);
+template <class Visit>
+void StiffnessAssembly::each_pair(const Visit& visit) const {
+  for (std::size_t b = 0; b < terms_.size(); ++b) visit(terms_.first[b], terms_.second[b]);
+  const auto each_of = [&](const std::vector<int>& nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) visit(nodes[i], nodes[j]);
     }
   };
-  each_pair([&](int a, int b) {
-    if (a < b || (!symmetric_ && a != b)) ++start[a + 1];
-    if (b < a || (!symmetric_ && a != b)) ++start[b + 1];
-  });
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  row_node.resize(static_cast<std::size_t>(start.back()));
-  std::vector<int> next(start.begin(), start.end() - 1);
-  each_pair([&](int a, int b) {
-    if (a < b || (!symmetric_ && a != b)) row_node[next[a]++] = b;
-    if (b < a || (!symmetric_ && a != b)) row_node[next[b]++] = a;
-  });
+  for (std::size_t t : general_) each_of(nodes_pulled(t));
+  for (const CondensedOperator& op : operators_) {
+    std::vector<int> nodes;
+    for (int dof : op.shared_dofs()) {
+      if (nodes.empty() || nodes.back() != dof / 2) nodes.push_back(dof / 2);
+    }
+    each_of(nodes);
+  }
+}
 
+linalg::Adjacency StiffnessAssembly::partners() const {
+  const auto has_column = [&](int column, int row) { return column != row && (!symmetric_ || column < row); };
+  return linalg::make_adjacency(unknown_of_.size() / 2, [&](const auto& add) {
+    each_pair([&](int a, int b) {
+      if (has_column(a, b)) add(a, b);
+      if (has_column(b, a)) add(b, a);
+    });
+  });
+}
+
+void StiffnessAssembly::make_pattern() {
+  linalg::Adjacency partners = this->partners();
   const auto size =
       static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) { return u >= 0; }));
   matrix_.resize(size, size);
   std::vector<int> rows, column_start{0};
-  rows.reserve(4 * row_node.size() + 2 * static_cast<std::size_t>(size));
-  for (int node = 0; node < node_count; ++node) {
-    const auto begin = row_node.begin() + start[node], end = row_node.begin() + start[node + 1];
+  rows.reserve(4 * partners.value.size() + 2 * static_cast<std::size_t>(size));
+  for (int node = 0; node < static_cast<int>(unknown_of_.size() / 2); ++node) {
+    const std::span<int> own = partners.of(node);
+    const auto begin = own.begin(), end = own.end();
     std::sort(begin, end);
     const auto last = std::unique(begin, end);
     for (int column = 2 * node; column < 2 * node + 2; ++column) {
@@ -129,10 +130,14 @@ void StiffnessAssembly::find_block(int row_node, int column_node, int* places) c
 
 void StiffnessAssembly::find_places() {
   const int entries = symmetric_ ? 4 : 8;
-  bond_places_.assign(entries * bonds_.size(), -1);
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    if (is_tied(b)) continue;
-    const int low = std::min(bonds_.first[b], bonds_.second[b]), high = std::max(bonds_.first[b], bonds_.second[b]);
+  bond_places_.assign(entries * terms_.size(), -1);
+  std::size_t next_general = 0;
+  for (std::size_t b = 0; b < terms_.size(); ++b) {
+    if (next_general < general_.size() && general_[next_general] == b) {
+      ++next_general;
+      continue;
+    }
+    const int low = std::min(terms_.first[b], terms_.second[b]), high = std::max(terms_.first[b], terms_.second[b]);
     int* places = bond_places_.data() + entries * b;
     find_block(high, low, places);
     if (!symmetric_) find_block(low, high, places + 4);
@@ -143,33 +148,31 @@ void StiffnessAssembly::add(int row, int column, double value) {
   if (const int at = place(row, column); at >= 0) matrix_.valuePtr()[at] += value;
 }
 
-void StiffnessAssembly::add_tied_bond(std::size_t bond, double stiffness) {
+void StiffnessAssembly::add_general(std::size_t term, double stiffness) {
   std::vector<UnknownEntry> pull;
-  append_pull(unknown_of_, ties_, bonds_.first[bond], bonds_.cosine[bond], bonds_.sine[bond], -1, pull);
-  append_pull(unknown_of_, ties_, bonds_.second[bond], bonds_.cosine[bond], bonds_.sine[bond], 1, pull);
+  terms_.for_each_entry(term,
+                        [&](int node, double x, double y) { append_pull(unknown_of_, ties_, node, x, y, 1, pull); });
   for (const UnknownEntry& row : pull) {
     for (const UnknownEntry& column : pull) add(row.unknown, column.unknown, stiffness * row.weight * column.weight);
   }
 }
 
-const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<double>& stiffness,
-                                                          const std::vector<HoldingSpring>& springs) {
+void StiffnessAssembly::add_bonds(const std::vector<double>& stiffness) {
   double* values = matrix_.valuePtr();
-  std::fill_n(values, matrix_.nonZeros(), 0.0);
   // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(unknown_of_.size() / 2));
   const int entries = symmetric_ ? 4 : 8;
-  std::size_t next_tied = 0;
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    if (next_tied < tied_bonds_.size() && tied_bonds_[next_tied] == b) {
-      add_tied_bond(b, stiffness[b]);
-      ++next_tied;
+  std::size_t next_general = 0;
+  for (std::size_t b = 0; b < terms_.size(); ++b) {
+    if (next_general < general_.size() && general_[next_general] == b) {
+      add_general(b, stiffness[b]);
+      ++next_general;
       continue;
     }
-    const double c = bonds_.cosine[b], s = bonds_.sine[b];
+    const double c = terms_.cosine[b], s = terms_.sine[b];
     const Eigen::Vector3d block = stiffness[b] * Eigen::Vector3d(c * c, c * s, s * s);
-    diagonal.col(bonds_.first[b]) += block;
-    diagonal.col(bonds_.second[b]) += block;
+    diagonal.col(terms_.first[b]) += block;
+    diagonal.col(terms_.second[b]) += block;
     const int* places = bond_places_.data() + entries * b;
     for (int k = 0; k < entries; ++k) {
       const int component_pair = (k % 4 + 1) / 2;  // xx, xy, xy, yy
@@ -183,6 +186,9 @@ const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<doub
     add(x, y, diagonal(1, node));
     add(y, y, diagonal(2, node));
   }
+}
+
+void StiffnessAssembly::add_operators() {
   for (const CondensedOperator& op : operators_) {
     const auto& dofs = op.shared_dofs();
     for (std::size_t c = 0; c < dofs.size(); ++c) {
@@ -192,6 +198,9 @@ const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<doub
       }
     }
   }
+}
+
+void StiffnessAssembly::add_springs(const std::vector<HoldingSpring>& springs) {
   for (const HoldingSpring& s : springs) {
     const int unknown[2] = {unknown_of_[2 * s.node], unknown_of_[2 * s.node + 1]};
     const double d[2] = {s.cosine, s.sine};
@@ -199,6 +208,14 @@ const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<doub
       for (int c = 0; c < 2; ++c) add(unknown[r], unknown[c], s.stiffness * d[r] * d[c]);
     }
   }
+}
+
+const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<double>& stiffness,
+                                                          const std::vector<HoldingSpring>& springs) {
+  std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
+  add_bonds(stiffness);
+  add_operators();
+  add_springs(springs);
   return matrix_;
 }
 

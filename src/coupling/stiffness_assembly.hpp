@@ -6,6 +6,7 @@
 #include "coupling/condensed_operator.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "linalg/adjacency.hpp"
 
 namespace bempd::coupling {
 
@@ -15,40 +16,50 @@ struct UnknownEntry {
   double weight;
 };
 
-// A pull of this size along a direction at a node, as the unknowns feel it: its masters' where the node is tied.
+// A pull of this size along a direction (or times any vector) at a node, as the unknowns feel it: its masters' where
+// the node is tied.
 void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
                  double size, std::vector<UnknownEntry>& entries);
 
-// Sums bonds, condensed operators and holding springs up to the sparse matrix of the unknowns. Where entries go is
-// found once; summing up anew costs one pass over the bonds.
+// Sums terms, condensed operators and holding springs up to the sparse matrix of the unknowns. Where entries go is
+// found once; summing up anew costs one pass over the terms.
 class StiffnessAssembly {
  public:
   // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only.
-  StiffnessAssembly(const std::vector<int>& unknown_of, const BondSet& bonds, const NodeTies& ties,
+  StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                     const std::vector<CondensedOperator>& operators, bool symmetric);
 
-  // A bond that is gone has the stiffness 0; its entries stay, so that the pattern does not change.
+  // A term that is gone has the stiffness 0; its entries stay, so that the pattern does not change.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
                                          const std::vector<HoldingSpring>& springs);
 
  private:
+  // visit(node, other) for every two nodes with common entries, some of them several times.
+  template <class Visit>
+  void each_pair(const Visit& visit) const;
+  // Nodes coupled to each node, those with a smaller number left out where the matrix is symmetric.
+  linalg::Adjacency partners() const;
   void make_pattern();
-  std::vector<int> nodes_pulled(std::size_t bond) const;
-  bool is_tied(std::size_t bond) const;
+  std::vector<int> nodes_pulled(std::size_t term) const;
+  bool is_general(std::size_t term) const;
   int place(int row, int column) const;  // -1: in the triangle left out
   void add(int row, int column, double value);
   void find_places();
   void find_block(int row_node, int column_node, int* places) const;
-  void add_tied_bond(std::size_t bond, double stiffness);
+  void add_general(std::size_t term, double stiffness);
+  void add_bonds(const std::vector<double>& stiffness);
+  void add_operators();
+  void add_springs(const std::vector<HoldingSpring>& springs);
 
   const std::vector<int>& unknown_of_;
-  const BondSet& bonds_;
+  const Terms& terms_;
   const NodeTies& ties_;
   const std::vector<CondensedOperator>& operators_;
   bool symmetric_;
   Eigen::SparseMatrix<double> matrix_;
   std::vector<int> bond_places_;  // of the four entries that couple its ends, -1 for none; twice as many if unsymmetric
-  std::vector<std::size_t> tied_bonds_;
+  std::vector<std::size_t>
+      general_;  // terms that are wide or pull at tied nodes: their entries are looked up one by one
 };
 
 }  // namespace bempd::coupling

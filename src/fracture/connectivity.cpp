@@ -1,57 +1,23 @@
 #include "fracture/connectivity.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "linalg/disjoint_sets.hpp"
 
 namespace bempd::fracture {
 
-namespace {
-
-class DisjointSets {
- public:
-  explicit DisjointSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  // The smaller root wins, so a set's root is its first member.
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    if (a < b) {
-      parent_[b] = a;
-    } else {
-      parent_[a] = b;
-    }
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
-}  // namespace
-
 Connectivity::Connectivity(const coupling::EquilibriumSystem& system)
-    : system_(system), offset_(system.node_count() + 1, 0), bond_at_(2 * system.bonds().size()) {
-  const coupling::BondSet& bonds = system.bonds();
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    ++offset_[bonds.first[b] + 1];
-    ++offset_[bonds.second[b] + 1];
-  }
-  std::partial_sum(offset_.begin(), offset_.end(), offset_.begin());
-  std::vector<int> next(offset_.begin(), offset_.end() - 1);
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    bond_at_[next[bonds.first[b]]++] = static_cast<int>(b);
-    bond_at_[next[bonds.second[b]]++] = static_cast<int>(b);
-  }
-}
+    : system_(system), terms_at_(linalg::make_adjacency(system.node_count(), [&](const auto& add) {
+        for (std::size_t t = 0; t < system.terms().size(); ++t) {
+          system.terms().for_each_node(t, [&](int node) { add(node, static_cast<int>(t)); });
+        }
+      })) {}
 
 std::vector<std::vector<int>> Connectivity::pieces() const {
-  DisjointSets sets(system_.node_count());
-  const coupling::BondSet& bonds = system_.bonds();
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    if (system_.intact()[b]) sets.join(bonds.first[b], bonds.second[b]);
+  linalg::DisjointSets sets(system_.node_count());
+  const coupling::Terms& terms = system_.terms();
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (system_.intact()[t]) terms.for_each_node(t, [&](int node) { sets.join(terms.first[t], node); });
   }
   for (const auto& body : system_.dense_bodies()) {
     for (int node : body) sets.join(body.front(), node);
@@ -70,7 +36,6 @@ std::vector<std::vector<int>> Connectivity::pieces() const {
 }
 
 bool Connectivity::are_joined(int node, int other) const {
-  const coupling::BondSet& bonds = system_.bonds();
   visited_.resize(system_.node_count(), 0);
   ++search_;
   std::vector<int> open{node};
@@ -84,9 +49,8 @@ bool Connectivity::are_joined(int node, int other) const {
   for (std::size_t k = 0; k < open.size(); ++k) {
     const int at = open[k];
     if (at == other) return true;
-    for (int i = offset_[at]; i < offset_[at + 1]; ++i) {
-      const int b = bond_at_[i];
-      if (system_.intact()[b]) visit(bonds.first[b] == at ? bonds.second[b] : bonds.first[b]);
+    for (int t : terms_at_.of(at)) {
+      if (system_.intact()[t]) system_.terms().for_each_node(static_cast<std::size_t>(t), visit);
     }
     if (!system_.in_dense_body(at)) continue;
     for (std::size_t body = 0; body < body_seen.size(); ++body) {
@@ -101,25 +65,33 @@ bool Connectivity::are_joined(int node, int other) const {
 
 std::vector<int> Connectivity::intact_bonds_at(int node) const {
   std::vector<int> result;
-  for (int k = offset_[node]; k < offset_[node + 1]; ++k) {
-    if (system_.intact()[bond_at_[k]]) result.push_back(bond_at_[k]);
+  for (int t : terms_at_.of(node)) {
+    if (system_.intact()[t]) result.push_back(t);
   }
   return result;
 }
 
 bool Connectivity::still_joined(const std::vector<int>& removed_bonds) const {
-  const coupling::BondSet& bonds = system_.bonds();
+  const coupling::Terms& terms = system_.terms();
   const auto neighbours = [&](int node) {
     std::vector<int> result;
-    for (int b : intact_bonds_at(node)) result.push_back(bonds.first[b] == node ? bonds.second[b] : bonds.first[b]);
+    for (int t : intact_bonds_at(node)) {
+      terms.for_each_node(static_cast<std::size_t>(t), [&](int other) {
+        if (other != node) result.push_back(other);
+      });
+    }
     return result;
   };
-  for (int b : removed_bonds) {
-    const std::vector<int> left = neighbours(bonds.first[b]);
-    bool joined = false;
-    for (int node : neighbours(bonds.second[b])) {
-      for (int other : left) joined = joined || other == node;
-    }
+  const auto are_close = [&](int node, int other) {
+    const std::vector<int> left = neighbours(node), right = neighbours(other);
+    return std::any_of(right.begin(), right.end(),
+                       [&](int n) { return std::find(left.begin(), left.end(), n) != left.end(); });
+  };
+  for (int t : removed_bonds) {
+    bool joined = true;
+    terms.for_each_node(static_cast<std::size_t>(t), [&](int node) {
+      if (node != terms.first[t]) joined = joined && are_close(terms.first[t], node);
+    });
     if (!joined) return false;
   }
   return true;

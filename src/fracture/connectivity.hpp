@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "linalg/adjacency.hpp"
 
 namespace bempd::fracture {
 
@@ -28,7 +29,7 @@ class Connectivity {
   const coupling::EquilibriumSystem& system_;
   mutable std::vector<int> visited_;  // per node: the search that came by last
   mutable int search_ = 0;
-  std::vector<int> offset_, bond_at_;  // bonds of node n: bond_at_[offset_[n] .. offset_[n + 1])
+  linalg::Adjacency terms_at_;  // of every node
 };
 
 }  // namespace bempd::fracture

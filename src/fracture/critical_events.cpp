@@ -17,18 +17,29 @@ constexpr double tie_rounding = 1e-9;
 
 double tie_limit(double band) { return (1 - band) * (1 - tie_rounding); }
 
+RatioDirections::RatioDirections(const coupling::BondSet& bonds, const std::vector<double>& critical_stretch)
+    : cosine(bonds.size()), sine(bonds.size()) {
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const double scale = 1 / (bonds.length[b] * critical_stretch[b]);
+    cosine[b] = bonds.cosine[b] * scale;
+    sine[b] = bonds.sine[b] * scale;
+  }
+}
+
 StretchRatios::StretchRatios(const coupling::BondSet& bonds, std::vector<double> critical_stretch)
     : AffineRatios{std::vector<double>(bonds.size(), 0.0), std::vector<double>(bonds.size(), 0.0)},
       bonds_(bonds),
-      critical_stretch_(std::move(critical_stretch)) {}
+      critical_stretch_(std::move(critical_stretch)),
+      directions_(bonds, critical_stretch_) {}
 
 void StretchRatios::update(const coupling::Affine& displacement) {
   const double* at_zero = displacement.col(0).data();
   const double* slope = displacement.col(1).data();
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    const double scale = 1 / (bonds_.length[b] * critical_stretch_[b]);
-    constant[b] = bonds_.elongation(b, at_zero) * scale;
-    proportional[b] = bonds_.elongation(b, slope) * scale;
+    const int i = 2 * bonds_.first[b], j = 2 * bonds_.second[b];
+    const double c = directions_.cosine[b], s = directions_.sine[b];
+    constant[b] = c * (at_zero[j] - at_zero[i]) + s * (at_zero[j + 1] - at_zero[i + 1]);
+    proportional[b] = c * (slope[j] - slope[i]) + s * (slope[j + 1] - slope[i + 1]);
   }
 }
 

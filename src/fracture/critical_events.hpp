@@ -36,6 +36,13 @@ struct AffineRatios {
 // mirrored bonds differ.
 double tie_limit(double band);
 
+// What a bond's stretch ratio is made of: the product of these with the difference of its ends' displacements.
+struct RatioDirections {
+  std::vector<double> cosine, sine;  // of the bond, over its length and its critical stretch
+
+  RatioDirections(const coupling::BondSet& bonds, const std::vector<double>& critical_stretch);
+};
+
 // The ratios of all bonds of a system.
 class StretchRatios : public AffineRatios {
  public:
@@ -45,12 +52,13 @@ class StretchRatios : public AffineRatios {
   void update(const coupling::Affine& displacement);
 
   double stretch(std::size_t bond, double load_factor) const;
-  const std::vector<double>& critical_stretch() const { return critical_stretch_; }
+  const RatioDirections& directions() const { return directions_; }
   const coupling::BondSet& bonds() const { return bonds_; }
 
  private:
   const coupling::BondSet& bonds_;
   std::vector<double> critical_stretch_;
+  RatioDirections directions_;
 };
 
 }  // namespace bempd::fracture

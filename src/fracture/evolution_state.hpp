@@ -22,27 +22,35 @@ struct HistoryEntry {
   double residual = 0;
 };
 
-// Everything that a run changes. Copying it saves the run; the factorization is rebuilt from it.
-struct EvolutionState {
+// The body as it is at a load factor.
+struct BodyState {
   double load_factor = 0;
   bool in_equilibrium = false;  // false before the first solution and after the host changed loads
   bool separated = false;
-  std::int64_t events = 0;
-  std::int64_t broken_bonds = 0;
-  std::int64_t fragments = 0;
-  double first_unit_energy = -1;  // energy of the proportional load alone when it was given; < 0: not known yet
-  double released_energy = 0;
-  double work = 0;
-  double largest_work = 0;
-  double worst_energy_balance_error = 0;
-  double residual = 0;                 // at the last line of the history
-  double largest_force = 0;            // largest internal nodal force so far: the measure of residuals
+  double first_unit_energy = -1;       // energy of the proportional load alone when it was given; < 0: not known yet
+  double largest_force = 0;            // largest internal nodal force met on the way: the measure of residuals
   coupling::Affine displacement;       // 2 * node + component
   Eigen::VectorXd total_displacement;  // at load_factor
   Eigen::VectorXd total_force;         // internal nodal forces at load_factor
   std::vector<char> intact;            // per bond
   std::vector<coupling::HoldingSpring> springs;
   std::vector<char> unloaded;  // nodes whose loads have gone with a piece that came free
+};
+
+// What the run has counted and added up.
+struct Sums {
+  std::int64_t events = 0;
+  std::int64_t broken_bonds = 0;
+  std::int64_t fragments = 0;
+  double released_energy = 0;
+  double work = 0;
+  double largest_work = 0;
+  double worst_energy_balance_error = 0;
+  double residual = 0;  // at the last line of the history
+};
+
+// Everything that a run changes. Copying it saves the run; the factorization is rebuilt from it.
+struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
   std::vector<double> reactions;  // per line of the history: x and y of every support
 };

@@ -1,9 +1,10 @@
+#include "fracture/whole_body_events.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "error.hpp"
-#include "fracture/crack_evolution.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::fracture {
@@ -28,34 +29,52 @@ constexpr double moved_share = 1e-6;
 
 using coupling::evaluate;
 
-std::optional<double> CrackEvolution::next_event(double target, const SteppingOptions& options) {
-  const Stopwatch watch(seconds_search_);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const std::optional<double> next =
-      ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
-  if (!next || options.mode == SteppingMode::events) return next;
-  const std::optional<double> increment = next_increment(target, options.increment);
-  // Without a break up to the target there is one beyond it.
-  return increment ? increment : target >= state_.load_factor ? infinity : -infinity;
+const Event* WholeBodyEvents::next(double target, const SteppingOptions& options) {
+  const std::optional<double> load_factor = next_load_factor(target, options);
+  if (!load_factor) return nullptr;
+  event_ = {*load_factor, 0, {}};
+  const bool upwards = target >= body_.state().load_factor;
+  if (upwards ? *load_factor <= target : *load_factor >= target) choose_bonds(options);
+  return &event_;
 }
 
-std::optional<double> CrackEvolution::next_increment(double target, double increment) const {
+std::optional<double> WholeBodyEvents::next_load_factor(double target, const SteppingOptions& options) {
+  const std::optional<double> next = body_.next_break(target);
+  if (!next || options.mode == SteppingMode::events) return next;
+  const Stopwatch watch(body_.seconds_search());
+  if (const std::optional<double> increment = next_increment(target, options.increment)) return increment;
+  // Without a break up to the target there is one beyond it.
+  const double infinity = std::numeric_limits<double>::infinity();
+  return target >= body_.state().load_factor ? infinity : -infinity;
+}
+
+std::optional<double> WholeBodyEvents::next_increment(double target, double increment) const {
   // Increments end at multiples of their size and at the target.
-  const double direction = target >= state_.load_factor ? 1 : -1;
+  const double present = body_.state().load_factor, direction = target >= present ? 1 : -1;
   const auto number = [&](double load_factor) { return load_factor * direction / increment; };
-  const double first = std::floor(number(state_.load_factor) + increment_rounding) + 1;
-  double from = state_.load_factor;
+  const double first = std::floor(number(present) + increment_rounding) + 1;
+  double from = present;
   for (;;) {
-    const std::optional<double> next = ratios_.next_break(system_.intact(), from, target);
+    const std::optional<double> next = body_.ratios().next_break(system_.intact(), from, target);
     if (!next || (target - from) * direction <= 0) return std::nullopt;
     const double end = std::max(first, std::ceil(number(*next) - increment_rounding)) * increment;
     const double load_factor = direction * std::min(end, target * direction);
-    if (!ratios_.overstretched(system_.intact(), load_factor).empty()) return load_factor;
+    if (!body_.ratios().overstretched(system_.intact(), load_factor).empty()) return load_factor;
     from = load_factor;  // what exceeded its critical stretch here has been relieved by then
   }
 }
 
-bool CrackEvolution::drop_loads_that_push(const Eigen::VectorXd& motion) {
+void WholeBodyEvents::choose_bonds(const SteppingOptions& options) {
+  const Stopwatch watch(body_.seconds_search());
+  const double f = event_.load_factor;
+  const StretchRatios& ratios = body_.ratios();
+  event_.breaking = options.mode == SteppingMode::increments
+                        ? ratios.overstretched(system_.intact(), f)
+                        : ratios.most_stretched(system_.intact(), f, options.tie_band, options.max_breaks_per_solve);
+  for (int b : event_.breaking) event_.ratio = std::max(event_.ratio, ratios.at(b, f));
+}
+
+bool WholeBodyEvents::drop_loads_that_push(const Eigen::VectorXd& motion) {
   std::vector<char> moves(system_.node_count(), 0);
   const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
   for (int node = 0; node < system_.node_count(); ++node) moves[node] = is_moved(node) ? 1 : 0;
@@ -69,86 +88,86 @@ bool CrackEvolution::drop_loads_that_push(const Eigen::VectorXd& motion) {
     if (moves[node] && !system_.force().middleRows<2>(2 * node).isZero(0)) loaded.push_back(node);
   }
   if (loaded.empty()) return false;
-  drop_loads(loaded);
-  ++state_.fragments;
+  body_.drop_loads(loaded);
   return true;
 }
 
-bool CrackEvolution::solve_after_break(const std::vector<int>& bonds, const std::vector<double>& elongation,
-                                       const Eigen::VectorXd& before) {
+bool WholeBodyEvents::runs_away(const std::vector<double>& elongation) {
+  const Eigen::VectorXd after = evaluate(body_.state().displacement, body_.state().load_factor);
+  for (std::size_t i = 0; i < elongation.size(); ++i) {
+    const double now = std::abs(system_.bonds().elongation(event_.breaking[i], after.data()));
+    if (!(now < runaway_elongation * std::abs(elongation[i]))) return true;
+  }
+  return false;
+}
+
+bool WholeBodyEvents::solve_after_break(const std::vector<double>& elongation, const Eigen::VectorXd& before,
+                                        Outcome& outcome) {
   bool loads_lost = false;
   for (int hold = 0;; ++hold) {
     bool free_motion = false;
     try {
-      state_.displacement = system_.solve();
-      const Eigen::VectorXd after = evaluate(state_.displacement, state_.load_factor);
-      for (std::size_t i = 0; i < bonds.size(); ++i) {
-        const double now = std::abs(system_.bonds().elongation(bonds[i], after.data()));
-        free_motion = free_motion || !(now < runaway_elongation * std::abs(elongation[i]));
-      }
+      body_.solve();
+      free_motion = runs_away(elongation);
     } catch (const Error& error) {
       if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
       free_motion = true;
     }
-    if (!free_motion && system_.resists_all_motions(bonds)) return loads_lost;
+    if (!free_motion && system_.resists_all_motions(event_.breaking)) return loads_lost;
     const coupling::SoftMotion soft = system_.softest_motion();
     if (!free_motion && soft.resistance > free_motion_resistance) return loads_lost;
     if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");
-    const coupling::HoldingSpring spring = freed_parts_.against(soft.motion, before);
+    const coupling::HoldingSpring spring = body_.freed_parts().against(soft.motion, before);
     system_.commit_break({}, {&spring, 1});
     system_.forget_factor();
-    loads_lost = drop_loads_that_push(soft.motion) || loads_lost;
+    if (!drop_loads_that_push(soft.motion)) continue;
+    loads_lost = true;
+    ++outcome.fragments;
   }
 }
 
-void CrackEvolution::perform_event(double load_factor, const SteppingOptions& options) {
-  whole_body_events_ = std::max(0, whole_body_events_ - 1);
-  move_to(load_factor);
+// Potential energy lost: k e^2 / (2 gamma) for a single bond, whose elongation grows from e to e / gamma.
+double WholeBodyEvents::released_energy(const std::vector<double>& elongation) const {
   const coupling::BondSet& bonds = system_.bonds();
-  const Eigen::VectorXd before = state_.total_displacement;
-  std::vector<int> chosen;
+  double sum = 0;
+  for (std::size_t i = 0; i < elongation.size(); ++i) {
+    const double after = bonds.elongation(event_.breaking[i], body_.state().total_displacement.data());
+    sum += 0.5 * bonds.stiffness[event_.breaking[i]] * elongation[i] * after;
+  }
+  return sum;
+}
+
+Outcome WholeBodyEvents::perform() {
+  Outcome outcome;
+  BodyState& state = body_.state();
+  outcome.work_before = body_.move_to(event_.load_factor);
+  const std::vector<int>& breaking = event_.breaking;
+  const Eigen::VectorXd before = state.total_displacement;
   std::vector<double> elongation;
   FreedParts freed;
-  double ratio = 0;
   {
-    const Stopwatch watch(seconds_search_);
-    chosen =
-        options.mode == SteppingMode::increments
-            ? ratios_.overstretched(system_.intact(), load_factor)
-            : ratios_.most_stretched(system_.intact(), load_factor, options.tie_band, options.max_breaks_per_solve);
-    for (int b : chosen) {
-      ratio = std::max(ratio, ratios_.at(b, load_factor));
-      elongation.push_back(bonds.elongation(b, before.data()));
-    }
-    system_.mark_broken(chosen);
-    freed = freed_parts_.after_break(chosen, before);
+    const Stopwatch watch(body_.seconds_search());
+    for (int b : breaking) elongation.push_back(system_.bonds().elongation(b, before.data()));
+    system_.mark_broken(breaking);
+    freed = body_.freed_parts().after_break(breaking, before);
   }
-  const double stored_before = stored_energy();
-  system_.commit_break(chosen, freed.springs);
-  if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
-  const bool loads_lost = solve_after_break(chosen, elongation, before) || !freed.nodes_with_lost_loads.empty();
-  {
-    const Stopwatch watch(seconds_search_);
-    ratios_.update(state_.displacement);
-  }
-  const double work = absorb(load_factor);
-  state_.work += work;
-  if (!loads_lost) {
-    // Potential energy lost: k e^2 / (2 gamma) for a single bond, whose elongation grows from e to e / gamma.
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      const double after = bonds.elongation(chosen[i], state_.total_displacement.data());
-      state_.released_energy += 0.5 * bonds.stiffness[chosen[i]] * elongation[i] * after;
-    }
-  } else {
-    state_.released_energy += work + stored_before - stored_energy();  // goes with the piece and its loads
-  }
-  ++state_.events;
-  state_.broken_bonds += static_cast<std::int64_t>(chosen.size());
-  state_.fragments += freed.fragments;
-  state_.intact = system_.intact();
-  state_.springs = system_.springs();
-  note_separation();
-  record(state_.events, ratio);
+  const double stored_before = body_.stored_energy();
+  system_.commit_break(breaking, freed.springs);
+  outcome.fragments = freed.fragments;
+  if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
+  const bool loads_lost = solve_after_break(elongation, before, outcome) || !freed.nodes_with_lost_loads.empty();
+  body_.update_ratios();
+  outcome.work = body_.absorb(event_.load_factor);
+  outcome.stored_energy = body_.stored_energy();
+  // Lost loads take their part along with the piece.
+  outcome.released_energy =
+      loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy(elongation);
+  state.intact = system_.intact();
+  state.springs = system_.springs();
+  outcome.unit_energy = body_.unit_energy();
+  outcome.residual = body_.residual();
+  outcome.reactions = body_.reactions();
+  return outcome;
 }
 
 }  // namespace bempd::fracture

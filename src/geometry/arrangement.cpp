@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
+#include "geometry/edge_tree.hpp"
 #include "geometry/hinges.hpp"
 
 namespace bempd {
@@ -11,12 +13,6 @@ namespace bempd {
 namespace {
 
 using Fractions = std::vector<double>;
-
-struct Body {
-  std::vector<Edge> edges;
-  std::vector<Box> edge_boxes;
-  Box box;
-};
 
 // Exactly 0 or 1 when the place is an end of the edge. Twice the tolerance, since two places that were each matched to
 // a third one may be that far apart.
@@ -47,40 +43,43 @@ class Arranger {
   explicit Arranger(const std::vector<Outline>& regions) {
     Box all;
     for (const Outline& outline : regions) {
-      bodies_.push_back({edges_of(outline), {}, bounding_box(outline)});
-      for (const Edge& edge : bodies_.back().edges) bodies_.back().edge_boxes.push_back(bounding_box(edge));
-      all.extend(bodies_.back().box);
+      bodies_.emplace_back(edges_of(outline));
+      boxes_.push_back(bodies_.back().box);
+      all.extend(boxes_.back());
       result_.breakpoints.emplace_back(bodies_.back().edges.size());
     }
     tolerance_ = geometric_tolerance(all);
   }
 
   Arrangement run() {
-    const int count = static_cast<int>(bodies_.size());
-    for (int a = 0; a < count; ++a)
-      for (int b = a + 1; b < count; ++b)
-        if (may_meet(bodies_[a].box, bodies_[b].box)) compare(a, b);
+    const BoxTree tree(boxes_);
+    for (int a = 0; a < static_cast<int>(bodies_.size()); ++a)
+      for (const int b : tree.meeting(widened(boxes_[a])))
+        if (b > a) compare(a, b);
     finish_breakpoints();
     finish_contacts();
-    std::vector<std::vector<Edge>> boundaries;
-    for (Body& body : bodies_) boundaries.push_back(std::move(body.edges));
-    result_.hinges = find_hinges(boundaries, result_.contacts, tolerance_);
+    result_.hinges = find_hinges(bodies_, result_.contacts, tolerance_);
     return std::move(result_);
   }
 
  private:
-  bool may_meet(const Box& a, const Box& b) const {
+  Box widened(const Box& box) const {
     const Point margin = Point::Constant(2 * tolerance_);
-    return Box(a.min() - margin, a.max() + margin).intersects(b);
+    return {box.min() - margin, box.max() + margin};
   }
 
   void compare(int a, int b) {
-    const auto &edges_a = bodies_[a].edges, &edges_b = bodies_[b].edges;
-    std::vector<Fractions> splits_a(edges_a.size()), splits_b(edges_b.size());
-    for (std::size_t i = 0; i < edges_a.size(); ++i)
-      for (std::size_t j = 0; j < edges_b.size(); ++j)
-        if (may_meet(bodies_[a].edge_boxes[i], bodies_[b].edge_boxes[j]))
-          split(edges_a[i], edges_b[j], splits_a[i], splits_b[j]);
+    // Only these edges can be in or on the other body.
+    const std::vector<int> near_a = bodies_[a].tree.meeting(widened(boxes_[b]));
+    const std::vector<int> near_b = bodies_[b].tree.meeting(widened(boxes_[a]));
+    std::map<int, Fractions> splits_a, splits_b;
+    for (const int j : near_b) splits_b[j];
+    for (const int i : near_a) {
+      Fractions& on_a = splits_a[i];
+      const Box box = widened(bounding_box(bodies_[a].edges[i]));
+      for (const int j : bodies_[b].tree.meeting(box))
+        split(bodies_[a].edges[i], bodies_[b].edges[j], on_a, splits_b[j]);
+    }
     classify(a, b, splits_a, true);
     classify(b, a, splits_b, false);
   }
@@ -110,28 +109,28 @@ class Arranger {
 
   // Between two splits an edge of `a` keeps its relation to `b`, so the middle of each piece decides. Shared pieces
   // are found from one side only and entered for both, so that the two sides cannot disagree.
-  void classify(int a, int b, const std::vector<Fractions>& splits, bool enter_contacts) {
-    for (std::size_t k = 0; k < splits.size(); ++k) {
+  void classify(int a, int b, const std::map<int, Fractions>& splits, bool enter_contacts) {
+    for (const auto& [k, fractions] : splits) {
       const Edge& edge = bodies_[a].edges[k];
-      Fractions stations = distinct_inner(edge, splits[k], tolerance_);
+      Fractions stations = distinct_inner(edge, fractions, tolerance_);
       auto& breakpoints = result_.breakpoints[a][k];
       breakpoints.insert(breakpoints.end(), stations.begin(), stations.end());
       stations.insert(stations.begin(), 0.0);
       stations.push_back(1.0);
       for (std::size_t s = 0; s + 1 < stations.size(); ++s)
-        classify_piece(a, static_cast<int>(k), stations[s], stations[s + 1], b, enter_contacts);
+        classify_piece(a, k, stations[s], stations[s + 1], b, enter_contacts);
     }
   }
 
   void classify_piece(int a, int edge, double from, double to, int b, bool enter_contacts) {
     const Edge& whole = bodies_[a].edges[edge];
     const Point middle = whole.at(0.5 * (from + to));
-    const Location location = locate(bodies_[b].edges, middle, tolerance_);
+    const Location location = bodies_[b].locate(middle, tolerance_);
     if (location == Location::outside) return;
     if (location == Location::inside) return note_overlap(a, b, middle);
     const Segment piece{whole.at(from), whole.at(to)};
     const Point direction = whole.tangent(0.5 * (from + to));
-    const int partner = coincident_edge(piece, middle, direction, bodies_[b].edges);
+    const int partner = coincident_edge(piece, middle, direction, bodies_[b]);
     if (partner < 0) return;
     const Edge& other = bodies_[b].edges[partner];
     if (direction.dot(other.tangent(closest_fraction(other, middle))) > 0) return note_overlap(a, b, middle);
@@ -142,17 +141,16 @@ class Arranger {
   }
 
   // The edge that the piece lies on, or -1; next to a corner the more parallel of the two.
-  int coincident_edge(const Segment& piece, const Point& middle, const Point& direction,
-                      const std::vector<Edge>& edges) const {
+  int coincident_edge(const Segment& piece, const Point& middle, const Point& direction, const EdgeTree& body) const {
     int best = -1;
     double best_alignment = 0;
-    for (std::size_t j = 0; j < edges.size(); ++j) {
-      const Edge& edge = edges[j];
+    for (const int j : body.tree.meeting(widened(Box(middle)))) {
+      const Edge& edge = body.edges[j];
       if (distance(edge, middle) > tolerance_) continue;
       if (distance(edge, piece.start) > 3 * tolerance_ || distance(edge, piece.end) > 3 * tolerance_) continue;
       const double alignment = std::abs(direction.dot(edge.tangent(closest_fraction(edge, middle))));
       if (alignment > best_alignment) {
-        best = static_cast<int>(j);
+        best = j;
         best_alignment = alignment;
       }
     }
@@ -190,7 +188,8 @@ class Arranger {
     result_.contacts = std::move(both);
   }
 
-  std::vector<Body> bodies_;
+  std::vector<EdgeTree> bodies_;
+  std::vector<Box> boxes_;
   double tolerance_ = 0;
   Arrangement result_;
 };

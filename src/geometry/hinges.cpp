@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace bempd {
 
@@ -9,29 +10,27 @@ namespace {
 
 class HingeFinder {
  public:
-  HingeFinder(const std::vector<std::vector<Edge>>& boundaries, const std::vector<Contact>& contacts, double tolerance)
+  HingeFinder(const std::vector<EdgeTree>& boundaries, const std::vector<Contact>& contacts, double tolerance)
       : boundaries_(boundaries), tolerance_(tolerance) {
-    for (const auto& edges : boundaries) {
-      Box box;
-      for (const Edge& edge : edges) box.extend(bounding_box(edge));
-      boxes_.push_back(box);
-    }
+    std::vector<Box> boxes;
+    for (const EdgeTree& boundary : boundaries) boxes.push_back(boundary.box);
+    regions_ = BoxTree(boxes);
     for (const Contact& c : contacts) {
       if (c.region > c.other_region) continue;
-      links_.push_back({c.region, c.other_region, &boundaries[c.region][c.edge], c.from, c.to});
+      links_[{c.region, c.edge}].push_back({c.other_region, &boundaries[c.region].edges[c.edge], c.from, c.to});
     }
   }
 
   // Two bodies that touch in a single point do so in a vertex of at least one of them.
   std::vector<PointTouch> run() {
-    for (const auto& edges : boundaries_)
-      for (const Edge& edge : edges) examine(edge.start);
+    for (const EdgeTree& boundary : boundaries_)
+      for (const Edge& edge : boundary.edges) examine(edge.start);
     return std::move(hinges_);
   }
 
  private:
   struct Link {
-    int a, b;
+    int other;
     const Edge* edge;
     double from, to;
 
@@ -44,32 +43,45 @@ class HingeFinder {
   void examine(const Point& p) {
     const std::vector<int> present = regions_at(p);
     if (present.size() < 2) return;
-    for (const PointTouch& known : hinges_)
-      if ((known.where - p).norm() <= 3 * tolerance_) return;
     std::vector<std::vector<int>> groups = connected_groups(present, p);
-    if (groups.size() > 1) hinges_.push_back({p, std::move(groups)});
+    if (groups.size() > 1 && !is_known(p)) {
+      places_.emplace(p.x(), p);
+      hinges_.push_back({p, std::move(groups)});
+    }
+  }
+
+  bool is_known(const Point& p) const {
+    const double reach = 3 * tolerance_;
+    for (auto near = places_.lower_bound(p.x() - reach); near != places_.end() && near->first <= p.x() + reach; ++near)
+      if ((near->second - p).norm() <= reach) return true;
+    return false;
   }
 
   std::vector<int> regions_at(const Point& p) const {
+    const Point margin = Point::Constant(tolerance_);
     std::vector<int> present;
-    for (std::size_t r = 0; r < boundaries_.size(); ++r) {
-      if (boxes_[r].isEmpty() || boxes_[r].exteriorDistance(p) > tolerance_) continue;
-      const auto at_p = [&](const Edge& edge) { return distance(edge, p) <= tolerance_; };
-      if (std::any_of(boundaries_[r].begin(), boundaries_[r].end(), at_p)) present.push_back(static_cast<int>(r));
-    }
+    for (const int r : regions_.meeting({p - margin, p + margin}))
+      if (boundaries_[r].passes(p, tolerance_)) present.push_back(r);
     return present;
   }
 
   std::vector<std::vector<int>> connected_groups(const std::vector<int>& present, const Point& p) const {
     std::map<int, int> label;
     for (int r : present) label[r] = r;
-    for (const Link& link : links_) {
-      // Wider than for presence: the ends of a piece are themselves only known to the tolerance.
-      if (!label.count(link.a) || !label.count(link.b) || link.distance_to(p) > 3 * tolerance_) continue;
-      const int from = label[link.b], to = label[link.a];
-      for (auto& entry : label)
-        if (entry.second == from) entry.second = to;
-    }
+    // Wider than for presence: the ends of a piece are themselves only known to the tolerance.
+    const double reach = 3 * tolerance_;
+    const Point margin = Point::Constant(reach);
+    for (const int region : present)
+      for (const int edge : boundaries_[region].tree.meeting({p - margin, p + margin})) {
+        const auto links = links_.find({region, edge});
+        if (links == links_.end()) continue;
+        for (const Link& link : links->second) {
+          if (!label.count(link.other) || link.distance_to(p) > reach) continue;
+          const int from = label[link.other], to = label[region];
+          for (auto& entry : label)
+            if (entry.second == from) entry.second = to;
+        }
+      }
     std::map<int, std::vector<int>> members;
     for (int r : present) members[label[r]].push_back(r);
     std::vector<std::vector<int>> groups;
@@ -78,17 +90,18 @@ class HingeFinder {
     return groups;
   }
 
-  const std::vector<std::vector<Edge>>& boundaries_;
+  const std::vector<EdgeTree>& boundaries_;
   double tolerance_;
-  std::vector<Box> boxes_;
-  std::vector<Link> links_;
+  BoxTree regions_;
+  std::map<std::pair<int, int>, std::vector<Link>> links_;  // by region, the lower of two, and edge
   std::vector<PointTouch> hinges_;
+  std::multimap<double, Point> places_;  // of the hinges, by their first coordinate
 };
 
 }  // namespace
 
-std::vector<PointTouch> find_hinges(const std::vector<std::vector<Edge>>& boundaries,
-                                    const std::vector<Contact>& contacts, double tolerance) {
+std::vector<PointTouch> find_hinges(const std::vector<EdgeTree>& boundaries, const std::vector<Contact>& contacts,
+                                    double tolerance) {
   return HingeFinder(boundaries, contacts, tolerance).run();
 }
 

@@ -1,7 +1,8 @@
 #include "geometry/outline_check.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "geometry/edge_tree.hpp"
 
 namespace bempd {
 
@@ -14,24 +15,19 @@ struct Loop {
   int number;
   int first_edge;
   const std::vector<Point>& vertices;
-  std::vector<Edge> edges;
-  std::vector<Box> boxes;
+  EdgeTree boundary{{}};
 
   int size() const { return static_cast<int>(vertices.size()); }
-  const Edge& edge(int k) const { return edges[static_cast<std::size_t>(k)]; }
+  const Edge& edge(int k) const { return boundary.edges[static_cast<std::size_t>(k)]; }
 };
 
 OutlineCheck defect_in(const Loop& loop, OutlineDefect defect, int edge_a, int edge_b, const Point& where) {
   return {defect, loop.number, loop.first_edge + edge_a, edge_b < 0 ? -1 : loop.first_edge + edge_b, where};
 }
 
-// A place where edge i of one loop and edge j of another one touch.
-std::optional<Point> contact(const Loop& a, int i, const Loop& b, int j, double tolerance) {
+Box widened(const Box& box, double tolerance) {
   const Point margin = Point::Constant(tolerance);
-  const Box& box = b.boxes[static_cast<std::size_t>(j)];
-  if (!a.boxes[static_cast<std::size_t>(i)].intersects(Box(box.min() - margin, box.max() + margin)))
-    return std::nullopt;
-  return find_contact(a.edge(i), b.edge(j), tolerance);
+  return {box.min() - margin, box.max() + margin};
 }
 
 OutlineCheck check_vertices(const Loop& loop) {
@@ -74,9 +70,9 @@ OutlineCheck check_self_crossing(const Loop& loop, double tolerance) {
   for (int k = 0; k < loop.size(); ++k)
     if (const OutlineCheck check = check_spike(loop, k, tolerance); !check.sound()) return check;
   for (int a = 0; a < loop.size(); ++a) {
-    for (int b = a + 2; b < loop.size(); ++b) {
-      if (a == 0 && b == loop.size() - 1) continue;
-      if (const auto where = contact(loop, a, loop, b, tolerance))
+    for (const int b : loop.boundary.tree.meeting(widened(bounding_box(loop.edge(a)), tolerance))) {
+      if (b < a + 2 || (a == 0 && b == loop.size() - 1)) continue;
+      if (const auto where = find_contact(loop.edge(a), loop.edge(b), tolerance))
         return defect_in(loop, OutlineDefect::self_crossing, a, b, *where);
     }
   }
@@ -84,14 +80,14 @@ OutlineCheck check_self_crossing(const Loop& loop, double tolerance) {
 }
 
 OutlineCheck check_orientation(const Loop& loop) {
-  if ((signed_area(loop.edges) > 0) == (loop.number == 0)) return {};
+  if ((signed_area(loop.boundary.edges) > 0) == (loop.number == 0)) return {};
   return {OutlineDefect::wrong_orientation, loop.number, -1, -1, loop.vertices[0]};
 }
 
 OutlineCheck check_contact(const Loop& a, const Loop& b, OutlineDefect defect, double tolerance) {
-  for (int i = 0; i < a.size(); ++i) {
-    for (int j = 0; j < b.size(); ++j) {
-      if (const auto where = contact(a, i, b, j, tolerance))
+  for (const int i : a.boundary.tree.meeting(widened(b.boundary.box, tolerance))) {
+    for (const int j : b.boundary.tree.meeting(widened(bounding_box(a.edge(i)), tolerance))) {
+      if (const auto where = find_contact(a.edge(i), b.edge(j), tolerance))
         return {defect, b.number, a.first_edge + i, b.first_edge + j, *where};
     }
   }
@@ -100,15 +96,17 @@ OutlineCheck check_contact(const Loop& a, const Loop& b, OutlineDefect defect, d
 
 // Only for loops that do not meet: then one vertex decides for all.
 bool lies_within(const Loop& inner, const Loop& outer) {
-  return locate(outer.edges, inner.vertices[0], 0) == Location::inside;
+  return outer.boundary.locate(inner.vertices[0], 0) == Location::inside;
 }
 
-OutlineCheck check_hole(const std::vector<Loop>& loops, std::size_t hole, double tolerance) {
+OutlineCheck check_hole(const std::vector<Loop>& loops, const BoxTree& tree, int hole, double tolerance) {
   const Loop& b = loops[hole];
   if (const OutlineCheck check = check_contact(loops[0], b, OutlineDefect::hole_outside, tolerance); !check.sound())
     return check;
   if (!lies_within(b, loops[0])) return {OutlineDefect::hole_outside, b.number, -1, -1, b.vertices[0]};
-  for (std::size_t other = 1; other < hole; ++other) {
+  for (const int other : tree.meeting(widened(b.boundary.box, tolerance))) {
+    if (other == 0) continue;
+    if (other == hole) break;
     const Loop& a = loops[other];
     if (const OutlineCheck check = check_contact(a, b, OutlineDefect::holes_overlap, tolerance); !check.sound())
       return check;
@@ -122,7 +120,7 @@ std::vector<Loop> number_loops(const Outline& outline) {
   std::vector<Loop> loops;
   int first_edge = 0;
   for (const auto& vertices : outline.loops) {
-    loops.push_back({static_cast<int>(loops.size()), first_edge, vertices, {}, {}});
+    loops.push_back({static_cast<int>(loops.size()), first_edge, vertices});
     first_edge += static_cast<int>(vertices.size());
   }
   return loops;
@@ -131,8 +129,8 @@ std::vector<Loop> number_loops(const Outline& outline) {
 void add_edges(const Outline& outline, std::vector<Loop>& loops) {
   const std::vector<Edge> edges = edges_of(outline);
   for (Loop& loop : loops) {
-    loop.edges.assign(edges.begin() + loop.first_edge, edges.begin() + loop.first_edge + loop.size());
-    for (const Edge& edge : loop.edges) loop.boxes.push_back(bounding_box(edge));
+    const auto first = edges.begin() + loop.first_edge;
+    loop.boundary = EdgeTree({first, first + loop.size()});
   }
 }
 
@@ -150,8 +148,11 @@ OutlineCheck check_outline(const Outline& outline) {
     if (const OutlineCheck check = check_self_crossing(loop, tolerance); !check.sound()) return check;
     if (const OutlineCheck check = check_orientation(loop); !check.sound()) return check;
   }
-  for (std::size_t hole = 1; hole < loops.size(); ++hole)
-    if (const OutlineCheck check = check_hole(loops, hole, tolerance); !check.sound()) return check;
+  std::vector<Box> boxes;
+  for (const Loop& loop : loops) boxes.push_back(loop.boundary.box);
+  const BoxTree tree(boxes);
+  for (int hole = 1; hole < static_cast<int>(loops.size()); ++hole)
+    if (const OutlineCheck check = check_hole(loops, tree, hole, tolerance); !check.sound()) return check;
   return {};
 }
 

@@ -82,6 +82,7 @@ LatticeOutline to_lattice(const Outline& outline, const Frame& frame) {
   result.origin = frame.first + frame.spacing * lowest.cast<double>();
   for (const auto& loop : outline.loops) {
     std::vector<LatticePoint> points;
+    points.reserve(loop.size());
     for (const Point& p : loop) points.push_back(frame.steps_to(p) - lowest);
     for (std::size_t k = 0; k < points.size(); ++k)
       result.edges.push_back({points[k], points[(k + 1) % points.size()]});

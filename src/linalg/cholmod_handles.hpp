@@ -8,10 +8,20 @@
 
 namespace bempd::linalg {
 
+// The settings of another main version lie elsewhere in memory.
+inline void require_cholmod(int running) {
+  if (running == CHOLMOD_MAIN_VERSION) return;
+  throw std::runtime_error("CHOLMOD " + std::to_string(running) + " runs, but bempd was compiled with CHOLMOD " +
+                           std::to_string(CHOLMOD_MAIN_VERSION) + "; install that one or compile bempd again");
+}
+
 // CHOLMOD's workspace and settings; errors become exceptions instead of messages on the host's terminal.
 class CholmodCommon {
  public:
   CholmodCommon() {
+    int running[3] = {0, 0, 0};
+    cholmod_version(running);
+    require_cholmod(running[0]);
     cholmod_start(&common_);
     common_.print = 0;
     common_.error_handler = [](int, const char*, int, const char* message) { last_message() = message; };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -58,7 +59,7 @@ class SparseSolver final : public MinimumNormSolver {
     for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
     Sparse identity(normal.rows(), normal.cols());
     identity.setIdentity();
-    normal += 1e-12 * std::max(largest, 1e-300) * identity;
+    normal += 1e-12 * (largest > 0 ? largest : 1) * identity;
     factor_.compute(normal);
   }
 
@@ -71,8 +72,9 @@ class SparseSolver final : public MinimumNormSolver {
     const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
     for (int step = 0; step < 100 && rz > 0; ++step) {
       const VectorXd q = bt_ * p;
-      const double alpha = rz / q.squaredNorm();
-      if (!std::isfinite(alpha)) break;
+      const double square = q.squaredNorm();
+      if (!(square > 0) || rz / std::numeric_limits<double>::max() >= square) break;
+      const double alpha = rz / square;
       s.lambda += alpha * p;
       s.change += alpha * q;
       r -= alpha * (b_ * q);
@@ -143,18 +145,18 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   assert(problem.constraints.cols() == problem.start.size() && problem.start.size() == problem.scale.size());
   LeastChangeResult result;
   std::vector<char> held(problem.start.size(), 0);
+  const bool bounded = std::isfinite(problem.lower);
   for (int round = 0; round < 30; ++round) {
     const Candidate c = solve_with_held(problem, held, result.conjugate_steps);
     result.values = c.values;
     result.residual = c.residual;
-    result.bounded = static_cast<int>(std::count(held.begin(), held.end(), 1));
     const VectorXd pull = problem.constraints.transpose() * c.lambda;
     std::vector<char> next(held.size(), 0);
     for (std::size_t i = 0; i < held.size(); ++i) {
       const double wanted = problem.start[i] + problem.scale[i] * problem.scale[i] * pull[i];
       // A margin keeps rounding from letting a value change sides for ever.
       const double margin = held[i] ? 1e-12 : -1e-12;
-      next[i] = wanted < (problem.lower + margin) * problem.scale[i];
+      next[i] = bounded && wanted < (problem.lower + margin) * problem.scale[i];
     }
     if (next == held) break;
     held = next;

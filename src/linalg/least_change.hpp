@@ -18,7 +18,6 @@ struct LeastChangeResult {
   Eigen::VectorXd values;
   double residual = 0;      // largest |A x - b|
   int conjugate_steps = 0;  // over all solves
-  int bounded = 0;          // values that the bound holds
 };
 
 LeastChangeResult solve_least_change(const LeastChange& problem);

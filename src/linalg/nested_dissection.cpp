@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 namespace bempd::linalg {
 
@@ -22,8 +22,8 @@ class Dissection {
     for (int n = 0; n < count; ++n) {
       if (!member[n]) continue;
       nodes_.push_back(n);
-      for (int k = graph.offset[n]; k < graph.offset[n + 1]; ++k) {
-        const double span = (graph.positions[graph.neighbour[k]] - graph.positions[n]).cwiseAbs().maxCoeff();
+      for (int partner : graph.partners.of(n)) {
+        const double span = (graph.positions[partner] - graph.positions[n]).cwiseAbs().maxCoeff();
         reach_[n] = std::max(reach_[n], span);
       }
     }
@@ -45,7 +45,7 @@ class Dissection {
     if (end - begin <= leaf_size) return;
     Eigen::AlignedBox2d box;
     for (Iterator it = begin; it != end; ++it) box.extend(graph_.positions[*it]);
-    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    const int axis = box.sizes().x() * (1 + 1e-9) >= box.sizes().y() ? 0 : 1;
     const double cut = middle(begin, end, axis);
     for (Iterator it = begin; it != end; ++it) side_[*it] = graph_.positions[*it][axis] < cut ? lower : upper;
     const std::vector<int> from_lower = boundary(begin, end, axis, cut, lower);
@@ -66,8 +66,11 @@ class Dissection {
     for (Iterator it = begin; it != end; ++it) coordinates_.push_back(graph_.positions[*it][axis]);
     const auto median = coordinates_.begin() + static_cast<std::ptrdiff_t>(coordinates_.size() / 2);
     std::nth_element(coordinates_.begin(), median, coordinates_.end());
-    const double value = *median, lowest = *std::min_element(coordinates_.begin(), coordinates_.end());
-    const double tolerance = 1e-9 * (1 + std::abs(value));
+    const double value = *median;
+    const auto [lowest_place, highest] = std::minmax_element(coordinates_.begin(), coordinates_.end());
+    const double lowest = *lowest_place;
+    // Of the part's own size: the order must not depend on the unit of length.
+    const double tolerance = 1e-9 * (*highest - lowest);
     return value - tolerance > lowest ? value - tolerance : value + tolerance;
   }
 
@@ -88,10 +91,8 @@ class Dissection {
   }
 
   bool has_partner(int node, Side side) const {
-    for (int k = graph_.offset[node]; k < graph_.offset[node + 1]; ++k) {
-      if (side_[graph_.neighbour[k]] == side) return true;
-    }
-    return false;
+    const std::span<const int> partners = graph_.partners.of(node);
+    return std::any_of(partners.begin(), partners.end(), [&](int n) { return side_[n] == side; });
   }
 
   bool in_cut_group(int node, const std::vector<char>& group_is_cut) const {
@@ -114,20 +115,14 @@ class Dissection {
 NodeGraph::NodeGraph(std::vector<Eigen::Vector2d> positions_of_nodes, const std::vector<int>& first,
                      const std::vector<int>& second, std::vector<std::vector<int>> coupled_groups)
     : positions(std::move(positions_of_nodes)),
-      offset(positions.size() + 1, 0),
-      neighbour(2 * first.size()),
-      groups(std::move(coupled_groups)) {
-  for (std::size_t b = 0; b < first.size(); ++b) {
-    ++offset[first[b] + 1];
-    ++offset[second[b] + 1];
-  }
-  std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  std::vector<int> next(offset.begin(), offset.end() - 1);
-  for (std::size_t b = 0; b < first.size(); ++b) {
-    neighbour[next[first[b]]++] = second[b];
-    neighbour[next[second[b]]++] = first[b];
-  }
-}
+      partners(make_adjacency(positions.size(),
+                              [&](const auto& add) {
+                                for (std::size_t b = 0; b < first.size(); ++b) {
+                                  add(first[b], second[b]);
+                                  add(second[b], first[b]);
+                                }
+                              })),
+      groups(std::move(coupled_groups)) {}
 
 std::vector<int> nested_dissection(const NodeGraph& graph, const std::vector<char>& member) {
   return Dissection(graph, member).order();

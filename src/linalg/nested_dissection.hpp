@@ -3,13 +3,15 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "linalg/adjacency.hpp"
+
 namespace bempd::linalg {
 
 // Which nodes of a matrix are coupled: by pairs, each at most `reach` apart from its partners, and by groups all of
 // whose members are coupled to each other.
 struct NodeGraph {
   std::vector<Eigen::Vector2d> positions;
-  std::vector<int> offset, neighbour;  // partners of node n: neighbour[offset[n] .. offset[n + 1])
+  Adjacency partners;
   std::vector<std::vector<int>> groups;
 
   NodeGraph() = default;

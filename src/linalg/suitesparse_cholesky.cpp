@@ -70,9 +70,8 @@ cholmod_dense view(Eigen::Ref<Eigen::MatrixXd> matrix) {
 void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-  const auto end = reinterpret_cast<std::uintptr_t>(memory) + bytes;
-  if (end > begin + page) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+  if (bytes > before + page) madvise(static_cast<char*>(memory) + before, bytes - before, MADV_HUGEPAGE);
 #endif
 }
 

@@ -6,7 +6,7 @@
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
-#include "linalg/machine_rates.hpp"
+#include "linalg/blas.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
 #include "stopwatch.hpp"
@@ -18,7 +18,7 @@ namespace {
 // Reciprocal condition that leaves displacements three or four digits.
 constexpr double poor_condition = 1e-12;
 
-// Systems that take long enough for the rate of the BLAS to matter, and for the milliseconds of measuring it not to.
+// Systems that take long enough for the rate of the BLAS to matter.
 constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
 
 // "region 2" or "regions 1 and 3": those that have any of the nodes.
@@ -71,6 +71,7 @@ void Model::prepare() {
   if (prepared_) return;
   if (scene_.regions().empty()) fail(Failure::order, "the scene has no region; add one first");
   auto p = std::make_unique<PreparedScene>();
+  p->fingerprint = fingerprint(scene_, options_);
   p->discretization = regions::discretize(scene_, options_);
   regions::Discretization& d = p->discretization;
   p->conditions = regions::apply_conditions(scene_, d);
@@ -109,17 +110,12 @@ void Model::ensure_equilibrium() {
 }
 
 void Model::warn_of_blas() const {
-  const linalg::MachineRates& rates = linalg::machine_rates();
-  const auto billions = [](double rate) { return std::round(rate / 1e8) / 10; };
-  const std::string measured = text("the BLAS multiplies matrices at ", billions(rates.matrix_product),
-                                    " GFlop/s where one core computes at ", billions(rates.arithmetic));
-  if (linalg::blas_misses_the_processor(rates)) {
-    log(1, measured +
-               "; it may take the processor for an older one: use another BLAS, or name the kind to it "
-               "(OpenBLAS reads OPENBLAS_CORETYPE, for instance Haswell)");
-  } else {
-    log(3, measured);
-  }
+  const linalg::Blas blas = linalg::running_blas();
+  log(3, "matrices are multiplied by " + linalg::describe(blas));
+  if (!linalg::processor_has_avx2() || !linalg::is_before_avx2(blas.core)) return;
+  log(1, text("the BLAS takes the processor for an older one, ", blas.core,
+              ", and computes at half its rate or less; use another BLAS, or name the kind to it (OpenBLAS reads "
+              "OPENBLAS_CORETYPE, for instance Haswell)"));
 }
 
 void Model::warn_of_condition() {

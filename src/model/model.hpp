@@ -10,6 +10,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 #include "results/field_cache.hpp"
@@ -29,13 +30,14 @@ struct StepResult {
 
 // State of a run, tied to a scene by its fingerprint.
 struct SavedState {
-  std::uint64_t scene_fingerprint = 0;
+  SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
 };
 
 // Everything that is built from a finished scene.
 struct PreparedScene {
+  SceneFingerprint fingerprint;
   regions::Discretization discretization;
   regions::DofConditions conditions;
   std::vector<int> cut_bonds;
@@ -111,8 +113,6 @@ class Model {
   void check_mechanism(const PreparedScene& prepared) const;
   regions::Solution solution() const;
   results::FieldsOfScene fields();
-  std::uint64_t scene_fingerprint() const;
-  std::uint64_t load_fingerprint() const;
   void log(int level, const std::string& message) const;
 
   scene::Options options_;
@@ -129,7 +129,7 @@ class Model {
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
 };
 
-// Bytes of a saved state and back (state.cpp); throws Error (argument) for damaged bytes.
+// Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.
 std::vector<std::uint8_t> to_bytes(const SavedState& state);
 SavedState from_bytes(const std::uint8_t* bytes, std::size_t size);
 

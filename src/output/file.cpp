@@ -1,49 +1,153 @@
 #include "output/file.hpp"
 
+#include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/stat.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <cerrno>
-#include <fstream>
+#include <csignal>
 #include <string>
 #include <system_error>
+#include <utility>
+
+#include "output/utf8.hpp"
 
 namespace bempd::output {
 
 namespace {
 
-std::string utf8(const std::filesystem::path& path) {
-  const std::u8string text = path.u8string();
-  return {text.begin(), text.end()};
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int reason, const char* detail = "") {
+  throw std::system_error(reason, std::generic_category(), "cannot write " + printable(path.native()) + detail);
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::error_code reason) {
-  throw std::system_error(reason, "cannot write " + utf8(path));
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, 0666)) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+
+  bool write(std::string_view content) const {
+    while (!content.empty()) {
+      const ssize_t written = ::write(number_, content.data(), content.size());
+      if (written < 0) return false;
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  bool close() {
+    const int number = std::exchange(number_, -1);
+    return number < 0 || ::close(number) == 0;
+  }
+
+ private:
+  int number_;
+};
+
+// A reader that goes away while a FIFO is written raises SIGPIPE, which would end the host. The signal is held back in
+// this thread, and taken out again if it was not pending before.
+class WithoutBrokenPipe {
+ public:
+  WithoutBrokenPipe() {
+    sigset_t pending;
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    sigpending(&pending);
+    was_pending_ = sigismember(&pending, SIGPIPE) == 1;
+    pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  ~WithoutBrokenPipe() {
+    const int kept = errno;
+    const timespec at_once{0, 0};
+    if (!was_pending_) sigtimedwait(&pipe_, nullptr, &at_once);
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    errno = kept;
+  }
+  WithoutBrokenPipe(const WithoutBrokenPipe&) = delete;
+  WithoutBrokenPipe& operator=(const WithoutBrokenPipe&) = delete;
+
+ private:
+  sigset_t pipe_, before_;
+  bool was_pending_;
+};
+
+struct Place {
+  fs::path target;    // at the end of symbolic links, which may point to nothing yet
+  bool open_already;  // one of the links the system keeps for open files, such as /proc/self/fd/1
+};
+
+Place place_of(const fs::path& path) {
+  constexpr int most_links = 40;  // as Linux itself
+  fs::path target = path;
+  for (int links = 0; links <= most_links; ++links) {
+    std::error_code none;
+    const fs::path next = fs::read_symlink(target, none);
+    if (none) return {target, false};
+    const fs::path folder = target.parent_path();
+    struct statfs system {};
+    if (::statfs(folder.empty() ? "." : folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC)
+      return {target, true};
+    target = folder / next;
+  }
+  fail(path, ELOOP);
 }
 
-// Streams do not promise to set errno.
-std::error_code last_error() { return {errno != 0 ? errno : EIO, std::generic_category()}; }
+void write_through(const fs::path& path, const fs::path& target, int flags, std::string_view content) {
+  const WithoutBrokenPipe guard;
+  Descriptor file(target, O_WRONLY | flags);
+  if (!file.is_open() || !file.write(content) || !file.close()) fail(path, errno);
+}
+
+// Next to the target, so that it can take its place; under a short name, as the target's own may be as long as the
+// system allows.
+fs::path unfinished_name(const fs::path& target) {
+  static std::atomic<unsigned> count{0};
+  return target.parent_path() / (".bempd_" + std::to_string(::getpid()) + "_" + std::to_string(count++) + ".part");
+}
+
+void replace(const fs::path& path, const fs::path& target, const struct stat* old, std::string_view content) {
+  if (old != nullptr && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
+  const fs::path unfinished = unfinished_name(target);
+  Descriptor file(unfinished, O_WRONLY | O_CREAT | O_EXCL);
+  if (!file.is_open()) fail(path, errno);
+  if (old != nullptr) {
+    // As well as the file system and the rights of the process allow.
+    [[maybe_unused]] const bool same_owner = ::fchown(file.number(), old->st_uid, old->st_gid) == 0;
+    [[maybe_unused]] const bool same_mode = ::fchmod(file.number(), old->st_mode & 0777) == 0;
+  }
+  if (file.write(content) && file.close() && ::rename(unfinished.c_str(), target.c_str()) == 0) return;
+  const int reason = errno;
+  ::unlink(unfinished.c_str());
+  fail(path, reason);
+}
 
 }  // namespace
 
-std::filesystem::path path_from_utf8(std::string_view utf8) {
-  return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
-}
+fs::path path_from_utf8(std::string_view utf8) { return fs::path(std::u8string(utf8.begin(), utf8.end())); }
 
-void write_file(const std::filesystem::path& path, std::string_view content) {
-  std::filesystem::path unfinished = path;
-  unfinished += ".part";
-  errno = 0;
-  std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
-  if (!file) fail(path, last_error());
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();
-  std::error_code reason;
-  if (!file)
-    reason = last_error();
-  else
-    std::filesystem::rename(unfinished, path, reason);
-  if (!reason) return;
-  std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
-  fail(path, reason);
+void write_file(const fs::path& path, std::string_view content) {
+  const Place place = place_of(path);
+  struct stat found {};
+  if (::stat(place.target.c_str(), &found) != 0) {
+    if (errno != ENOENT) fail(path, errno);
+    return replace(path, place.target, nullptr, content);
+  }
+  // What the process has open already is continued, as its other output is.
+  if (S_ISDIR(found.st_mode)) fail(path, EISDIR, ", which is a folder; give the name of a file");
+  if (S_ISSOCK(found.st_mode)) fail(path, ENOTSUP, ", which is a socket; give the name of a file");
+  if (S_ISBLK(found.st_mode)) fail(path, ENOTSUP, ", which is a disk; give the name of a file");
+  if (place.open_already) return write_through(path, place.target, O_APPEND, content);
+  if (S_ISREG(found.st_mode)) return replace(path, place.target, &found, content);
+  write_through(path, place.target, 0, content);
 }
 
 }  // namespace bempd::output

@@ -13,7 +13,7 @@ struct PvdEntry {
   std::string file;  // relative to the collection's folder, with forward slashes
 };
 
-// ParaView collection. Throws std::system_error.
+// ParaView collection. Throws std::system_error, also for names that XML cannot hold.
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);
 
 }  // namespace bempd::output

@@ -1,22 +1,56 @@
 #include "output/xml.hpp"
 
 #include <bit>
+#include <cassert>
+
+#include "output/utf8.hpp"
 
 namespace bempd::output {
 
+namespace {
+
+// Readers turn bare tabs and line ends in attributes into spaces (XML 1.0, section 3.3.3).
+std::string_view reference(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\t':
+      return "&#9;";
+    case '\n':
+      return "&#10;";
+    case '\r':
+      return "&#13;";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+bool fits_xml(std::string_view text) {
+  while (!text.empty()) {
+    const Character c = first_character(text);
+    const bool white = c.code == '\t' || c.code == '\n' || c.code == '\r';
+    if (!c.valid || (c.code < 0x20 && !white) || c.code == 0xfffe || c.code == 0xffff) return false;
+    text.remove_prefix(c.bytes);
+  }
+  return true;
+}
+
 std::string xml_escaped(std::string_view text) {
+  assert(fits_xml(text));
   std::string escaped;
-  for (char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
+  for (const char c : text) {
+    if (const std::string_view other = reference(c); !other.empty())
+      escaped += other;
     else
-      escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+      escaped += c;
   }
   return escaped;
 }

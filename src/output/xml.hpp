@@ -5,7 +5,11 @@
 
 namespace bempd::output {
 
-// Text made fit for a quoted XML attribute. Control characters, which XML cannot hold, become spaces.
+// Whether XML can hold the text: valid UTF-8 whose control characters are tabs and line ends only (XML 1.0, production
+// 2, Char).
+bool fits_xml(std::string_view text);
+
+// Text that fits, written for a quoted attribute so that readers get the same characters back.
 std::string xml_escaped(std::string_view text);
 
 // Value of the byte_order attribute of VTK files written by this machine.

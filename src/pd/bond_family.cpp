@@ -27,8 +27,8 @@ std::vector<BondOffset> half_family(int m) {
   return family;
 }
 
-double kernel_weight(double length, double horizon) {
-  return micromodulus(length, horizon) * volume_factor(length, horizon);
+double kernel_weight(const BondKernel& kernel, double length, double horizon) {
+  return kernel.micromodulus(length, horizon) * volume_factor(length, horizon);
 }
 
 // Contribution of a unit weight to C1111, C2222 and C1122.
@@ -39,7 +39,7 @@ Eigen::Vector3d constants_of(const BondOffset& offset) {
 
 }  // namespace
 
-std::vector<BondOffset> bond_family(int horizon_ratio) {
+std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel) {
   assert(horizon_ratio >= 2);
   std::vector<BondOffset> family = half_family(horizon_ratio);
   // Weights w <- w + diag(w) R^T mu, with mu such that R w gives the wanted constants.
@@ -47,14 +47,14 @@ std::vector<BondOffset> bond_family(int horizon_ratio) {
   Eigen::Vector3d missing(1, 1, 1.0 / 3);
   for (const BondOffset& offset : family) {
     const Eigen::Vector3d row = constants_of(offset);
-    const double weight = kernel_weight(offset.length, horizon_ratio);
+    const double weight = kernel_weight(kernel, offset.length, horizon_ratio);
     system += weight * row * row.transpose();
     missing -= weight * row;
   }
   // The shortest family has only two kinds of bonds, and C1111 = C2222 makes the system consistent but not regular.
   const Eigen::Vector3d mu = system.fullPivLu().solve(missing);
   for (BondOffset& offset : family) {
-    const double weight = kernel_weight(offset.length, horizon_ratio) * (1 + constants_of(offset).dot(mu));
+    const double weight = kernel_weight(kernel, offset.length, horizon_ratio) * (1 + constants_of(offset).dot(mu));
     offset.bulk_stiffness = weight / offset.length;
   }
   return family;

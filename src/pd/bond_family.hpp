@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "pd/bond_kernel.hpp"
+
 namespace bempd::pd {
 
 // One bond vector, in units of the spacing, and what a loop over bonds needs to know about it.
@@ -18,8 +20,8 @@ struct BondOffset {
 // step from its lower end (its left end when both are level), sorted by row and then by column of the step. Squared
 // lengths are compared in integers, and a bond as long as the horizon is left out: it would carry nothing.
 //
-// Stiffnesses come from the micromodulus c0 (1 - r^2/delta^2)^2 and are then changed as little as possible, in the
+// Stiffnesses come from the kernel's micromodulus and are then changed as little as possible, in the
 // sense of relative weights, so that the lattice has the elastic constants C1111 = 1, C1122 = C1212 = 1/3 exactly.
-std::vector<BondOffset> bond_family(int horizon_ratio);
+std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 
 }  // namespace bempd::pd

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "linalg/disjoint_sets.hpp"
 #include "linalg/least_change.hpp"
 #include "parallel.hpp"
 #include "pd/congruent_clusters.hpp"
@@ -54,20 +54,12 @@ std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const Ce
 
 // Sets of bonds that share no point with each other and can be solved one by one.
 std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::vector<int>& free, int points) {
-  std::vector<int> parent(points);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const int b : free) {
-    const int r = root(bonds.first[b]), s = root(bonds.second[b]);
-    parent[std::max(r, s)] = std::min(r, s);
-  }
+  linalg::DisjointSets sets(points);
+  for (const int b : free) sets.join(bonds.first[b], bonds.second[b]);
   std::vector<int> number(points, -1);
   std::vector<std::vector<int>> clusters;
   for (const int b : free) {
-    int& n = number[root(bonds.first[b])];
+    int& n = number[sets.find(bonds.first[b])];
     if (n < 0) {
       n = static_cast<int>(clusters.size());
       clusters.emplace_back();
@@ -196,7 +188,6 @@ CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, co
     for (std::size_t k = 0; k < clusters[c].size(); ++k) {
       bonds.stiffness[clusters[c][k]] = result.values[image.bonds.empty() ? k : image.bonds[k]];
     }
-    report.bounded += result.bounded;
   }
   symmetrise(lattice, cells, free, bonds);
   for (const int b : free) report.positive = report.positive && bonds.stiffness[b] > 0;

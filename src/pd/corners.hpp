@@ -23,7 +23,6 @@ std::vector<Eigen::Vector4d> missing_moments(const CellLattice& lattice, const C
 
 struct CornerReport {
   double residual = 0;
-  int bounded = 0;
   bool positive = true;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box_tree.hpp"
+
 namespace bempd::pd {
 
 namespace {
@@ -31,18 +33,54 @@ bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& 
          distance(b, c, d) <= tolerance;
 }
 
-// Calls `meets(from, to)` for the segments of the polyline; a single point is a segment of length zero.
-template <class Meets>
-bool any_segment(const std::vector<Point>& polyline, const Meets& meets) {
-  if (polyline.size() == 1) return meets(polyline[0], polyline[0]);
-  for (std::size_t k = 0; k + 1 < polyline.size(); ++k) {
-    if (meets(polyline[k], polyline[k + 1])) return true;
+// The segments of a polyline; a single point is a segment of length zero.
+class Polyline {
+ public:
+  explicit Polyline(const std::vector<Point>& vertices) : vertices_(vertices) {
+    std::vector<Box> boxes;
+    for (std::size_t k = 0; k < count(); ++k) {
+      boxes.emplace_back(vertices[k]);
+      boxes.back().extend(end(k));
+    }
+    tree_ = BoxTree(boxes);
   }
-  return false;
-}
 
-bool lies_on(const Point& p, const std::vector<Point>& polyline) {
-  return any_segment(polyline, [&](const Point& c, const Point& d) { return distance(p, c, d) <= tolerance; });
+  // Whether `meets(from, to)` holds for a segment; asked only for those that come within the tolerance of the line
+  // from a to b.
+  template <class Meets>
+  bool any_near(const Point& a, const Point& b, const Meets& meets) const {
+    Box around(a);
+    around.extend(b);
+    // Twice the tolerance, and the rounding of what is computed here and there from coordinates far away.
+    const double margin =
+        2 * tolerance + 1e-14 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff());
+    around = Box(around.min().array() - margin, around.max().array() + margin);
+    const Point normal(a.y() - b.y(), b.x() - a.x());
+    const auto is_near = [&](const Box& box) {
+      if (!box.intersects(around)) return false;
+      const Point half = 0.5 * box.sizes(), centre = box.min() + half;
+      const double reach = normal.cwiseAbs().dot(half + Point::Constant(margin + 1e-14 * half.maxCoeff()));
+      return std::abs(normal.dot(centre - a)) <= reach;
+    };
+    return tree_.any(is_near, [&](int k) { return meets(vertices_[k], end(k)); });
+  }
+
+ private:
+  std::size_t count() const { return vertices_.size() > 1 ? vertices_.size() - 1 : vertices_.size(); }
+  const Point& end(std::size_t k) const { return vertices_[std::min(k + 1, vertices_.size() - 1)]; }
+
+  const std::vector<Point>& vertices_;
+  BoxTree tree_;
+};
+
+std::vector<int> points_on(const std::vector<Point>& points, const Polyline& polyline) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    const auto meets = [&](const Point& c, const Point& d) { return distance(p, c, d) <= tolerance; };
+    if (polyline.any_near(p, p, meets)) found.push_back(static_cast<int>(i));
+  }
+  return found;
 }
 
 // Whether the segment from c to d meets the bond from a to b in a place between its ends and not along it.
@@ -57,7 +95,8 @@ bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Po
 }  // namespace
 
 std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vector<Bond>& bonds,
-                              const std::vector<Point>& polyline, Touching touching) {
+                              const std::vector<Point>& vertices, Touching touching) {
+  const Polyline polyline(vertices);
   std::vector<char> bridges(points.size(), 0);
   if (touching == Touching::of_ends_keeps) {
     for (const int i : points_on(points, polyline)) bridges[i] = 1;
@@ -69,17 +108,13 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
     const auto meets = [&](const Point& c, const Point& d) {
       return end_on_crack ? meets_between_ends(from, to, c, d) : segments_meet(from, to, c, d);
     };
-    if (any_segment(polyline, meets)) cut.push_back(static_cast<int>(b));
+    if (polyline.any_near(from, to, meets)) cut.push_back(static_cast<int>(b));
   }
   return cut;
 }
 
-std::vector<int> points_on(const std::vector<Point>& points, const std::vector<Point>& polyline) {
-  std::vector<int> found;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (lies_on(points[i], polyline)) found.push_back(static_cast<int>(i));
-  }
-  return found;
+std::vector<int> points_on(const std::vector<Point>& points, const std::vector<Point>& vertices) {
+  return points_on(points, Polyline(vertices));
 }
 
 }  // namespace bempd::pd

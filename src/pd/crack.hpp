@@ -19,9 +19,9 @@ enum class Touching {
 // Cracks are polylines in lattice coordinates, like the points. A bond is cut if it meets the closed polyline.
 // Distances up to 1e-9 count as touching.
 std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vector<Bond>& bonds,
-                              const std::vector<Point>& polyline, Touching touching = Touching::cuts);
+                              const std::vector<Point>& vertices, Touching touching = Touching::cuts);
 
 // Material points on the polyline. They would hold on to neither face of the crack.
-std::vector<int> points_on(const std::vector<Point>& points, const std::vector<Point>& polyline);
+std::vector<int> points_on(const std::vector<Point>& points, const std::vector<Point>& vertices);
 
 }  // namespace bempd::pd

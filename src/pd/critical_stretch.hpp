@@ -4,23 +4,26 @@
 #include <numbers>
 
 #include "elasticity/plane_elasticity.hpp"
+#include "pd/bond_kernel.hpp"
 
 namespace bempd::pd {
 
-// Energy per unit area that it takes to break all bonds across a plane, G0 = factor E horizon s_c^2, for the
-// micromodulus c0 (1 - r^2/horizon^2)^2: G0 = s_c^2 c0 horizon^4 / 24 with c0 = 315 E / (8 pi horizon^3) in plane
-// stress and 42 E / (pi horizon^3) in plane strain.
-inline double fracture_energy_factor(PlaneState state) {
-  return (state == PlaneState::stress ? 105.0 / 64 : 7.0 / 4) / std::numbers::pi;
+// Energy per unit area that it takes to break all bonds across a plane, G0 = factor E horizon s_c^2: the kernel's
+// number times C1111 / E, 9/8 in plane stress and 6/5 in plane strain at the Poisson's ratio of a bond-based solid.
+inline double fracture_energy_factor(PlaneState state, const BondKernel& kernel = quartic_kernel()) {
+  const double number = kernel.energy_number();
+  return (state == PlaneState::stress ? number * 9 / 8 : number * 6 / 5) / std::numbers::pi;
 }
 
 // Stretch at which a bond breaks.
-inline double critical_stretch(double fracture_energy, double young_modulus, double horizon, PlaneState state) {
-  return std::sqrt(fracture_energy / (fracture_energy_factor(state) * young_modulus * horizon));
+inline double critical_stretch(double fracture_energy, double young_modulus, double horizon, PlaneState state,
+                               const BondKernel& kernel = quartic_kernel()) {
+  return std::sqrt(fracture_energy / (fracture_energy_factor(state, kernel) * young_modulus * horizon));
 }
 
-inline double fracture_energy(double critical_stretch, double young_modulus, double horizon, PlaneState state) {
-  return fracture_energy_factor(state) * young_modulus * horizon * critical_stretch * critical_stretch;
+inline double fracture_energy(double critical_stretch, double young_modulus, double horizon, PlaneState state,
+                              const BondKernel& kernel = quartic_kernel()) {
+  return fracture_energy_factor(state, kernel) * young_modulus * horizon * critical_stretch * critical_stretch;
 }
 
 // The same in plane stress by the constant as printed by Huang et al. (2015) and in Eq. 15 of Yang and Liu (2021),

@@ -1,11 +1,13 @@
 #include "pd/face_template.hpp"
 
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "linalg/least_change.hpp"
 
@@ -219,10 +221,10 @@ double solve_strip(int m, int cells, const std::vector<Kind>& kinds, FaceTemplat
   return result.residual;
 }
 
-std::unique_ptr<LatticeTemplates> make_templates(int m) {
+std::unique_ptr<LatticeTemplates> make_templates(int m, const BondKernel& kernel) {
   auto templates = std::make_unique<LatticeTemplates>();
   templates->horizon_ratio = m;
-  templates->family = bond_family(m);
+  templates->family = bond_family(m, kernel);
   const std::vector<Kind> kinds = kinds_of(templates->family);
   templates->face = FaceTemplate(m, m);
   templates->residual = solve_face(m, kinds, templates->face);
@@ -248,12 +250,21 @@ double LatticeTemplates::ratio(int below, int above, int across, int away) const
   return ratio;
 }
 
-const LatticeTemplates& lattice_templates(int horizon_ratio) {
+const LatticeTemplates& lattice_templates(int horizon_ratio, const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
-  static std::array<std::once_flag, 9> once;
-  static std::array<std::unique_ptr<LatticeTemplates>, 9> stored;
-  std::call_once(once[horizon_ratio], [&] { stored[horizon_ratio] = make_templates(horizon_ratio); });
-  return *stored[horizon_ratio];
+  struct Stored {
+    std::once_flag once;
+    std::unique_ptr<LatticeTemplates> templates;
+  };
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, int>, Stored> all;
+  Stored* stored = nullptr;
+  {
+    const std::lock_guard lock(mutex);
+    stored = &all[{kernel.name(), horizon_ratio}];
+  }
+  std::call_once(stored->once, [&] { stored->templates = make_templates(horizon_ratio, kernel); });
+  return *stored->templates;
 }
 
 }  // namespace bempd::pd

@@ -26,7 +26,7 @@ class FaceTemplate {
   std::vector<double> ratio_;
 };
 
-// What the stiffnesses of all bodies with one horizon ratio share. It does not depend on the material.
+// What the stiffnesses of all bodies with one horizon ratio and one kernel share. It does not depend on the material.
 struct LatticeTemplates {
   std::vector<BondOffset> family;
   FaceTemplate face;                 // one face, rows 0 .. m - 1; deeper bonds keep the bulk stiffness
@@ -39,6 +39,6 @@ struct LatticeTemplates {
 };
 
 // Computed on first use and kept; may be called from several threads. 3 <= horizon_ratio <= 8.
-const LatticeTemplates& lattice_templates(int horizon_ratio);
+const LatticeTemplates& lattice_templates(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 
 }  // namespace bempd::pd

@@ -135,7 +135,6 @@ Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family
     network.bonds.push_back({draft.first[b], draft.second[b], unit * draft.stiffness[b]});
     const double ratio = draft.stiffness[b] / family[draft.offset[b]].bulk_stiffness;
     network.min_weight_ratio = std::min(network.min_weight_ratio, ratio);
-    network.max_weight_ratio = std::max(network.max_weight_ratio, ratio);
   }
   const CellGrid whole(lattice, 1);
   for (const Eigen::Vector4d& r : missing_moments(lattice, whole, family, draft)) {
@@ -146,11 +145,12 @@ Network finish(const CellLattice& lattice, const std::vector<BondOffset>& family
 
 }  // namespace
 
-Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads) {
+Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads,
+                      const BondKernel& kernel) {
   assert(horizon_ratio >= 2 && horizon_ratio <= 8);
   assert(std::abs(elasticity.c12() * 3 - elasticity.c11()) < 1e-9 * elasticity.c11());
   if (horizon_ratio > 2) {
-    const LatticeTemplates& templates = lattice_templates(horizon_ratio);
+    const LatticeTemplates& templates = lattice_templates(horizon_ratio, kernel);
     CellGrid thick(lattice, 2 * horizon_ratio);
     remove_thin_cells(lattice, thick);
     thick.finish(3 * horizon_ratio);
@@ -158,12 +158,10 @@ Network build_network(const CellLattice& lattice, int horizon_ratio, const Plane
     const CornerReport corners = close_corners(lattice, thick, templates, bonds, threads);
     if (corners.positive && corners.residual < 1e-10) {
       add_thin_cells(lattice, thick, templates.family, bonds);
-      Network network = finish(lattice, templates.family, bonds, elasticity);
-      network.bounded_bonds = corners.bounded;
-      return network;
+      return finish(lattice, templates.family, bonds, elasticity);
     }
   }
-  const std::vector<BondOffset> family = bond_family(2);
+  const std::vector<BondOffset> family = bond_family(2, kernel);
   Network network = finish(lattice, family, nearest_neighbours(lattice, family), elasticity);
   network.reduced = horizon_ratio > 2;
   return network;

@@ -23,15 +23,13 @@ struct Network {
   std::vector<Bond> bonds;               // sorted by (first, second)
   std::vector<std::uint32_t> offset_of;  // one a bond: index into `offsets`
   double max_residual = 0;               // largest error of a point's third moments, for C1111 = thickness = 1
-  double min_weight_ratio = 1;           // smallest and largest stiffness over that of the same bond in the bulk
-  double max_weight_ratio = 1;
-  int bounded_bonds = 0;  // bonds that only a bound keeps positive
-  bool reduced = false;   // no such network was found at this horizon: nearest neighbours only
+  double min_weight_ratio = 1;           // smallest stiffness over that of the same bond in the bulk
+  bool reduced = false;                  // no such network was found at this horizon: nearest neighbours only
 };
 
 // 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Poisson's ratio must be that of a
 // bond-based solid. Parts of the body one cell wide get the network of nearest neighbours. `threads`: 0 for one a core.
-Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity,
-                      int threads = 0);
+Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads = 0,
+                      const BondKernel& kernel = quartic_kernel());
 
 }  // namespace bempd::pd

@@ -1,11 +1,35 @@
 #include "regions/discretization.hpp"
 
+#include <algorithm>
+
+#include "error.hpp"
+#include "geometry/gaps.hpp"
 #include "regions/initial_cracks.hpp"
 #include "regions/interfaces.hpp"
 #include "regions/scheme.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::regions {
+
+namespace {
+
+// Regions that nearly touch are rarely meant to: coordinates have been rounded somewhere.
+void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outlines, Discretization& d) {
+  constexpr double share = 0.1;
+  std::vector<double> reach;
+  for (const auto& region : scene.regions()) reach.push_back(share * region->resolution());
+  const std::vector<Gap> gaps = close_gaps(outlines, reach);
+  if (gaps.empty()) return;
+  const auto narrower = [](const Gap& a, const Gap& b) { return a.width < b.width; };
+  const Gap& gap = *std::min_element(gaps.begin(), gaps.end(), narrower);
+  const std::string others = gaps.size() > 1 ? text(" (and ", gaps.size() - 1, " more such pairs)") : "";
+  d.warnings.push_back(text("regions ", gap.region_a + 1, " and ", gap.region_b + 1, " lie ", gap.width, " apart at (",
+                            gap.where.x(), ", ", gap.where.y(), "), less than a tenth of their elements", others,
+                            "; they are not bonded there, as places count as one up to ", d.tolerance,
+                            " only: let them share vertices if they belong together"));
+}
+
+}  // namespace
 
 std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   std::vector<RegionOperator> known;
@@ -30,6 +54,7 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
   const Box box = scene.bounding_box();
   d.tolerance = geometric_tolerance(box);
   d.arrangement = arrange(outlines);
+  warn_of_gaps(scene, outlines, d);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
   const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions, d.crack_regions};
   require_compatible(preparation);

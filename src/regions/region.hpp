@@ -118,8 +118,6 @@ class Region {
 
   // Stiffness on its nodes, if it has one as a matrix; taken over from a region before if it is the same.
   virtual std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const;
-  // The matrix that tells this region from others, for the fingerprint of the scene; null if its bonds do.
-  virtual const Eigen::MatrixXd* stiffness() const { return nullptr; }
   // Volume that flows out per displacement of each degree of freedom, of a region that cannot change its volume.
   virtual std::optional<Eigen::VectorXd> outflow(Eigen::Index /*dof_count*/) const { return std::nullopt; }
 

@@ -3,9 +3,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "error.hpp"
 #include "output/file.hpp"
 #include "output/pvd.hpp"
+#include "output/utf8.hpp"
 #include "output/vtu.hpp"
+#include "output/xml.hpp"
 #include "results/writing.hpp"
 
 namespace bempd::results {
@@ -55,10 +58,17 @@ class GridBuilder {
   output::VtuGrid grid_;
 };
 
+void require_name_for_series(const std::string& prefix) {
+  require(output::fits_xml(output::path_from_utf8(prefix).filename().native()), "prefix is ", output::printable(prefix),
+          ", and prefix.pvd cannot name such files: XML holds neither bytes that are not UTF-8 nor ",
+          "control characters; give another name");
+}
+
 }  // namespace
 
 void Snapshots::write(const std::string& prefix, double load_factor, const regions::Discretization& d,
                       const FieldsOfScene& fields) {
+  require_name_for_series(prefix);
   const std::filesystem::path base = output::path_from_utf8(prefix);
   std::vector<Moment>& series = series_[prefix];
   char number[16];

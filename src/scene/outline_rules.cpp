@@ -7,7 +7,7 @@ namespace bempd::scene {
 
 void require_points(const std::vector<Point>& points, const char* what) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    require(points[i].allFinite(), what, " ", i, " is (", points[i].x(), ", ", points[i].y(),
+    require(points[i].allFinite(), what, " ", i + 1, " is (", points[i].x(), ", ", points[i].y(),
             "); coordinates must be finite numbers");
   }
 }
@@ -16,18 +16,37 @@ namespace {
 
 std::string place_of(const Point& p) { return text("(", p.x(), ", ", p.y(), ")"); }
 
-std::string describe(const OutlineCheck& check) {
+std::string describe_short_edge(const Outline& outline, int edge, const Point& where) {
+  const double length = outline.edge(edge).length();
+  if (length == 0) {
+    return text("the outline repeats the vertex ", place_of(where), " (edge ", edge + 1,
+                " has no length); give every vertex once and do not repeat the first at the end");
+  }
+  return text("edge ", edge + 1, " of the outline, at ", place_of(where), ", has the length ", length,
+              "; places closer than ", geometric_tolerance(bempd::bounding_box(outline)),
+              " count as one in a body of this size: leave out one of its ends");
+}
+
+// A loop that only its arcs turn round: one of them bulges over the opposite side.
+bool arcs_turn_round(const Outline& outline, int loop) {
+  std::vector<Edge> straight;
+  const std::vector<Point>& vertices = outline.loops[static_cast<std::size_t>(loop)];
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    straight.emplace_back(vertices[k], vertices[(k + 1) % vertices.size()]);
+  return (signed_area(straight) > 0) == (loop == 0);
+}
+
+std::string describe(const OutlineCheck& check, const Outline& outline) {
   const int a = check.edge_a + 1, b = check.edge_b + 1;
   switch (check.defect) {
     case OutlineDefect::none:
       return "";
     case OutlineDefect::not_finite:
-      return text("vertex ", check.edge_a, " is not a usable number; coordinates must be finite and below 1e75");
+      return text("vertex ", a, " is not a usable number; coordinates must be finite and below 1e75");
     case OutlineDefect::too_few_vertices:
       return "the outline has less than 3 vertices; give at least 3, without repeating the first at the end";
     case OutlineDefect::repeated_vertex:
-      return text("the outline repeats the vertex ", place_of(check.where), " (edge ", a,
-                  " has no length); give every vertex once and do not repeat the first at the end");
+      return describe_short_edge(outline, check.edge_a, check.where);
     case OutlineDefect::spike:
       return text("edge ", b, " of the outline runs back over edge ", a, " at ", place_of(check.where),
                   "; remove the spike");
@@ -35,6 +54,9 @@ std::string describe(const OutlineCheck& check) {
       return text("edges ", a, " and ", b, " of the outline cross or touch at ", place_of(check.where),
                   "; an outline must not cross itself");
     case OutlineDefect::wrong_orientation:
+      if (arcs_turn_round(outline, check.loop)) {
+        return "an arc bulges across the outline to its other side; give a place on the arc that is closer to the edge";
+      }
       return check.loop == 0
                  ? std::string("the outline runs clockwise; give its vertices counter-clockwise (in reverse order)")
                  : std::string("the hole runs counter-clockwise; give its vertices clockwise (in reverse order)");
@@ -51,7 +73,7 @@ std::string describe(const OutlineCheck& check) {
 
 void require_sound(const Outline& outline) {
   const OutlineCheck check = check_outline(outline);
-  require(check.sound(), describe(check));
+  require(check.sound(), describe(check, outline));
 }
 
 }  // namespace bempd::scene

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "hash.hpp"
+
 namespace bempd::regions {
 struct Discretization;
 struct DofConditions;
@@ -20,6 +22,9 @@ class Place {
 
   // Throws Error (argument) unless the scene has the place.
   virtual void check(const Scene& scene) const = 0;
+
+  // Adds which place it is, as the host has said it.
+  virtual void identify(Hash& hash) const = 0;
 
   // Fractions of an edge where something begins, ends or acts, so that elements have to end.
   virtual std::vector<double> breaks_on(const Scene& scene, int region, int edge, double tolerance) const = 0;

@@ -1,11 +1,30 @@
 #include "scene/region.hpp"
 
+#include <cmath>
+
 namespace bempd::scene {
 
 int Region::edge_count() const {
   std::size_t count = 0;
   for (const auto& loop : outline_.loops) count += loop.size();
   return static_cast<int>(count);
+}
+
+void Region::identify(Hash& hash) const {
+  hash.add(std::string_view(adjective()));
+  hash.add(outline_.loops.size());
+  for (const std::vector<Point>& loop : outline_.loops) {
+    hash.add(loop.size());
+    for (const Point& vertex : loop) hash.add(vertex.x()), hash.add(vertex.y());
+  }
+  // Arcs are computed from places that the host gave, so the last digits of angles and fractions are not its own.
+  const auto add_computed = [&](double value) { hash.add(std::llround(value * 1e8)); };
+  hash.add(outline_.curved.size());
+  for (const auto& [number, edge] : outline_.curved) {
+    hash.add(number);
+    add_computed(edge.joint());
+    for (int k = 0; k < edge.piece_count(); ++k) add_computed(edge.piece(k).sweep);
+  }
 }
 
 }  // namespace bempd::scene

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/outline.hpp"
+#include "hash.hpp"
 
 namespace bempd::regions {
 class Region;
@@ -55,6 +56,12 @@ class Region {
   virtual std::optional<NodeGrid> node_grid() const { return std::nullopt; }
   // The elements it wants on an edge; asked for where it has no grid of nodes.
   virtual EdgeMesh edge_mesh(int /*edge*/) const { return {outline_size(), 1.0}; }
+
+  // Length between its nodes, where the host has not chosen another for an edge.
+  virtual double resolution() const { return node_grid() ? node_grid()->spacing : outline_size(); }
+
+  // Adds what the host has said of it. What is computed stays out: its last digits depend on the processor.
+  virtual void identify(Hash& hash) const;
 
   // The region as operators on nodes, still without them.
   virtual std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const = 0;

@@ -26,7 +26,7 @@ int Scene::add_crack(const std::vector<Point>& points) {
   require(points.size() >= 2, "the crack has ", points.size(), " points; give at least 2");
   require_points(points, "point");
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    require(points[i] != points[i + 1], "points ", i, " and ", i + 1,
+    require(points[i] != points[i + 1], "points ", i + 1, " and ", i + 2,
             " of the crack are the same; give distinct points");
   }
   cracks_.push_back({points});

@@ -222,6 +222,78 @@ static void log_receives_lines(void) {
   bempd_model_free(plate.model);
 }
 
+/** A model that its own callback frees lives until the call that runs returns. */
+static int32_t free_in_progress(double load_factor, int64_t events, int64_t broken_bonds, void* user) {
+  bempd_model** model = (bempd_model**)user;
+  (void)load_factor, (void)events, (void)broken_bonds;
+  bempd_model_free(*model);
+  bempd_model_free(*model);
+  CHECK(bempd_step(*model, 0.0, NULL) == BEMPD_ERROR_ORDER);
+  *model = NULL;
+  return 1;
+}
+
+static void free_in_log(int32_t level, const char* message, void* user) {
+  bempd_model** model = (bempd_model**)user;
+  (void)level, (void)message;
+  bempd_model_free(*model);
+  *model = NULL;
+}
+
+static int32_t free_in_boundary_function(double x, double y, double* constant, double* proportional, void* user) {
+  bempd_model** model = (bempd_model**)user;
+  (void)x, (void)y, (void)constant, (void)proportional;
+  bempd_model_free(*model);
+  *model = NULL;
+  return 0;
+}
+
+static void callbacks_can_free_their_model(void) {
+  coupled_plate plate = coupled_plate_create();
+  bempd_step_report report;
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(plate.model, bempd_set_progress(plate.model, free_in_progress, &plate.model));
+  CHECK(bempd_step_to_next_event(plate.model, 100.0, &report) == BEMPD_ERROR_CANCELLED);
+  CHECK(plate.model == NULL);
+  CHECK(check_has_word(bempd_last_error(NULL), "progress callback"));
+
+  plate = coupled_plate_create();
+  CHECK_OK(plate.model, bempd_set_log(plate.model, free_in_log, &plate.model));
+  CHECK(bempd_step(plate.model, 0.1, &report) == BEMPD_OK);
+  CHECK(plate.model == NULL && report.stop_reason == BEMPD_STOP_LOAD_FACTOR);
+
+  plate.model = bem_block();
+  CHECK_OK(plate.model, bempd_fix_edge(plate.model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(plate.model,
+           bempd_add_traction_function(plate.model, 1, 2, 0.0, 1.0, free_in_boundary_function, &plate.model, NULL));
+  if (plate.model != NULL) CHECK(bempd_prepare(plate.model) == BEMPD_OK);
+  CHECK(plate.model == NULL);
+}
+
+static void count_gaps(int32_t level, const char* message, void* user) {
+  if (level == 1 && strstr(message, "apart") != NULL && strstr(message, "regions 1 and 2") != NULL) ++*(int*)user;
+}
+
+/** Two squares side by side: bonded within 1e-9 of the diagonal, else told to the log up to a tenth of an element. */
+static void gaps_between_regions_are_logged(void) {
+  const double gaps[] = {0.0, 1e-9, 1e-8, 1e-6, 1e-4, 1e-2, 0.03};
+  const int logged[] = {0, 0, 1, 1, 1, 1, 0};
+  size_t k;
+  for (k = 0; k < sizeof gaps / sizeof gaps[0]; ++k) {
+    bempd_model* model = new_model();
+    const int32_t material = add_sound_material(model);
+    int count = 0;
+    add_bem_rectangle(model, material, 0.0, 0.0, 1.0, 1.0, 0.25);
+    add_bem_rectangle(model, material, 1.0 + gaps[k], 0.0, 2.0, 1.0, 0.25);
+    CHECK_OK(model, bempd_fix_edge(model, 1, 1, 3, NULL));
+    CHECK_OK(model, bempd_fix_edge(model, 2, 1, 3, NULL));
+    CHECK_OK(model, bempd_set_log(model, count_gaps, &count));
+    CHECK_OK(model, bempd_prepare(model));
+    CHECK(count == logged[k]);
+    bempd_model_free(model);
+  }
+}
+
 int main(void) {
   const double first_event = coupled_plate_first_event();
   progress_is_told_after_every_event(first_event);
@@ -235,5 +307,7 @@ int main(void) {
   boundary_function_can_cancel();
   boundary_function_gives_finite_values();
   log_receives_lines();
+  callbacks_can_free_their_model();
+  gaps_between_regions_are_logged();
   return check_finish();
 }

@@ -139,6 +139,31 @@ static void equal_regions_are_built_and_factorized_once(void) {
   bempd_model_free(alone);
 }
 
+/** A cracked lattice in some unit of length. */
+static int64_t factor_entries(double unit) {
+  const rectangle r = rectangle_of(0.0, 0.0, 70.0 * unit, 50.0 * unit);
+  const double crack[4] = {20.5 * unit, 0.0, 20.5 * unit, 15.3 * unit};
+  bempd_model* model = new_model();
+  int64_t entries;
+  CHECK_OK(model, bempd_add_pd_region(model, add_sound_material(model), 4, r.vertices, unit, 3, NULL));
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_prescribe_point(model, 70.0 * unit, 50.0 * unit, BEMPD_X, 0.0, 1e-4 * unit, NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  entries = statistics_of(model).factor_nonzeros;
+  bempd_model_free(model);
+  return entries;
+}
+
+static void the_unit_of_length_costs_nothing(void) {
+  const double units[] = {1e-11, 1e-10, 1e-9, 1e-6, 1e-3, 1e3, 1e9, 1e11};
+  const int64_t expected = factor_entries(1.0);
+  size_t k;
+  CHECK(expected > 0);
+  for (k = 0; k < sizeof units / sizeof units[0]; ++k)
+    CHECK_CLOSE((double)factor_entries(units[k]), (double)expected, 0.01 * (double)expected);
+}
+
 int main(void) {
   const double first_event = coupled_plate_first_event();
   boundary_scene_has_no_lattice_and_no_sparse_factor();
@@ -148,5 +173,6 @@ int main(void) {
   looking_at_results_builds_nothing_twice(first_event);
   new_load_values_touch_the_right_hand_side_only();
   equal_regions_are_built_and_factorized_once();
+  the_unit_of_length_costs_nothing();
   return check_finish();
 }

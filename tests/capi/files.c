@@ -78,8 +78,17 @@ static void history_is_a_table(const coupled_plate* plate) {
   free(table);
 }
 
+/** A series names its files in XML, which cannot hold everything that a file system can. */
+static void names_that_xml_cannot_hold_are_refused(const coupled_plate* plate) {
+  CHECK_FAILS(plate->model, BEMPD_ERROR_ARGUMENT, "control characters",
+              bempd_write_snapshot(plate->model, "capi_\x1b"));
+  CHECK_FAILS(plate->model, BEMPD_ERROR_ARGUMENT, "UTF-8", bempd_write_snapshot(plate->model, "capi_\xff"));
+  CHECK(text_of("capi_\x1b.pvd") == NULL && text_of("capi_\xff_0000_lattice.vtu") == NULL);
+}
+
 int main(void) {
   const coupled_plate plate = coupled_plate_create();
+  names_that_xml_cannot_hold_are_refused(&plate);
   snapshots_form_a_series(&plate);
   history_is_a_table(&plate);
   bempd_model_free(plate.model);

@@ -24,6 +24,9 @@ static void outlines_are_refused_by_the_call_that_brings_them(void) {
   BAD_BEM("finite|inf", 3, 0, 0, INFINITY, 0, 0, 4);
   BAD_BEM("clockwise", 4, 0, 0, 0, 4, 4, 4, 4, 0);
   BAD_BEM("cross|intersect", 5, 0, 0, 4, 4, 4, 0, 0, 4, -1, 2);
+  BAD_BEM("vertex 1 is", 3, NAN, 0, 4, 0, 0, 4);
+  BAD_BEM("vertex 3 is", 3, 0, 0, 4, 0, 0, 1e200);
+  BAD_BEM("has the length 1.4e-09; places closer than", 5, 0, 0, 4, 0, 4, 4, 1.4e-9, 4, 0, 4);
   BAD_BEM("repeat|same|coincid|distinct|twice|equal|zero", 4, 0, 0, 0, 0, 4, 0, 0, 4);
   BAD_BEM("repeat|same|coincid|distinct|twice|equal|zero", 4, 0, 0, 4, 0, 0, 4, 0, 0);
   BAD_BEM("area|cross|overlap|line|touch|clockwise|degenerate|back", 3, 0, 0, 4, 0, 2, 0);

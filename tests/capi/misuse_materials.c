@@ -62,6 +62,26 @@ static void poisson_ratio_at_its_limits_is_refused(void) {
   REFUSED("poisson", material);
 }
 
+/** One that is typed with six digits is taken, one with five is not. */
+static void poisson_ratio_of_a_lattice_has_a_stated_limit(void) {
+  const double vertices[] = {0, 0, 4, 0, 4, 4, 0, 4};
+  const double taken[] = {1.0 / 3.0, 0.33333333, 0.333333, 1.0 / 3.0 + 9e-7};
+  const double refused[] = {0.33333, 1.0 / 3.0 + 1.1e-6, 1.0 / 3.0 - 1.1e-6, 0.25};
+  bempd_model* model = new_model();
+  bempd_material material = sound_material();
+  int32_t id = 0;
+  size_t k;
+  for (k = 0; k < 4; ++k) {
+    material.poisson_ratio = taken[k];
+    CHECK_OK(model, bempd_add_material(model, &material, &id));
+    CHECK_OK(model, bempd_add_pd_region(model, id, 4, vertices, 1.0, 3, NULL));
+    material.poisson_ratio = refused[k];
+    CHECK_OK(model, bempd_add_material(model, &material, &id));
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "up to 1e-6", bempd_add_pd_region(model, id, 4, vertices, 1.0, 3, NULL));
+  }
+  bempd_model_free(model);
+}
+
 static void both_fracture_measures_are_refused(void) {
   bempd_material material = sound_material();
   material.fracture_energy = 10.0;
@@ -130,6 +150,7 @@ int main(void) {
   defaults_come_from_init();
   numbers_out_of_range_are_refused();
   poisson_ratio_at_its_limits_is_refused();
+  poisson_ratio_of_a_lattice_has_a_stated_limit();
   both_fracture_measures_are_refused();
   planes_are_known_and_not_mixed();
   struct_size_is_watched();

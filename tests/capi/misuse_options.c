@@ -101,9 +101,23 @@ static void every_option_is_described_and_watched(void) {
   bempd_model_free(model);
 }
 
+/** A program with a shorter struct gets what it has room for. */
+static void descriptions_keep_to_the_struct_s_size(void) {
+  bempd_option_info info;
+  memset(&info, 0x55, sizeof info);
+  CHECK_OK(NULL, bempd_option_info_init(&info, sizeof info));
+  CHECK(info.struct_size == (int64_t)sizeof info && info.name == NULL && info.maximum == 0.0);
+  CHECK_OK(NULL, bempd_option_info_init(&info, 16));
+  CHECK_OK(NULL, bempd_option_describe(0, &info));
+  CHECK(info.struct_size == 16 && info.name != NULL && info.summary == NULL);
+  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "struct_size", bempd_option_info_init(&info, 0));
+  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "NULL", bempd_option_info_init(NULL, sizeof info));
+}
+
 int main(void) {
   unknown_names_list_the_near_ones();
   options_are_described_within_their_count();
   every_option_is_described_and_watched();
+  descriptions_keep_to_the_struct_s_size();
   return check_finish();
 }

@@ -84,14 +84,14 @@ static void history_lines_exist(void) {
   bempd_history_entry entry;
   int64_t count = 0;
   CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index|history", bempd_history(model, 0, &entry));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index|history", bempd_get_history_entry(model, 0, &entry));
   CHECK_OK(model, bempd_step(model, 0.1, NULL));
   CHECK_OK(model, bempd_history_count(model, &count));
   CHECK(count == 1);
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index", bempd_history(model, count, &entry));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index", bempd_history(model, -1, &entry));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index", bempd_history(model, INT64_MAX, &entry));
-  CHECK_OK(model, bempd_history(model, 0, &entry));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index", bempd_get_history_entry(model, count, &entry));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index", bempd_get_history_entry(model, -1, &entry));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "index", bempd_get_history_entry(model, INT64_MAX, &entry));
+  CHECK_OK(model, bempd_get_history_entry(model, 0, &entry));
   CHECK(entry.event == 0 && entry.load_factor == 0.1 && entry.total_broken_bonds == 0);
   bempd_model_free(model);
 }

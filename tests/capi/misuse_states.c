@@ -123,6 +123,35 @@ static void states_of_other_scenes_are_refused(const bempd_state* state) {
   }
 }
 
+/** The plate's supports added last first: their reactions would be each other's. */
+static void supports_in_another_order_are_refused(const bempd_state* state) {
+  static const double crack[4] = {14.5, 0.0, 14.5, 3.5};
+  const double pull_left[2] = {-0.002, -0.02};
+  const double pull_right[2] = {0.02, 0.002};
+  bempd_model* model = new_model();
+  const int32_t material = add_sound_material(model);
+  const int32_t left = add_bem_rectangle(model, material, 0.0, 0.0, 10.0, 8.0, 2.0);
+  int32_t right;
+  add_pd_rectangle(model, material, 10.0, 0.0, 19.0, 8.0, 1.0);
+  right = add_bem_rectangle(model, material, 19.0, 0.0, 29.0, 8.0, 2.0);
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_point(model, 0.0, 4.0, BEMPD_Y, NULL));
+  CHECK_OK(model, bempd_prescribe_edge(model, right, 2, 0.0, 1.0, BEMPD_X, 2, NULL, pull_right, NULL));
+  CHECK_OK(model, bempd_prescribe_edge(model, left, 4, 0.0, 1.0, BEMPD_X, 2, NULL, pull_left, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "another order", bempd_state_restore(model, state));
+  bempd_model_free(model);
+}
+
+/** What shapes the equations belongs to the scene as it was when the model was prepared. */
+static void states_of_other_options_are_refused(const bempd_state* state, const coupled_plate* prepared) {
+  const coupled_plate other = coupled_plate_create();
+  CHECK_OK(other.model, bempd_set_option(other.model, "bem.quadrature_tolerance", 1e-4));
+  CHECK_FAILS(other.model, BEMPD_ERROR_ARGUMENT, "scene", bempd_state_restore(other.model, state));
+  CHECK_OK(prepared->model, bempd_set_option(prepared->model, "bem.quadrature_tolerance", 1e-4));
+  CHECK_OK(prepared->model, bempd_state_restore(prepared->model, state));
+  bempd_model_free(other.model);
+}
+
 int main(void) {
   const coupled_plate plate = coupled_plate_create();
   bempd_state* state = cracked_state(&plate);
@@ -133,6 +162,8 @@ int main(void) {
   flipped_bits_are_refused(&saved);
   noise_is_refused();
   states_of_other_scenes_are_refused(state);
+  supports_in_another_order_are_refused(state);
+  states_of_other_options_are_refused(state, &plate);
   bempd_state_free(state);
   bempd_model_free(plate.model);
   free(saved.data);

@@ -2,7 +2,7 @@
 # test run, because its cases may share a long computation.
 function(bempd_add_host_test name)
   add_executable(${name} ${ARGN})
-  target_link_libraries(${name} PRIVATE bempd bempd_warnings GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE bempd bempd_claims bempd_warnings GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM bempd_host_test_headers)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS host)

@@ -2,6 +2,8 @@
 // plate on its outer edges: order of displacements, stress at the hole's edge and next to it.
 #include <gtest/gtest.h>
 
+#include <claims.hpp>
+
 #include "circular_inclusion.hpp"
 #include "host.hpp"
 
@@ -99,6 +101,14 @@ void expect_order(const char* scheme, double poisson, const double* disk_young) 
 TEST(Kirsch, displacements_are_of_third_order_and_stress_holds_up_to_the_hole_in_both_schemes) {
   expect_order("symmetric", 0.3, nullptr);
   expect_order("paper", 0.3, nullptr);
+}
+
+TEST(Kirsch, stress_at_the_hole_is_as_good_as_claimed) {
+  for (const auto& [refinement, bound] : {std::pair{2, claims::kirsch_16}, {8, claims::kirsch_64}}) {
+    const double value = solve("symmetric", 0.3, nullptr, refinement).edge_stress;
+    std::printf("%2d elements on the circle: ", 8 * refinement);
+    EXPECT_LE(report("stress on the circle, off by", value, 0, source), bound);
+  }
 }
 
 TEST(Kirsch, nearly_incompressible_plates_are_as_good) { expect_order("symmetric", 0.4999999, nullptr); }

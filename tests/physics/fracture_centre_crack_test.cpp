@@ -3,6 +3,8 @@
 // increment 278.
 #include <gtest/gtest.h>
 
+#include <claims.hpp>
+
 #include "fracture_scenes.hpp"
 
 namespace {
@@ -29,6 +31,7 @@ TEST(CentreCrack, the_initial_crack_cuts_the_bonds_that_meet_the_closed_line) {
 TEST(CentreCrack, first_break_is_where_the_prototype_has_it) {
   const double value = first_break({});
   EXPECT_LE(std::abs(report("first break", value, 278.607, "independent prototype")), 1e-5 * 278.607);
+  EXPECT_PRED1([](double load) { return claims::first_break.holds(load); }, value);
 }
 
 TEST(CentreCrack, first_break_does_not_depend_on_the_width_of_the_lattice_strip) {

@@ -259,7 +259,7 @@ class Model {
     std::vector<bempd_history_entry> lines(static_cast<std::size_t>(entries));
     for (int64_t i = 0; i < entries; ++i) {
       bempd_history_entry_init(&lines[static_cast<std::size_t>(i)], sizeof(bempd_history_entry));
-      check(bempd_history(get(), i, &lines[static_cast<std::size_t>(i)]));
+      check(bempd_get_history_entry(get(), i, &lines[static_cast<std::size_t>(i)]));
     }
     return lines;
   }

@@ -42,9 +42,10 @@ TEST(PaperFracture, centre_crack_breaks_first_at_the_published_increment_or_next
   EXPECT_LE(std::abs(::host::report("first break", report.load_factor, 278, "published")), 3);
   report = model.run(1000);
   EXPECT_EQ(report.separated, 1);
-  ::host::report("in two", report.load_factor, 406, "published");
-  std::printf("energy balance error %.2g: collocation is not symmetric, so work is not all stored or released\n",
-              report.energy_balance_error);
+  // The published stepping lags behind the one of the text by some increments.
+  EXPECT_LE(std::abs(::host::report("in two", report.load_factor, 406, "published")), 30);
+  // Collocation is not symmetric, so work is not all stored or released.
+  EXPECT_LE(::host::report("energy balance error", report.energy_balance_error, 0, "conservation of energy"), 1.2e-3);
   EXPECT_LE(report.residual, 1e-9);
 }
 

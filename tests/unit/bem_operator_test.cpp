@@ -3,6 +3,7 @@
 #include "bem/boundary_loads.hpp"
 #include "bem/galerkin_operator.hpp"
 #include "dense.hpp"
+#include "error.hpp"
 #include "physics/bem_bodies.hpp"
 
 namespace {
@@ -42,6 +43,18 @@ TEST(GalerkinOperator, is_exactly_symmetric_with_three_rigid_motions_and_nothing
     for (int i = 0; i < 3; ++i) EXPECT_LE(std::abs(values[i]), 1e-14 * largest) << body.name;
     // The softest deformation of the thin strip, bending, is far stiffer than rounding.
     EXPECT_GE(values[3], 1e-8 * largest) << body.name;
+  }
+}
+
+// Integrals with three digits do not tell the faces of a strip of width 1e-6 apart.
+TEST(GalerkinOperator, one_that_cannot_be_factorized_is_an_error) {
+  bem::AssemblyOptions coarse;
+  coarse.quadrature_tolerance = 1e-3;
+  try {
+    const bem::GalerkinOperator galerkin(mesh_boundary({rectangle(1, 1e-6, 0.25)}), steel, coarse);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.failure(), Failure::unsolvable);
   }
 }
 

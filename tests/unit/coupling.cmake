@@ -1,2 +1,3 @@
 bempd_add_engine_test(coupling_test coupling_test.cpp)
 bempd_add_engine_test(coupling_interface_test coupling_interface_test.cpp)
+bempd_add_engine_test(coupling_terms_test coupling_terms_test.cpp)

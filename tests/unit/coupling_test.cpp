@@ -2,6 +2,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "coupling/rigid_motion.hpp"
+#include "coupling/unsymmetric_solution.hpp"
 #include "dense.hpp"
 #include "error.hpp"
 
@@ -68,7 +69,7 @@ Affine expected_solution(const Chain& chain, const std::vector<char>& intact, co
 // An operator that is not symmetric; the factor is left stale by the break.
 TEST(EquilibriumSystem, unsymmetric_operators_are_solved_also_after_breaks) {
   Chain chain;
-  chain.op.symmetric = false;
+  chain.op.method = &unsymmetric_solution();
   const Eigen::MatrixXd skew = Eigen::MatrixXd::NullaryExpr(
       6, 6, [](Eigen::Index i, Eigen::Index j) { return 0.3 * std::sin(static_cast<double>(5 * i + 11 * j)); });
   chain.op.stiffness = std::make_shared<const Eigen::MatrixXd>(*chain.op.stiffness + skew);

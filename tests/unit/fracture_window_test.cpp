@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "fracture/active_window.hpp"
-#include "fracture/window_certificate.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_certificate.hpp"
 
 namespace {
 

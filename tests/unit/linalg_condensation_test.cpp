@@ -30,11 +30,11 @@ SparseMatrix lattice(int side) {
   return lower;
 }
 
-NodeGraph lattice_graph(int side) {
+NodeGraph lattice_graph(int side, double spacing = 1) {
   std::vector<Eigen::Vector2d> positions;
   std::vector<int> first, second;
   for (int i = 0; i < side * side; ++i) {
-    positions.emplace_back(i % side, i / side);
+    positions.emplace_back(spacing * (i % side), spacing * (i / side));
     if (i % side + 1 < side) first.push_back(i), second.push_back(i + 1);
     if (i / side + 1 < side) first.push_back(i), second.push_back(i + side);
   }
@@ -78,6 +78,15 @@ TEST(NestedDissection, fills_less_than_the_natural_order) {
   std::vector<int> natural(side * side);
   std::iota(natural.begin(), natural.end(), 0);
   EXPECT_LT(2 * fill(nested_dissection(lattice_graph(side), std::vector<char>(side * side, 1))), fill(natural));
+}
+
+TEST(NestedDissection, is_the_same_in_every_unit_of_length) {
+  const int side = 40;
+  const std::vector<char> all(side * side, 1);
+  const std::vector<int> expected = nested_dissection(lattice_graph(side), all);
+  for (const double spacing : {1e-300, 1e-20, 1e-11, 1e-9, 1e-3, 1e3, 1e11, 1e300}) {
+    EXPECT_EQ(nested_dissection(lattice_graph(side, spacing), all), expected) << spacing;
+  }
 }
 
 TEST(NestedDissection, keeps_places_on_one_spot_and_groups_that_couple_all) {

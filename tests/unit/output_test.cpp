@@ -13,6 +13,7 @@
 #include "output/file.hpp"
 #include "output/number.hpp"
 #include "output/pvd.hpp"
+#include "output/utf8.hpp"
 #include "output/vtu.hpp"
 #include "output/xml.hpp"
 
@@ -146,6 +147,24 @@ TEST(OutputText, csv_quotes_only_what_needs_it) {
   EXPECT_EQ(table.text(), "plain,\"with, comma\"\n\"say \"\"no\"\"\",-7\n\"two\nlines\",0.5\n1,nan\n");
 }
 
-TEST(OutputText, xml_attributes_are_escaped) { EXPECT_EQ(xml_escaped("a<b>&\"\n"), "a&lt;b&gt;&amp;&quot; "); }
+TEST(OutputText, xml_attributes_are_escaped) {
+  EXPECT_EQ(xml_escaped("a<b>&\"\t\n"), "a&lt;b&gt;&amp;&quot;&#9;&#10;");
+}
+
+TEST(OutputText, xml_holds_utf8_without_control_characters) {
+  for (const char* good : {"", "a b", "R\xC3\xADss \xE2\x84\x96", "\xF0\x9F\x99\x82", "two\nlines", "\x7F"})
+    EXPECT_TRUE(fits_xml(good)) << good;
+  for (const char* bad : {"\x01", "\x1B[2J", "\xFF", "\xC3", "\xC0\xAF", "\xE2\x84", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+                          "\xEF\xBF\xBF", "a\x80"})
+    EXPECT_FALSE(fits_xml(bad)) << printable(bad);
+  EXPECT_FALSE(fits_xml(std::string_view("a\0b", 3)));
+}
+
+TEST(OutputText, printable_text_shows_what_cannot_be_shown_as_one_mark) {
+  EXPECT_EQ(printable("R\xC3\xADss"), "R\xC3\xADss");
+  EXPECT_EQ(printable("a\xFF\nb\xE2\x84"),
+            "a\xEF\xBF\xBD\xEF\xBF\xBD"
+            "b\xEF\xBF\xBD\xEF\xBF\xBD");
+}
 
 }  // namespace

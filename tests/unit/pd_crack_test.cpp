@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <random>
+#include <set>
+
 #include "pd/crack.hpp"
 #include "unit/pd_bodies.hpp"
 
@@ -75,6 +78,44 @@ TEST_F(Diagonal, a_second_leg_of_the_crack_cuts_the_bonds_of_points_on_the_first
   // The tip of the second leg touches the bond between its ends.
   EXPECT_TRUE(cut({5, 5}, {7, 4}, kinked, Touching::of_ends_keeps));
   EXPECT_TRUE(cut({5, 5}, {7, 5}, {{2, 2}, {5, 5}, {6, 4}, {6, 5}}, Touching::of_ends_keeps));
+}
+
+// The segments of a polyline cut for themselves what it cuts.
+TEST(Crack, polyline_cuts_what_its_segments_cut) {
+  const CellLattice lattice({rectangle(0, 0, 30, 20)});
+  const Network network = build_network(lattice, 3, bond_based(1, PlaneState::stress, 1));
+  const std::vector<Point> points = points_of(lattice);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> x(-5, 35), y(-5, 25);
+  std::uniform_int_distribution<int> half(0, 40);
+  for (int trial = 0; trial < 40; ++trial) {
+    std::vector<Point> polyline{{x(random), y(random)}};
+    for (int k = 0; k < 25; ++k) {
+      // Some vertices on points, bonds and lines of the lattice; and some legs that end far away.
+      polyline.push_back(k % 3 == 0 ? Point(0.5 * half(random), 0.5 * half(random)) : Point(x(random), y(random)));
+      if (k == 20) polyline.back() *= 1e6;
+    }
+    std::set<int> expected;
+    for (std::size_t k = 0; k + 1 < polyline.size(); ++k)
+      for (const int b : bonds_cut_by(points, network.bonds, {polyline[k], polyline[k + 1]})) expected.insert(b);
+    const std::vector<int> cut = bonds_cut_by(points, network.bonds, polyline);
+    EXPECT_EQ(cut, std::vector<int>(expected.begin(), expected.end())) << trial;
+    EXPECT_FALSE(cut.empty());
+  }
+}
+
+// A search through all segments for every bond would take ten minutes.
+TEST(Crack, fine_polyline_cuts_what_the_straight_line_cuts) {
+  const CellLattice lattice({rectangle(0, 0, 200, 100)});
+  const Network network = build_network(lattice, 4, bond_based(1, PlaneState::stress, 1));
+  const std::vector<Point> points = points_of(lattice);
+  const Point from(20.3, 30.1), to(170.7, 77.9);
+  constexpr int count = 1000000;
+  std::vector<Point> fine;
+  for (int k = 0; k <= count; ++k) fine.push_back(from + (to - from) * k / count);
+  const std::vector<int> cut = bonds_cut_by(points, network.bonds, fine, Touching::of_ends_keeps);
+  EXPECT_GT(cut.size(), 1000u);
+  EXPECT_EQ(cut, bonds_cut_by(points, network.bonds, {from, to}, Touching::of_ends_keeps));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "pd/bond_family.hpp"
+#include "pd/bond_kernel.hpp"
 #include "pd/cell_grid.hpp"
 #include "pd/face_template.hpp"
 #include "unit/pd_bodies.hpp"
@@ -202,6 +204,38 @@ TEST(FaceTemplate, ratios_have_the_known_range) {
     EXPECT_NEAR(high, e[2], .006);
     EXPECT_LT(templates.residual, 1e-13);
   }
+}
+
+// The integrals of c r^2 and c r^3 by the midpoint rule.
+TEST(BondKernel, has_the_elastic_constant_and_the_fracture_energy_that_it_says) {
+  for (const BondKernel* kernel : {&quartic_kernel(), &conical_kernel()}) {
+    const double horizon = 3.5;
+    const int steps = 20000;
+    double second = 0, third = 0;
+    for (int k = 0; k < steps; ++k) {
+      const double r = horizon * (k + 0.5) / steps, c = kernel->micromodulus(r, horizon) * horizon / steps;
+      second += c * r * r, third += c * r * r * r;
+    }
+    EXPECT_NEAR(3 * std::numbers::pi / 8 * second, 1, 1e-8) << kernel->name();
+    EXPECT_NEAR(std::numbers::pi * third / horizon, kernel->energy_number(), 1e-8) << kernel->name();
+  }
+}
+
+TEST(FaceTemplate, every_kernel_has_its_own) {
+  const LatticeTemplates &quartic = lattice_templates(3), &conical = lattice_templates(3, conical_kernel());
+  EXPECT_EQ(&quartic, &lattice_templates(3, quartic_kernel()));
+  EXPECT_EQ(&conical, &lattice_templates(3, conical_kernel()));
+  ASSERT_NE(&quartic, &conical);
+  EXPECT_LT(conical.residual, 1e-13);
+  double ratio = 0, bulk = 0;
+  for (std::size_t o = 0; o < quartic.family.size(); ++o) {
+    const Vector2i step = quartic.family[o].step.cast<int>();
+    const int across = std::abs(step.x()), away = step.y();
+    ratio = std::max(ratio, std::abs(quartic.face.ratio(0, across, away) - conical.face.ratio(0, across, away)));
+    bulk = std::max(bulk, std::abs(quartic.family[o].bulk_stiffness - conical.family[o].bulk_stiffness));
+  }
+  EXPECT_GT(ratio, 0.01);
+  EXPECT_GT(bulk, 0.01);
 }
 
 }  // namespace

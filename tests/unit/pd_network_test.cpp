@@ -51,6 +51,19 @@ TEST(Network, is_exact_and_positive_on_every_body) {
   }
 }
 
+TEST(Network, is_exact_with_another_kernel_too) {
+  const PlaneElasticity elasticity = bond_based(3e7, PlaneState::stress, 0.02);
+  for (const Body& body : bodies()) {
+    const CellLattice lattice(body.loops);
+    for (int m = 2; m <= 5; ++m) {
+      const Network network = build_network(lattice, m, elasticity, 0, conical_kernel());
+      EXPECT_LT(exactness_error(lattice, network, elasticity), 1e-14) << body.name << " m " << m;
+      EXPECT_LT(network.max_residual, 1e-14) << body.name << " m " << m;
+      EXPECT_FALSE(network.reduced) << body.name << " m " << m;
+    }
+  }
+}
+
 TEST(Network, is_exact_on_rectangles_at_the_longest_horizons) {
   const PlaneElasticity elasticity = bond_based(1, PlaneState::stress, 1);
   for (const auto& [width, height] : {std::pair{9, 30}, {5, 20}, {3, 20}, {2, 20}, {6, 6}}) {

@@ -4,18 +4,38 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-from typing import Any
+import os
+from typing import Any, Protocol, Union
 
 import numpy as np
 import numpy.typing as npt
 from matplotlib.path import Path
 from matplotlib.tri import Triangulation
 
-from .model import Model
-from .reports import BondState
+from .reports import Bonds, BondState, PointValues
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
+
+
+class Drawable(Protocol):
+    """What pictures need of a model, so that models can import pictures and not the other way round too."""
+
+    @property
+    def region_count(self) -> int: ...
+
+    @property
+    def load_factor(self) -> float: ...
+
+    def elements(self, region: int) -> IntArray: ...
+
+    def field(self, region: int, name: str) -> FloatArray: ...
+
+    def bonds(self, region: int) -> Bonds: ...
+
+    def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues: ...
+
+    def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None: ...
 
 
 @dataclasses.dataclass
@@ -43,7 +63,7 @@ class Body:
         return self.points + magnification * self.displacement
 
 
-def bodies(model: Model, resolution: int) -> list[Body]:
+def bodies(model: Drawable, resolution: int) -> list[Body]:
     """All regions; `resolution` is the number of places across a BEM region at which its interior is evaluated."""
     made = []
     for region in range(1, model.region_count + 1):
@@ -53,7 +73,7 @@ def bodies(model: Model, resolution: int) -> list[Body]:
     return made
 
 
-def lattice_body(model: Model, region: int, cells: IntArray, resolution: int) -> Body:
+def lattice_body(model: Drawable, region: int, cells: IntArray, resolution: int) -> Body:
     """A peridynamic region."""
     points = model.field(region, "position")
     bonds = model.bonds(region)
@@ -115,7 +135,7 @@ def neighbours(cells: IntArray, left_out: npt.NDArray[np.bool_], count: int) -> 
     return shared[np.argsort(group[shared], kind="stable")].reshape(-1, 2) // 4
 
 
-def boundary_body(model: Model, region: int, elements: IntArray, resolution: int) -> Body:
+def boundary_body(model: Drawable, region: int, elements: IntArray, resolution: int) -> Body:
     """A region of boundary elements, with values at places inside."""
     nodes = model.field(region, "position")
     step = float(np.ptp(nodes, axis=0).min()) / resolution

@@ -40,6 +40,7 @@ typedef struct bempd_option_info {
   double minimum;
   double maximum;
 } bempd_option_info;
+bempd_status bempd_option_info_init(bempd_option_info *info, int64_t struct_size);
 bempd_status bempd_option_count(int64_t *count);
 bempd_status bempd_option_describe(int64_t index, bempd_option_info *info);
 bempd_status bempd_set_option(bempd_model *model, const char *name, double value);
@@ -254,6 +255,8 @@ typedef struct bempd_history_entry {
 } bempd_history_entry;
 bempd_status bempd_history_entry_init(bempd_history_entry *entry, int64_t struct_size);
 bempd_status bempd_history_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_get_history_entry(const bempd_model *model, int64_t index,
+    bempd_history_entry *entry);
 bempd_status bempd_history(const bempd_model *model, int64_t index, bempd_history_entry *entry);
 bempd_status bempd_state_save(bempd_model *model, bempd_state **state);
 bempd_status bempd_state_restore(bempd_model *model, const bempd_state *state);
@@ -311,18 +314,19 @@ Create an empty model.
 model [out]: the new model; free it with bempd_model_free()
 return: status
 since: 0.1""",
-    "bempd_model_free": """Free a model and everything it owns.
+    "bempd_model_free": """\
+Free a model and everything it owns; called while the model is in another call, from one of its
+callbacks, when that call returns. What failed then is said by bempd_last_error(NULL).
 
-model [in]: may be NULL
+model [in]: may be NULL; not to be used afterwards
 since: 0.1""",
     "bempd_option_kind": """Whether an option takes a number or a word.
 
 since: 0.1""",
-    "bempd_option_info": """\
-Description of one option. Set struct_size = sizeof(bempd_option_info) first.
+    "bempd_option_info": """Description of one option. Fill it with bempd_option_info_init().
 
 since: 0.1""",
-    "bempd_option_info.struct_size": """sizeof(bempd_option_info), set by the caller""",
+    "bempd_option_info.struct_size": """sizeof(bempd_option_info), set by bempd_option_info_init()""",
     "bempd_option_info.name": """name for bempd_set_option() and its kin; constant string""",
     "bempd_option_info.summary": """one sentence; constant string""",
     "bempd_option_info.unit": """unit, "-" for a pure number; constant string""",
@@ -334,6 +338,13 @@ legal words separated by " | " for a text option, else empty; constant string"""
     "bempd_option_info.default_value": """default of a number option""",
     "bempd_option_info.minimum": """smallest legal number""",
     "bempd_option_info.maximum": """largest legal number""",
+    "bempd_option_info_init": """\
+Set struct_size and zeros.
+
+info [out]: the struct to fill
+struct_size [in]: sizeof(bempd_option_info) as the caller was compiled: older programs keep working
+return: status
+since: 0.2""",
     "bempd_option_count": """Number of options.
 
 count [out]: number of options [-]
@@ -391,9 +402,10 @@ bempd_material_init().
 Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme
 "paper"); preparing fails as unsolvable where supports hold its whole boundary, which leaves the
 pressure undetermined. Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane
-strain. Give critical_stretch or fracture_energy, or neither for a material that does not break.
-From the fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E
-delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain.
+strain; a ratio within 1e-6 of that is taken for it. Give critical_stretch or fracture_energy, or
+neither for a material that does not break. From the fracture energy G0 and the horizon delta the
+critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta))
+in plane strain.
 
 since: 0.1""",
     "bempd_material.struct_size": """sizeof(bempd_material), set by bempd_material_init()""",
@@ -409,7 +421,6 @@ Set struct_size and the defaults.
 
 material [out]: the struct to fill
 struct_size [in]: sizeof(bempd_material) as the caller was compiled: older programs keep working
-  when it grows
 return: status
 since: 0.1""",
     "bempd_add_material": """\
@@ -536,7 +547,7 @@ since: 0.1""",
 Number of regions.
 
 model [in]: the model
-count [out]: number of regions
+count [out]: their number
 return: status
 since: 0.1""",
     "bempd_edge_count": """\
@@ -786,7 +797,6 @@ Set struct_size and zeros.
 
 report [out]: the struct to fill
 struct_size [in]: sizeof(bempd_step_report) as the caller was compiled: older programs keep working
-  when it grows
 return: status
 since: 0.1""",
     "bempd_prepare": """\
@@ -1062,7 +1072,6 @@ Set struct_size and zeros.
 
 statistics [out]: the struct to fill
 struct_size [in]: sizeof(bempd_statistics) as the caller was compiled: older programs keep working
-  when it grows
 return: status
 since: 0.1""",
     "bempd_get_statistics": """\
@@ -1092,7 +1101,7 @@ Set struct_size and zeros.
 
 entry [out]: the struct to fill
 struct_size [in]: sizeof(bempd_history_entry) as the caller was compiled: older programs keep
-  working when it grows
+  working
 return: status
 since: 0.1""",
     "bempd_history_count": """\
@@ -1102,8 +1111,16 @@ model [in]: the model
 count [out]: number of lines
 return: status
 since: 0.1""",
-    "bempd_history": """\
+    "bempd_get_history_entry": """\
 A line of the history.
+
+model [in]: the model
+index [in]: 0 .. count-1
+entry [in,out]: struct_size in, the rest out
+return: status
+since: 0.2""",
+    "bempd_history": """\
+The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
 
 model [in]: the model
 index [in]: 0 .. count-1
@@ -1113,12 +1130,19 @@ since: 0.1""",
     "bempd_state_save": """\
 Save the state of a prepared model in memory, so that a host can repeat a step.
 
+From then on the model goes on as one restored from that state does, to the last bit. A run that
+never saves may differ from both by rounding.
+
 model [in]: the model
 state [out]: the saved state; free it with bempd_state_free()
 return: status
 since: 0.1""",
     "bempd_state_restore": """\
 Bring a model back to a saved state. Loads and supports keep their present values.
+
+The scene is the same if the host has said the same: regions with their materials, initial cracks,
+supports in their order, options that shape the equations. The processor and the values of loads and
+supports may be others.
 
 model [in]: the model that was saved, or one with the same scene
 state [in]: the state; not consumed

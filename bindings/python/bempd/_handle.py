@@ -6,6 +6,7 @@ import threading
 from typing import Any
 
 from ._library import call, check, ffi, invoke, lib
+from ._words import name_of
 from .errors import OrderError
 
 
@@ -29,12 +30,13 @@ class Handle:
 
     def call(self, name: str, *arguments: Any, changes: bool = False) -> None:
         """Call a function on the model; `changes` marks those after which field views would be stale."""
+        short = name_of(name).replace("Model.", "")
         if not self._lock.acquire(blocking=False):
-            raise OrderError(f"{name}: the model is in another call; "
+            raise OrderError(f"{short}: the model is in another call; "
                              "from a callback or another thread only request_cancel() is allowed")
         try:
             if changes and self._views:
-                raise OrderError(f"{name}: {len(self._views)} array(s) made by view_field() still look at the model's "
+                raise OrderError(f"{short}: {len(self._views)} array(s) made by view_field() still look at the model's "
                                  "fields; drop them before the model changes, or use field()")
             self.raised.clear()
             status = invoke(name, self.pointer, *arguments)

@@ -10,6 +10,7 @@ from typing import Any, Iterator
 import cffi
 
 from ._cdef import CDEF
+from ._words import in_python
 from .errors import ArgumentError, error_of
 
 # The binary interface that this package was written for; the library's file name carries it.
@@ -17,6 +18,8 @@ SONAME = "libbempd.so.0"
 
 ffi: Any = cffi.FFI()
 ffi.cdef(CDEF)
+
+KINDS = {"int32_t": "a whole number of at most 31 bits", "int64_t": "a whole number of at most 63 bits"}
 
 # What each function calls its arguments, for messages.
 ARGUMENT_NAMES: dict[str, list[str]] = {
@@ -78,10 +81,9 @@ def invoke(name: str, *arguments: Any) -> int:
     except (TypeError, OverflowError) as problem:
         for wanted, argument_name, value in zip(ffi.typeof(function).args, ARGUMENT_NAMES[name], arguments):
             if wanted.kind == "primitive" and not _converts(wanted, value):
-                kind = "a number" if wanted.cname == "double" else "a whole number"
-                sentence = f"{name}: {argument_name} is {value!r}; it must be {kind} that fits {wanted.cname}"
-                raise ArgumentError(sentence) from None
-        raise ArgumentError(f"{name}: {problem}") from None
+                kind = KINDS.get(wanted.cname, "a number")
+                raise ArgumentError(in_python(f"{name}: {argument_name} is {value!r}; it must be {kind}")) from None
+        raise ArgumentError(in_python(f"{name}: {problem}")) from None
 
 
 def _converts(wanted: Any, value: Any) -> bool:

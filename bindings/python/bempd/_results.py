@@ -184,7 +184,7 @@ class Results:
         """Sizes, counters and times so far."""
         struct = new_struct("bempd_statistics", "bempd_statistics_init")
         self._open().call("bempd_get_statistics", struct)
-        return Statistics(**values_of(struct, "bempd_statistics"))
+        return Statistics(**values_of(struct, "bempd_statistics", Statistics))
 
     def history(self) -> npt.NDArray[Any]:
         """One row for every event and end of a step, as a structured array: `model.history()["load_factor"]`.
@@ -196,7 +196,7 @@ class Results:
         entries = ffi.new("bempd_history_entry[]", max(count, 1))
         for index in range(count):
             call("bempd_history_entry_init", entries + index, ffi.sizeof("bempd_history_entry"))
-            self._open().call("bempd_history", index, entries + index)
+            self._open().call("bempd_get_history_entry", index, entries + index)
         return rows(entries, "bempd_history_entry")[:count]
 
     def write_snapshot(self, prefix: Union[str, "os.PathLike[str]"]) -> None:

@@ -10,6 +10,7 @@ from typing import Any, Callable, List, Optional, TextIO, Tuple, Union
 import numpy as np
 
 from ._library import ffi, lib, string
+from ._words import in_python
 from .errors import ArgumentError
 
 Pair = Tuple[float, float]
@@ -56,7 +57,7 @@ def log_callback(raised: List[BaseException], model: Any, log: Log) -> Any:
         write = log
 
     def told(level: int, message: Any, _: Any) -> None:
-        write(level, string(message))
+        write(level, in_python(string(message)))
 
     keep = _keeper(raised)
 

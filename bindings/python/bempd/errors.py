@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ._words import in_python
+
 
 class Error(Exception):
     """Base of all errors of this package; `status` is the name of the library's status."""
@@ -72,4 +74,4 @@ _BY_STATUS: dict[str, type[Error]] = {
 
 def error_of(status: str, sentence: str) -> Error:
     """The exception for the name of a status."""
-    return _BY_STATUS.get(status, InternalError)(sentence or status)
+    return _BY_STATUS.get(status, InternalError)(in_python(sentence) or status)

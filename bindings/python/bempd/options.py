@@ -7,7 +7,8 @@ from typing import Any, Callable, Iterator, MutableMapping, Union
 
 from . import _arguments as arguments
 from ._handle import Handle
-from ._library import call, ffi, lib, string
+from ._library import call, ffi, lib, new_struct, string
+from ._words import in_python
 from .errors import ArgumentError, UnknownOptionError
 
 OptionValue = Union[int, float, str]
@@ -40,8 +41,7 @@ def describe_options() -> dict[str, OptionInfo]:
 
 
 def _describe(index: int) -> OptionInfo:
-    info = ffi.new("bempd_option_info *")
-    info.struct_size = ffi.sizeof("bempd_option_info")
+    info = new_struct("bempd_option_info", "bempd_option_info_init")
     call("bempd_option_describe", index, info)
     default: OptionValue = info.default_value
     if info.kind == lib.BEMPD_OPTION_TEXT:
@@ -49,7 +49,7 @@ def _describe(index: int) -> OptionInfo:
     elif info.whole_number:
         default = int(info.default_value)
     words = string(info.choices)
-    return OptionInfo(string(info.name), string(info.summary), string(info.unit), default,
+    return OptionInfo(string(info.name), in_python(string(info.summary)), string(info.unit), default,
                       tuple(words.split(" | ")) if words else (), bool(info.whole_number), info.minimum, info.maximum)
 
 
@@ -63,7 +63,7 @@ class Options(MutableMapping[str, OptionValue]):
     'symmetric'
     >>> model.options["horizon"] = 3  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    bempd.errors.UnknownOptionError: bempd_set_option: there is no option 'horizon'; near names are ...
+    bempd.errors.UnknownOptionError: options: there is no option 'horizon'; near names are ...
     """
 
     def __init__(self, handle: Callable[[], Handle]) -> None:

@@ -29,12 +29,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from . import _arguments as arguments
-from ._bodies import Body, bodies
+from ._bodies import Body, Drawable, bodies
 from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, Limits, colour_scale, draw_cracks, engineering, paint
 from ._drawing import add_colour_bar, round_magnification
 from ._results import read_history
 from .errors import ArgumentError, OrderError
-from .model import Model
 
 STYLE = {
     "font.size": 9,
@@ -52,7 +51,7 @@ STYLE = {
 Magnification = Union[float, Literal["auto"]]
 
 
-def draw(model: Model, quantity: str = "damage", *, axes: Any = None, magnification: Magnification = 0.0,
+def draw(model: Drawable, quantity: str = "damage", *, axes: Any = None, magnification: Magnification = 0.0,
          limits: Optional[Limits] = None, cracks: bool = True, colour_bar: bool = True, resolution: int = 20) -> Any:
     """Draw the body at the present load factor; returns matplotlib's axes.
 
@@ -102,7 +101,7 @@ def figure_size(found: list[Body], quantity: str) -> tuple[float, float]:
     return max(float(width) + 0.9 + bar, 3.2), max(float(height) + 0.8, 1.9)
 
 
-def load_displacement(model: Model, support: int, component: str = "x", *, displacement: float = 1.0, axes: Any = None,
+def load_displacement(model: Drawable, support: int, component: str = "x", *, displacement: float = 1.0, axes: Any = None,
                       label: str = "imposed displacement") -> Any:
     """Draw the force of a support against its displacement over the whole history; returns matplotlib's axes.
 
@@ -157,7 +156,7 @@ class Movie:
     damage goes from 0 to 1.
     """
 
-    def __init__(self, path: Union[str, "os.PathLike[str]"], model: Model, quantity: str = "damage", *,
+    def __init__(self, path: Union[str, "os.PathLike[str]"], model: Drawable, quantity: str = "damage", *,
                  frames_per_second: float = 10, **options: Any) -> None:
         self._model, self._quantity, self._options = model, quantity, options
         if quantity == "damage":

@@ -128,14 +128,15 @@ class CrackOpening(NamedTuple):
     tangential: npt.NDArray[np.float64]  #: shape (n,): along the crack [m]
 
 
-def values_of(struct: Any, name: str) -> dict[str, Any]:
-    """Members of a struct by name."""
-    return {key: getattr(struct, key) for key, _ in members(name)}
+def values_of(struct: Any, name: str, kind: type[Any]) -> dict[str, Any]:
+    """Members of a struct by name, those that the kind of report has: the struct may have got more since."""
+    known = {field.name for field in dataclasses.fields(kind)}
+    return {key: getattr(struct, key) for key, _ in members(name) if key in known}
 
 
 def step_report(struct: Any) -> StepReport:
     """The report as a value."""
-    values = values_of(struct, "bempd_step_report")
+    values = values_of(struct, "bempd_step_report", StepReport)
     values["stop_reason"] = StopReason(values["stop_reason"])
     values["separated"] = bool(values["separated"])
     return StepReport(**values)
@@ -143,7 +144,7 @@ def step_report(struct: Any) -> StepReport:
 
 def crack_tip(struct: Any) -> CrackTip:
     """A tip as a value."""
-    values = values_of(struct, "bempd_crack_tip")
+    values = values_of(struct, "bempd_crack_tip", CrackTip)
     values["end"] = TipEnd(values["end"])
     return CrackTip(**values)
 

@@ -57,6 +57,17 @@ scene::EdgeMesh BoundaryDescription::edge_mesh(int edge) const {
   return found != own_mesh_.end() ? found->second : scene::EdgeMesh{element_length_, 1.0};
 }
 
+void BoundaryDescription::identify(Hash& hash) const {
+  Region::identify(hash);
+  hash.add(element_length_);
+  hash.add(own_mesh_.size());
+  for (const auto& [edge, mesh] : own_mesh_) {
+    hash.add(edge);
+    hash.add(mesh.element_length);
+    hash.add(mesh.grading);
+  }
+}
+
 std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Preparation& preparation) const {
   return preparation.scheme.boundary_region(id, *this, preparation.scene.material(material()));
 }

@@ -19,6 +19,8 @@ class BoundaryDescription final : public scene::Region {
   void set_edge_mesh(int edge, const scene::EdgeMesh& mesh) override;
   bool has_own_mesh(int edge) const override { return own_mesh_.count(edge) > 0; }
   scene::EdgeMesh edge_mesh(int edge) const override;
+  double resolution() const override { return element_length_; }
+  void identify(Hash& hash) const override;
   std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
 
  private:

@@ -33,7 +33,6 @@ class BoundaryRegion : public Region {
   std::vector<Point> places_facing(int other_region) const override;
 
   std::optional<coupling::DenseOperator> dense_operator(std::span<const RegionOperator> before) const override;
-  const Eigen::MatrixXd* stiffness() const override { return &mesh_stiffness(); }
   std::optional<Eigen::VectorXd> outflow(Eigen::Index dof_count) const override;
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
@@ -64,6 +63,8 @@ class BoundaryRegion : public Region {
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
   virtual CornerTractions corner_tractions() const { return CornerTractions::two; }
+  // The method that solves systems with the region's stiffness in them.
+  virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
   // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
   // empty for none.

@@ -23,6 +23,7 @@ class LatticeDescription : public scene::Region {
   std::optional<scene::NodeGrid> node_grid() const override {
     return scene::NodeGrid{lattice_.origin, lattice_.spacing};
   }
+  void identify(Hash& hash) const override;
   std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/unsymmetric_solution.hpp"
 #include "regions/boundary/boundary_region.hpp"
 
 namespace bempd::bem {
@@ -25,6 +26,7 @@ class CollocationRegion final : public BoundaryRegion {
  protected:
   MeshingRules meshing_rules(const Preparation&) const override { return {true, false}; }
   CornerTractions corner_tractions() const override { return rules_.corner_tractions; }
+  const coupling::SolutionMethod& solution_method() const override { return coupling::unsymmetric_solution(); }
   std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const override;
   Eigen::MatrixXd own_stiffness(const Preparation& preparation) const override;
 

@@ -11,6 +11,10 @@ class CrackFaces final : public scene::Place {
   explicit CrackFaces(int crack) : crack_(crack) {}
 
   void check(const scene::Scene& scene) const override;
+  void identify(Hash& hash) const override {
+    hash.add(std::string_view("crack faces"));
+    hash.add(crack_);
+  }
   std::vector<double> breaks_on(const scene::Scene&, int, int, double) const override { return {}; }
   bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

@@ -10,6 +10,10 @@ class EdgePart final : public scene::Place {
   EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
 
   void check(const scene::Scene& scene) const override;
+  void identify(Hash& hash) const override {
+    hash.add(std::string_view("edge part"));
+    hash.add(region_), hash.add(edge_), hash.add(from_), hash.add(to_);
+  }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

@@ -11,6 +11,10 @@ class SinglePoint final : public scene::Place {
   explicit SinglePoint(const Point& where) : where_(where) {}
 
   void check(const scene::Scene& scene) const override;
+  void identify(Hash& hash) const override {
+    hash.add(std::string_view("single point"));
+    hash.add(where_.x()), hash.add(where_.y());
+  }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
   bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

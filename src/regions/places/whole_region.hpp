@@ -10,6 +10,10 @@ class WholeRegion final : public scene::Place {
   explicit WholeRegion(int region) : region_(region) {}
 
   void check(const scene::Scene& scene) const override;
+  void identify(Hash& hash) const override {
+    hash.add(std::string_view("whole region"));
+    hash.add(region_);
+  }
   std::vector<double> breaks_on(const scene::Scene&, int, int, double) const override { return {}; }
   bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,

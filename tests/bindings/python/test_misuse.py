@@ -9,7 +9,7 @@ from bempd import rectangle
 
 
 def test_an_argument_error_has_the_library_s_sentence(plate):
-    with pytest.raises(bempd.ArgumentError, match="^bempd_add_bem_region: .*7") as caught:
+    with pytest.raises(bempd.ArgumentError, match="^add_bem_region: .*7") as caught:
         plate.model.add_bem_region(7, rectangle(0, 0, 1, 1), 0.5)
     assert isinstance(caught.value, ValueError) and isinstance(caught.value, bempd.Error)
     assert caught.value.status == "BEMPD_ERROR_ARGUMENT"
@@ -17,13 +17,13 @@ def test_an_argument_error_has_the_library_s_sentence(plate):
 
 def test_spacing_that_does_not_divide_is_explained(plate):
     soft = plate.model.add_material(young_modulus=1, poisson_ratio=1 / 3)
-    with pytest.raises(bempd.ArgumentError, match="bempd_add_pd_region: .*0.03"):
+    with pytest.raises(bempd.ArgumentError, match="add_pd_region: .*0.03"):
         plate.model.add_pd_region(soft, rectangle(5, 0, 5.2, 0.2), spacing=0.03)
 
 
 def test_adding_to_a_prepared_model_is_out_of_order(plate):
     plate.model.prepare()
-    with pytest.raises(bempd.OrderError, match="bempd_fix_edge: ") as caught:
+    with pytest.raises(bempd.OrderError, match="fix_edge: ") as caught:
         plate.model.fix_edge(plate.plate, 2)
     assert isinstance(caught.value, RuntimeError)
 
@@ -31,7 +31,7 @@ def test_adding_to_a_prepared_model_is_out_of_order(plate):
 def test_a_body_without_supports_is_unsolvable():
     model = bempd.Model()
     model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=0.3), rectangle(0, 0, 1, 1), 0.5)
-    with pytest.raises(bempd.UnsolvableError, match="bempd_step: ") as caught:
+    with pytest.raises(bempd.UnsolvableError, match="step: ") as caught:
         model.step(1)
     assert isinstance(caught.value, ArithmeticError)
     model.fix_edge(1, 4)  # the model is as it was before
@@ -40,16 +40,16 @@ def test_a_body_without_supports_is_unsolvable():
 
 def test_a_limit_on_events_is_a_convergence_error(strip):
     strip.model.options["stepping.max_events"] = 2
-    with pytest.raises(bempd.ConvergenceError, match="bempd_run_to_separation: "):
+    with pytest.raises(bempd.ConvergenceError, match="run_to_separation: "):
         strip.model.run_to_separation(1e4)
     assert strip.model.load_factor == 0
 
 
 def test_a_file_that_cannot_be_written_is_an_os_error(strip, tmp_path):
-    with pytest.raises(OSError, match="bempd_write_history: ") as caught:
+    with pytest.raises(OSError, match="write_history: ") as caught:
         strip.model.write_history(tmp_path / "missing" / "history.csv")
     assert isinstance(caught.value, bempd.FileError)
-    with pytest.raises(bempd.FileError, match="bempd_write_snapshot: "):
+    with pytest.raises(bempd.FileError, match="write_snapshot: "):
         strip.model.write_snapshot(tmp_path / "missing" / "name")
 
 
@@ -75,27 +75,27 @@ def test_what_is_no_array_of_points_is_refused(strip, points, words):
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_numbers_that_are_not_finite_are_refused_by_the_library(plate, bad):
     model = plate.model
-    with pytest.raises(bempd.ArgumentError, match="bempd_add_crack: .*finite"):
+    with pytest.raises(bempd.ArgumentError, match="add_crack: .*finite"):
         model.add_crack([(0.1, bad), (1, 1)])
-    with pytest.raises(bempd.ArgumentError, match="bempd_add_traction: .*finite"):
+    with pytest.raises(bempd.ArgumentError, match="add_traction: .*finite"):
         model.add_traction(plate.plate, 2, "x", [1, bad])
-    with pytest.raises(bempd.ArgumentError, match="bempd_add_material: "):
+    with pytest.raises(bempd.ArgumentError, match="add_material: "):
         model.add_material(young_modulus=bad, poisson_ratio=0.3)
-    with pytest.raises(bempd.ArgumentError, match="bempd_add_bem_region: "):
+    with pytest.raises(bempd.ArgumentError, match="add_bem_region: "):
         model.add_bem_region(plate.steel, [(3, 0), (4, bad), (4, 1)], 0.5)
-    with pytest.raises(bempd.ArgumentError, match="bempd_step: .*finite"):
+    with pytest.raises(bempd.ArgumentError, match="step: .*finite"):
         model.step(bad)
-    with pytest.raises(bempd.ArgumentError, match="bempd_evaluate: .*finite"):
+    with pytest.raises(bempd.ArgumentError, match="evaluate: .*finite"):
         model.evaluate([(bad, 0.5)])
 
 
 @pytest.mark.parametrize("call, words", [
-    (lambda m: m.fix_edge("left", 4), "bempd_fix_edge: region is 'left'"),
-    (lambda m: m.fix_edge(1, 4.0), "bempd_fix_edge: edge is 4.0"),
-    (lambda m: m.fix_edge(1, 2**40), "bempd_fix_edge: edge is 1099511627776; .*fits int32_t"),
-    (lambda m: m.step("far"), "bempd_step: load_factor is 'far'; it must be a number"),
-    (lambda m: m.step(None), "bempd_step: load_factor is None"),
-    (lambda m: m.step(1j), "bempd_step: load_factor is 1j"),
+    (lambda m: m.fix_edge("left", 4), "fix_edge: region is 'left'"),
+    (lambda m: m.fix_edge(1, 4.0), "fix_edge: edge is 4.0"),
+    (lambda m: m.fix_edge(1, 2**40), "fix_edge: edge is 1099511627776; .*at most 31 bits"),
+    (lambda m: m.step("far"), "step: load_factor is 'far'; it must be a number"),
+    (lambda m: m.step(None), "step: load_factor is None"),
+    (lambda m: m.step(1j), "step: load_factor is 1j"),
     (lambda m: m.add_material(young_modulus="steel", poisson_ratio=0.3), "add_material: young_modulus is 'steel'"),
     (lambda m: m.add_material(young_modulus=1, poisson_ratio=0.3, plane="shell"), "plane is 'shell'.*'strain'"),
     (lambda m: m.fix_edge(1, 4, "z"), "component is 'z'.*'x', 'y', 'both'"),
@@ -107,12 +107,12 @@ def test_numbers_that_are_not_finite_are_refused_by_the_library(plate, bad):
     (lambda m: m.fix_point((0, 0, 0)), r"fix_point: point has the shape \(3,\)"),
     (lambda m: m.add_traction_function(1, 2, 3.0), "function is 3.0"),
     (lambda m: m.field(1, "temperature"), "name is 'temperature'.*'position'"),
-    (lambda m: m.field(9, "position"), "bempd_field_size: .*9"),
+    (lambda m: m.field(9, "position"), "field: .*9"),
     (lambda m: m.field([1], "position"), r"region is \[1\]"),
     (lambda m: m.field(1, "damage"), "is a BEM region"),
     (lambda m: m.copy_field(1, "position", out=np.zeros(3)), "out must be a writable"),
-    (lambda m: m.reaction(99), "bempd_reaction: .*99"),
-    (lambda m: m.evaluate([(9.0, 9.0)]), "bempd_evaluate: .*outside"),
+    (lambda m: m.reaction(99), "reaction: .*99"),
+    (lambda m: m.evaluate([(9.0, 9.0)]), "evaluate: .*outside"),
     (lambda m: m.restore(b"bytes"), "state is a bytes"),
     (lambda m: m.write_history(3.5), "path is 3.5"),
     (lambda m: m.write_history("a\0b"), "zero byte"),

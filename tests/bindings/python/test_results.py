@@ -153,6 +153,24 @@ def test_reports_have_every_member_of_the_structs(strip):
     assert statistics.cut_bonds > 0 and isinstance(statistics.seconds_solve, float)
 
 
+def test_a_new_member_of_a_struct_does_not_break_reports(strip, monkeypatch):
+    from bempd import reports
+
+    known = reports.members
+    monkeypatch.setattr(reports, "members", lambda name: known(name) + [("added_later", None)])
+
+    class Struct:
+        """A struct of a library that knows more."""
+
+        added_later = 1
+
+        def __getattr__(self, name):
+            return 1
+
+    assert reports.step_report(Struct()).events == 1
+    assert reports.values_of(Struct(), "bempd_statistics", bempd.Statistics)["bonds"] == 1
+
+
 def test_enumerations_are_those_of_the_header():
     from bempd._library import lib
 

@@ -79,9 +79,10 @@ extern "C" {
     pub fn bempd_model_create(model: *mut *mut bempd_model) -> bempd_status;
 }
 extern "C" {
-    /// Free a model and everything it owns.
+    /// Free a model and everything it owns; called while the model is in another call, from one of
+    /// its callbacks, when that call returns. What failed then is said by bempd_last_error(NULL).
     ///
-    /// * model \[in\]: may be NULL
+    /// * model \[in\]: may be NULL; not to be used afterwards
     /// * since: 0.1
     pub fn bempd_model_free(model: *mut bempd_model);
 }
@@ -91,13 +92,13 @@ pub const BEMPD_OPTION_TEXT: bempd_option_kind = 2;
 ///
 /// * since: 0.1
 pub type bempd_option_kind = ::std::os::raw::c_uint;
-/// Description of one option. Set struct_size = sizeof(bempd_option_info) first.
+/// Description of one option. Fill it with bempd_option_info_init().
 ///
 /// * since: 0.1
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct bempd_option_info {
-    /// sizeof(bempd_option_info), set by the caller
+    /// sizeof(bempd_option_info), set by bempd_option_info_init()
     pub struct_size: i64,
     /// name for bempd_set_option() and its kin; constant string
     pub name: *const ::std::os::raw::c_char,
@@ -119,6 +120,16 @@ pub struct bempd_option_info {
     pub minimum: f64,
     /// largest legal number
     pub maximum: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * info \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_option_info) as the caller was compiled: older programs keep
+    ///   working
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_option_info_init(info: *mut bempd_option_info, struct_size: i64) -> bempd_status;
 }
 extern "C" {
     /// Number of options.
@@ -211,9 +222,10 @@ pub type bempd_plane = ::std::os::raw::c_uint;
 /// Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in
 /// scheme "paper"); preparing fails as unsolvable where supports hold its whole boundary, which
 /// leaves the pressure undetermined. Peridynamic regions need Poisson's ratio 1/3 in plane stress
-/// and 1/4 in plane strain. Give critical_stretch or fracture_energy, or neither for a material
-/// that does not break. From the fracture energy G0 and the horizon delta the critical stretch is
-/// sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta)) in plane strain.
+/// and 1/4 in plane strain; a ratio within 1e-6 of that is taken for it. Give critical_stretch or
+/// fracture_energy, or neither for a material that does not break. From the fracture energy G0 and
+/// the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
+/// sqrt(4 pi G0 / (7 E delta)) in plane strain.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -241,7 +253,7 @@ extern "C" {
     ///
     /// * material \[out\]: the struct to fill
     /// * struct_size \[in\]: sizeof(bempd_material) as the caller was compiled: older programs keep
-    ///   working when it grows
+    ///   working
     /// * return: status
     /// * since: 0.1
     pub fn bempd_material_init(material: *mut bempd_material, struct_size: i64) -> bempd_status;
@@ -444,7 +456,7 @@ extern "C" {
     /// Number of regions.
     ///
     /// * model \[in\]: the model
-    /// * count \[out\]: number of regions
+    /// * count \[out\]: their number
     /// * return: status
     /// * since: 0.1
     pub fn bempd_region_count(model: *const bempd_model, count: *mut i32) -> bempd_status;
@@ -880,7 +892,7 @@ extern "C" {
     ///
     /// * report \[out\]: the struct to fill
     /// * struct_size \[in\]: sizeof(bempd_step_report) as the caller was compiled: older programs keep
-    ///   working when it grows
+    ///   working
     /// * return: status
     /// * since: 0.1
     pub fn bempd_step_report_init(report: *mut bempd_step_report, struct_size: i64)
@@ -1319,7 +1331,7 @@ extern "C" {
     ///
     /// * statistics \[out\]: the struct to fill
     /// * struct_size \[in\]: sizeof(bempd_statistics) as the caller was compiled: older programs keep
-    ///   working when it grows
+    ///   working
     /// * return: status
     /// * since: 0.1
     pub fn bempd_statistics_init(
@@ -1371,7 +1383,7 @@ extern "C" {
     ///
     /// * entry \[out\]: the struct to fill
     /// * struct_size \[in\]: sizeof(bempd_history_entry) as the caller was compiled: older programs
-    ///   keep working when it grows
+    ///   keep working
     /// * return: status
     /// * since: 0.1
     pub fn bempd_history_entry_init(
@@ -1395,6 +1407,21 @@ extern "C" {
     /// * index \[in\]: 0 .. count-1
     /// * entry \[in,out\]: struct_size in, the rest out
     /// * return: status
+    /// * since: 0.2
+    pub fn bempd_get_history_entry(
+        model: *const bempd_model,
+        index: i64,
+        entry: *mut bempd_history_entry,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the
+    /// other one.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * entry \[in,out\]: struct_size in, the rest out
+    /// * return: status
     /// * since: 0.1
     pub fn bempd_history(
         model: *const bempd_model,
@@ -1405,6 +1432,9 @@ extern "C" {
 extern "C" {
     /// Save the state of a prepared model in memory, so that a host can repeat a step.
     ///
+    /// From then on the model goes on as one restored from that state does, to the last bit. A run
+    /// that never saves may differ from both by rounding.
+    ///
     /// * model \[in\]: the model
     /// * state \[out\]: the saved state; free it with bempd_state_free()
     /// * return: status
@@ -1413,6 +1443,10 @@ extern "C" {
 }
 extern "C" {
     /// Bring a model back to a saved state. Loads and supports keep their present values.
+    ///
+    /// The scene is the same if the host has said the same: regions with their materials, initial
+    /// cracks, supports in their order, options that shape the equations. The processor and the
+    /// values of loads and supports may be others.
     ///
     /// * model \[in\]: the model that was saved, or one with the same scene
     /// * state \[in\]: the state; not consumed

@@ -24,7 +24,7 @@ fn option(index: i64) -> Result<OptionInfo> {
     // SAFETY: numbers and pointers, for which zero is a value; the library's strings are constant.
     unsafe {
         let mut info: sys::bempd_option_info = std::mem::zeroed();
-        info.struct_size = std::mem::size_of_val(&info) as i64;
+        check(sys::bempd_option_info_init(&mut info, std::mem::size_of_val(&info) as i64))?;
         check(sys::bempd_option_describe(index, &mut info))?;
         let kind = if info.kind == sys::BEMPD_OPTION_TEXT as i32 {
             let choices = constant_text(info.choices).split(" | ").collect();

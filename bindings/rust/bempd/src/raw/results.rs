@@ -169,7 +169,7 @@ impl Handle {
 
     pub(crate) fn history_entry(&self, index: i64) -> Result<sys::bempd_history_entry> {
         let mut entry = filled(sys::bempd_history_entry_init)?;
-        self.call(|model| unsafe { sys::bempd_history(model, index, &mut entry) })?;
+        self.call(|model| unsafe { sys::bempd_get_history_entry(model, index, &mut entry) })?;
         Ok(entry)
     }
 }

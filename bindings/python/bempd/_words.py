@@ -1,0 +1,77 @@
+"""The library's sentences in the words of this package: they name C functions and constants."""
+
+from __future__ import annotations
+
+import re
+
+# What is called otherwise here; every other function bempd_x is the method x of a Model.
+NAMES: dict[str, str] = {
+    "bempd_model_create": "Model",
+    "bempd_model_free": "Model.close",
+    "bempd_build_info": "build_info",
+    "bempd_version_string": "version",
+    "bempd_option_count": "describe_options",
+    "bempd_option_describe": "describe_options",
+    "bempd_option_info_init": "describe_options",
+    "bempd_set_option": "Model.options",
+    "bempd_set_option_text": "Model.options",
+    "bempd_get_option": "Model.options",
+    "bempd_get_option_text": "Model.options",
+    "bempd_material_init": "Model.add_material",
+    "bempd_set_progress": "Model.progress",
+    "bempd_set_log": "Model.log",
+    "bempd_step_report_init": "Model.step",
+    "bempd_element_count": "Model.elements",
+    "bempd_copy_elements": "Model.elements",
+    "bempd_field_size": "Model.field",
+    "bempd_bond_count": "Model.bonds",
+    "bempd_copy_bonds": "Model.bonds",
+    "bempd_statistics_init": "Model.statistics",
+    "bempd_get_statistics": "Model.statistics",
+    "bempd_history_count": "Model.history",
+    "bempd_history_entry_init": "Model.history",
+    "bempd_get_history_entry": "Model.history",
+    "bempd_state_save": "Model.save",
+    "bempd_state_restore": "Model.restore",
+    "bempd_state_to_bytes": "State.to_bytes",
+    "bempd_state_from_bytes": "State.from_bytes",
+}
+
+# Words of C that an argument here is given by.
+CONSTANTS: dict[str, str] = {
+    "BEMPD_X": '"x"',
+    "BEMPD_Y": '"y"',
+    "BEMPD_BOTH": '"both"',
+    "BEMPD_PLANE_STRESS": '"stress"',
+    "BEMPD_PLANE_STRAIN": '"strain"',
+}
+OTHER_WORDS: dict[str, str] = {"bempd_field": "name of a field"}
+
+_PREFIX = re.compile(r"^(bempd_\w+): ")
+_CALL = re.compile(r"\b(bempd_\w+)(\(\))?")
+_CONSTANT = re.compile(r"\b(BEMPD_\w+)( \(\d+\))?")
+
+
+def name_of(function: str) -> str:
+    """What a C function is called here, with its class."""
+    return NAMES.get(function, "Model." + function[len("bempd_"):])
+
+
+def in_python(sentence: str) -> str:
+    """The sentence without names of C.
+
+    >>> in_python("bempd_step: region 1 can rotate; add supports, for example with bempd_fix_point()")
+    'step: region 1 can rotate; add supports, for example with Model.fix_point()'
+    >>> in_python("bempd_fix_edge: component is 7; it must be BEMPD_X (1), BEMPD_Y (2) or BEMPD_BOTH (3)")
+    'fix_edge: component is 7; it must be "x", "y" or "both"'
+    """
+    sentence = _PREFIX.sub(lambda found: name_of(found[1]).replace("Model.", "") + ": ", sentence)
+    sentence = _CONSTANT.sub(lambda found: CONSTANTS.get(found[1], found[0]), sentence)
+    return _CALL.sub(_other_word, sentence)
+
+
+def _other_word(found: re.Match[str]) -> str:
+    if found[1] in OTHER_WORDS:
+        return OTHER_WORDS[found[1]]
+    name = name_of(found[1])
+    return name if name == "Model.options" else name + (found[2] or "")

@@ -1,0 +1,25 @@
+#include "coupling/elimination.hpp"
+
+#include <utility>
+
+#include "error.hpp"
+
+namespace bempd::coupling {
+
+Elimination::Elimination(Stiffness stiffness, std::vector<DofKind> kind)
+    : stiffness_(std::move(stiffness)), kind_(std::move(kind)) {
+  for (std::size_t i = 0; i < kind_.size(); ++i) {
+    if (kind_[i] == DofKind::private_free) private_.push_back(static_cast<int>(i));
+    if (kind_[i] == DofKind::shared_free) shared_.push_back(static_cast<int>(i));
+  }
+  schur_ = (*stiffness_)(shared_, shared_);
+}
+
+void Elimination::fail_singular() {
+  fail(
+      Failure::unsolvable,
+      "the stiffness of a boundary element region is numerically singular; check its supports, and its shape for parts "
+      "that are very thin");
+}
+
+}  // namespace bempd::coupling

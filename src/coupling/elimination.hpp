@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "coupling/affine.hpp"
+
+namespace bempd::coupling {
+
+enum class DofKind : char { prescribed, private_free, shared_free, tied };
+
+// The private unknowns of a stiffness (free, and touched by no other operator) eliminated. Degrees of freedom are the
+// stiffness' own.
+class Elimination {
+ public:
+  using Stiffness = std::shared_ptr<const Eigen::MatrixXd>;
+
+  virtual ~Elimination() = default;
+
+  bool is_of(const Stiffness& stiffness, const std::vector<DofKind>& kind) const {
+    return stiffness_ == stiffness && kind_ == kind;
+  }
+  const Eigen::MatrixXd& stiffness() const { return *stiffness_; }
+  const std::vector<int>& private_dofs() const { return private_; }
+  const std::vector<int>& shared_dofs() const { return shared_; }
+  const Eigen::MatrixXd& schur_complement() const { return schur_; }
+  // Private displacements per shared displacement, sign reversed.
+  const Eigen::MatrixXd& transfer() const { return transfer_; }
+  // Private displacements to private forces, the shared ones held at 0.
+  virtual Affine solve_private(const Affine& force) const = 0;
+  // Of the private block, estimated; 1 if it is empty.
+  virtual double reciprocal_condition() const = 0;
+
+ protected:
+  // Leaves the elimination to the derived class, which has nothing to do if there are no private unknowns.
+  Elimination(Stiffness stiffness, std::vector<DofKind> kind);
+
+  // Throws Error (unsolvable): the private block is singular.
+  [[noreturn]] static void fail_singular();
+
+  Stiffness stiffness_;
+  std::vector<DofKind> kind_;
+  std::vector<int> private_, shared_;
+  Eigen::MatrixXd transfer_, schur_;
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,139 @@
+// Changes of a system's matrix: terms that go into other stages, holding springs, and what they leave unresisted.
+#include <cmath>
+#include <utility>
+
+#include "coupling/equilibrium_system.hpp"
+#include "error.hpp"
+
+namespace bempd::coupling {
+
+namespace {
+
+// The answer of a broken term to a pull of its own, relative to what it would have been on its own, from which on a
+// motion has lost its resistance.
+constexpr double suspicious_response = 1e8;
+
+}  // namespace
+
+std::vector<StageChange> EquilibriumSystem::all_gone(std::span<const int> terms) const {
+  std::vector<StageChange> changes;
+  changes.reserve(terms.size());
+  for (int t : terms) changes.push_back({t, terms_.law_of(static_cast<std::size_t>(t)).gone()});
+  return changes;
+}
+
+void EquilibriumSystem::mark(std::span<const StageChange> changes) {
+  for (const StageChange& c : changes) {
+    stages_[c.term] = static_cast<std::uint8_t>(c.stage);
+    intact_[c.term] = c.stage < terms_.law_of(static_cast<std::size_t>(c.term)).gone() ? 1 : 0;
+  }
+}
+
+void EquilibriumSystem::enter(const StageChange& change) {
+  mark({&change, 1});
+  const TermLaw& law = terms_.law_of(static_cast<std::size_t>(change.term));
+  present_stiffness_[change.term] = law.stiffness_share(change.stage) * terms_.stiffness[change.term];
+}
+
+void EquilibriumSystem::set_stages(std::span<const StageChange> changes) {
+  for (const StageChange& c : changes) enter(c);
+}
+
+void EquilibriumSystem::set_parted(std::span<const int> terms, bool parted) {
+  for (int t : terms) enter({t, parted ? terms_.law_of(static_cast<std::size_t>(t)).gone() : 0});
+}
+
+void EquilibriumSystem::add_pulls(int term, double size, int column,
+                                  std::vector<Eigen::Triplet<double>>& entries) const {
+  std::vector<UnknownEntry> pull;
+  terms_.for_each_entry(static_cast<std::size_t>(term), [&](int node, double x, double y) {
+    append_pull(unknowns_.unknown_of, ties_, node, x, y, size, pull);
+  });
+  for (const UnknownEntry& e : pull) entries.emplace_back(e.unknown, column, e.weight);
+}
+
+void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns,
+                                      linalg::Change change) {
+  if (!factor_.exists() || entries.empty()) return;
+  Eigen::SparseMatrix<double> matrix(unknowns_.count(), columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  factor_.change(matrix, change);
+}
+
+void EquilibriumSystem::commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs) {
+  // What stiffens comes first: the matrix stays positive definite on the way.
+  std::vector<Eigen::Triplet<double>> added, removed;
+  int columns_added = 0, columns_removed = 0;
+  std::vector<UnknownEntry> pull;
+  for (const HoldingSpring& s : springs) {
+    springs_.push_back(s);
+    pull.clear();
+    append_pull(unknowns_.unknown_of, ties_, s.node, s.cosine, s.sine, std::sqrt(s.stiffness), pull);
+    for (const UnknownEntry& e : pull) added.emplace_back(e.unknown, columns_added, e.weight);
+    ++columns_added;
+  }
+  for (const StageChange& c : changes) {
+    const double before = present_stiffness_[c.term];
+    enter(c);
+    const double drop = before - present_stiffness_[c.term];
+    if (drop >= 0) {
+      add_pulls(c.term, std::sqrt(drop), columns_removed++, removed);
+    } else {
+      add_pulls(c.term, std::sqrt(-drop), columns_added++, added);
+    }
+  }
+  change_factor(added, columns_added, linalg::Change::add);
+  change_factor(removed, columns_removed, linalg::Change::remove);
+}
+
+void EquilibriumSystem::restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs) {
+  for (std::size_t t = 0; t < stages.size(); ++t) enter({static_cast<int>(t), stages[t]});
+  springs_ = std::move(springs);
+  forget_factor();
+  condense();  // internal forces of a restored displacement are asked for without a solution
+}
+
+void EquilibriumSystem::restore(const std::vector<char>& intact, std::vector<HoldingSpring> springs) {
+  std::vector<std::uint8_t> stages(intact.size(), 0);
+  for (std::size_t t = 0; t < intact.size(); ++t) {
+    if (!intact[t]) stages[t] = static_cast<std::uint8_t>(terms_.law_of(t).gone());
+  }
+  restore(std::move(stages), std::move(springs));
+}
+
+bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
+  if (!factor_.exists()) return true;
+  if (factor_.is_current()) return factor_.pivots_are_sound();
+  // A stale factor knows nothing of the break. A motion that one term alone resisted runs away under the load that
+  // broke it; what several resisted together shows under uneven pulls along them.
+  if (broken.size() < 2) return true;
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    const double size = std::sin(1.0 + static_cast<double>(i));
+    terms_.for_each_entry(static_cast<std::size_t>(broken[i]), [&](int node, double x, double y) {
+      pull.segment<2>(2 * node) += size * Eigen::Vector2d(x, y);
+    });
+  }
+  ties_.collect(pull);
+  Eigen::VectorXd response;
+  try {
+    response = displacement_of(solve_column(pull(unknowns_.dof_of)));
+  } catch (const Error&) {
+    return false;
+  }
+  if (factor_.is_current()) return factor_.pivots_are_sound();
+  for (int t : broken) {
+    const double elongation = terms_.elongation(static_cast<std::size_t>(t), response.data());
+    if (!(std::abs(elongation) * terms_.stiffness[t] < suspicious_response)) return false;
+  }
+  return true;
+}
+
+SoftMotion EquilibriumSystem::softest_motion() {
+  condense();
+  double resistance = 0;
+  const Eigen::VectorXd vector = softest_vector(method_, assemble(), resistance);
+  return {displacement_of(vector), resistance};
+}
+
+}  // namespace bempd::coupling

@@ -1,0 +1,106 @@
+// Forces and energies of a system's operators and terms.
+#include "coupling/equilibrium_system.hpp"
+
+namespace bempd::coupling {
+
+Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displacement, double load_factor) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
+  if (terms_.have_offsets()) {
+    for (std::size_t t = 0; t < terms_.size(); ++t) {
+      if (!intact_[t]) continue;
+      const double tension = terms_.tension(t, present_stiffness_[t], displacement.data(), load_factor);
+      terms_.for_each_entry(t, [&](int node, double x, double y) {
+        force[2 * node] += tension * x;
+        force[2 * node + 1] += tension * y;
+      });
+    }
+  } else {
+    terms_.add_forces(present_stiffness_, displacement.data(), force.data());
+  }
+  for (const CondensedOperator& op : operators_) op.add_internal_force(displacement, load_factor, force);
+  ties_.collect(force);
+  return force;
+}
+
+double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double load_factor) const {
+  double sum = 0;
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (intact_[t]) sum += terms_.energy(t, present_stiffness_[t], displacement.data(), load_factor);
+  }
+  for (const CondensedOperator& op : operators_) sum += op.energy(displacement, load_factor);
+  return sum;
+}
+
+Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
+  const Eigen::VectorXd displacement = displacement_of(unknowns);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);
+  terms_.add_forces(present_stiffness_, displacement.data(), force.data());
+  ties_.collect(force);
+  for (const CondensedOperator& op : operators_) {
+    if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
+    const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
+    force(op.shared_dofs()) += local;
+  }
+  for (const HoldingSpring& s : springs_) {
+    const double tension = s.stiffness * (s.cosine * displacement[2 * s.node] + s.sine * displacement[2 * s.node + 1]);
+    force[2 * s.node] += tension * s.cosine;
+    force[2 * s.node + 1] += tension * s.sine;
+  }
+  return force(unknowns_.dof_of);
+}
+
+Affine EquilibriumSystem::right_hand_side() const {
+  Affine load = condensed_load_;
+  Affine support = prescribed_;
+  ties_.expand(support);
+  add_supports(support, load);
+  if (terms_.have_offsets()) add_offsets(load);
+  ties_.collect(load);
+  return load(unknowns_.dof_of, Eigen::all);
+}
+
+// Terms and holding springs that end on prescribed displacements pull with them.
+void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const {
+  const auto is_free = [&](int node) { return is_unknown(2 * node) && is_unknown(2 * node + 1); };
+  const auto add = [&](std::size_t t) {
+    if (present_stiffness_[t] == 0) return;
+    const Eigen::RowVector2d tension =
+        present_stiffness_[t] *
+        Eigen::RowVector2d(terms_.elongation(t, support.col(0).data()), terms_.elongation(t, support.col(1).data()));
+    terms_.for_each_entry(t, [&](int node, double x, double y) {
+      load.row(2 * node) -= x * tension;
+      load.row(2 * node + 1) -= y * tension;
+    });
+  };
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (!is_free(terms_.first[t]) || !is_free(terms_.second[t])) {
+      if (!terms_.is_wide(t)) add(t);
+    }
+  }
+  for (int t : terms_.wide.term) add(static_cast<std::size_t>(t));
+  for (const HoldingSpring& s : springs_) {
+    const int x = 2 * s.node;
+    const Eigen::RowVector2d moved = s.cosine * support.row(x) + s.sine * support.row(x + 1);
+    Eigen::RowVector2d pull = -s.stiffness * moved;
+    pull[0] += s.stiffness * s.anchor;
+    load.row(x) += s.cosine * pull;
+    load.row(x + 1) += s.sine * pull;
+  }
+}
+
+// Terms pull with q - k e0 where nothing moves.
+void EquilibriumSystem::add_offsets(Affine& load) const {
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (!intact_[t]) continue;
+    const double k = present_stiffness_[t];
+    const Eigen::RowVector2d tension(terms_.constant(t, 0) - k * terms_.rest(t, 0),
+                                     terms_.constant(t, 1) - k * terms_.rest(t, 1));
+    if (tension.isZero(0)) continue;
+    terms_.for_each_entry(t, [&](int node, double x, double y) {
+      load.row(2 * node) -= x * tension;
+      load.row(2 * node + 1) -= y * tension;
+    });
+  }
+}
+
+}  // namespace bempd::coupling

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace bempd::coupling {
+
+struct SolverCounters {
+  std::int64_t sparse_unknowns = 0;
+  std::int64_t factor_nonzeros = 0;
+  std::int64_t dense_factorizations = 0;
+  std::int64_t sparse_factorizations = 0;
+  std::int64_t factor_updates = 0;
+  std::int64_t solves = 0;
+  std::int64_t iterations = 0;
+  double reciprocal_condition = 1;  // smallest of all factorizations, a crude estimate
+  double seconds_assembly = 0;
+  double seconds_factorization = 0;
+  double seconds_solve = 0;
+  double seconds_update = 0;
+};
+
+}  // namespace bempd::coupling

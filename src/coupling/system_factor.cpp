@@ -1,0 +1,127 @@
+#include "coupling/system_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "stopwatch.hpp"
+
+namespace bempd::coupling {
+
+namespace {
+
+// Wanted residual of the sparse system relative to its right-hand side; one application of an up-to-date factor reaches
+// it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
+constexpr double solution_tolerance = 1e-13;
+constexpr double acceptable_residual = 1e-12;
+constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
+
+// Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
+constexpr double suspicious_pivot_ratio = 1e-10;
+
+}  // namespace
+
+void SystemFactor::keep_last(std::vector<int> nodes) {
+  kept_nodes_ = std::move(nodes);
+  forget();
+}
+
+bool SystemFactor::keeps(const std::vector<int>& nodes) const {
+  if (state_ != FactorState::factorized) return false;
+  std::vector<char> kept(unknowns_.kind.size() / 2, 0);
+  for (int node : kept_nodes_) kept[node] = 1;
+  return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return kept[n] != 0; });
+}
+
+void SystemFactor::choose_order() {
+  linalg::SparseCholesky* cholesky = solver_->cholesky();
+  if (!graph_ || !cholesky) return;
+  const int node_count = static_cast<int>(unknowns_.kind.size() / 2);
+  std::vector<char> member(node_count, 0);
+  for (int node = 0; node < node_count; ++node) member[node] = unknowns_.has_unknown(node) ? 1 : 0;
+  for (int node : kept_nodes_) member[node] = 0;
+  std::vector<int> order;
+  order.reserve(unknowns_.dof_of.size());
+  const auto append = [&](const std::vector<int>& nodes) {
+    for (int node : nodes) {
+      for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
+        if (unknowns_.is_unknown(dof)) order.push_back(unknowns_.unknown_of[dof]);
+      }
+    }
+  };
+  append(linalg::nested_dissection(*graph_, member));
+  const std::size_t others = order.size();
+  append(kept_nodes_);
+  kept_ = static_cast<int>(order.size() - others);
+  cholesky->set_elimination_order(std::move(order), kept_);
+}
+
+void SystemFactor::factorize(const Matrix& matrix) {
+  const Stopwatch watch(counters_.seconds_factorization);
+  largest_diagonal_ = matrix.diagonal().maxCoeff();
+  if (!solver_) solver_ = method_.make_solver();
+  choose_order();
+  linalg::SparseFactorization& factor = solver_->factorization();
+  if (!factor.factorize(matrix)) {
+    fail(Failure::unsolvable,
+         "the stiffness matrix is singular: a part of the body can move freely; check supports, and cracks "
+         "that leave a part hanging on a single point");
+  }
+  state_ = FactorState::factorized;
+  ++counters_.sparse_factorizations;
+  // With the matrix scaled to a unit diagonal, which neither units nor stiff neighbours spoil.
+  counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, factor.smallest_pivot_ratio());
+  counters_.factor_nonzeros = factor.factor_nonzeros();
+}
+
+void SystemFactor::change(const Matrix& columns, linalg::Change change) {
+  const Stopwatch watch(counters_.seconds_update);
+  // A factor left stale still preconditions the iteration in solve().
+  const bool follows = solver_->factorization().update(columns, change);
+  state_ = follows && is_current() ? FactorState::updated : FactorState::stale;
+  counters_.factor_updates += columns.cols();
+}
+
+Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolver::Apply& apply,
+                                    const std::function<const Matrix&()>& assemble) {
+  const auto size = [](const Eigen::VectorXd& v) { return v.lpNorm<Eigen::Infinity>(); };
+  for (bool fresh : {false, true}) {
+    if (fresh) {
+      forget();
+      factorize(assemble());
+    }
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(rhs.size());
+    const linalg::KrylovResult result = solver_->iterate(apply, rhs, solution_tolerance, solution);
+    counters_.iterations += result.iterations;
+    if (result.relative_residual <= acceptable_residual) return solution;
+    // Next to a mechanism the displacements are so large that forces smaller than this are rounding of their sums.
+    const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
+    if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
+  }
+  fail(Failure::unsolvable, "the stiffness matrix is numerically singular; check supports and very slender parts");
+}
+
+bool SystemFactor::pivots_are_sound() const {
+  return solver_->factorization().smallest_pivot_ratio() > suspicious_pivot_ratio;
+}
+
+Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
+                               double& resistance) {
+  // A shift makes a singular matrix factorizable without hiding its null space.
+  const double largest = matrix.diagonal().maxCoeff();
+  Eigen::SparseMatrix<double> shifted = matrix;
+  for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * largest;
+  const std::unique_ptr<SystemSolver> solver = method.make_solver();
+  if (!solver->factorization().factorize(shifted)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
+  Eigen::VectorXd vector =
+      Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
+  for (int iteration = 0; iteration < 6; ++iteration) {
+    solver->factorization().solve_in_place(vector);
+    vector /= vector.cwiseAbs().maxCoeff();
+  }
+  const Eigen::VectorXd force = solver->multiply(matrix, vector);
+  resistance = std::abs(vector.dot(force)) / (largest * vector.squaredNorm());
+  return vector;
+}
+
+}  // namespace bempd::coupling

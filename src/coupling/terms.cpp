@@ -1,0 +1,106 @@
+#include "coupling/terms.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace bempd::coupling {
+
+int Terms::add_bond(int from, int to, const Eigen::Vector2d& direction, double length_between, double its_stiffness) {
+  assert(from != to);
+  first.push_back(from);
+  second.push_back(to);
+  cosine.push_back(direction.x());
+  sine.push_back(direction.y());
+  length.push_back(length_between);
+  stiffness.push_back(its_stiffness);
+  return static_cast<int>(size()) - 1;
+}
+
+int Terms::add_wide(std::span<const TermEntry> entries, double its_length, double its_stiffness) {
+  assert(!entries.empty());
+  const int term = static_cast<int>(size());
+  first.push_back(entries.front().node);
+  second.push_back(entries.front().node);
+  cosine.push_back(0);
+  sine.push_back(0);
+  length.push_back(its_length);
+  stiffness.push_back(its_stiffness);
+  wide.term.push_back(term);
+  wide.entry.insert(wide.entry.end(), entries.begin(), entries.end());
+  wide.start.push_back(wide.entry.size());
+  return term;
+}
+
+void Terms::set(std::array<std::vector<double>, 2>& values, int term, double constant, double proportional) {
+  const double parts[2] = {constant, proportional};
+  for (int part = 0; part < 2; ++part) {
+    std::vector<double>& list = values[part];
+    const auto place = static_cast<std::size_t>(term);
+    if (parts[part] == 0 && place >= list.size()) continue;
+    if (list.size() <= place) list.resize(place + 1, 0.0);
+    list[place] = parts[part];
+  }
+}
+
+void Terms::set_rest_elongation(int term, double constant, double proportional) {
+  set(rest_elongation, term, constant, proportional);
+}
+
+void Terms::set_constant_force(int term, double constant, double proportional) {
+  set(constant_force, term, constant, proportional);
+}
+
+int Terms::add_law(TermLaw its_law) {
+  laws.push_back(std::move(its_law));
+  assert(laws.size() <= 256);
+  return static_cast<int>(laws.size()) - 1;
+}
+
+void Terms::set_law(int term, int its_law) {
+  const auto place = static_cast<std::size_t>(term);
+  if (law.size() <= place) law.resize(place + 1, 0);
+  law[place] = static_cast<std::uint8_t>(its_law);
+}
+
+void Terms::critical_shares(const Affine& displacement, const std::vector<double>& critical_stretch,
+                            std::vector<double>& constant_part, std::vector<double>& proportional_part) const {
+  const double* at_zero = displacement.col(0).data();
+  const double* slope = displacement.col(1).data();
+  for (std::size_t t = 0; t < size(); ++t) {
+    const double scale = per_critical(t, critical_stretch[t]);
+    constant_part[t] = bond_elongation(t, at_zero) * scale;
+    proportional_part[t] = bond_elongation(t, slope) * scale;
+  }
+  for (std::size_t k = 0; k < wide.term.size(); ++k) {
+    const auto t = static_cast<std::size_t>(wide.term[k]);
+    const double scale = per_critical(t, critical_stretch[t]);
+    constant_part[t] = wide_elongation(k, at_zero) * scale;
+    proportional_part[t] = wide_elongation(k, slope) * scale;
+  }
+  for (int part = 0; part < 2; ++part) {
+    std::vector<double>& shares = part == 0 ? constant_part : proportional_part;
+    for (std::size_t t = 0; t < rest_elongation[part].size(); ++t) {
+      shares[t] -= rest_elongation[part][t] * per_critical(t, critical_stretch[t]);
+    }
+  }
+}
+
+void Terms::add_forces(const std::vector<double>& present_stiffness, const double* u, double* f) const {
+  for (std::size_t b = 0; b < size(); ++b) {
+    const double tension = present_stiffness[b] * bond_elongation(b, u);
+    const double fx = tension * cosine[b], fy = tension * sine[b];
+    f[2 * first[b]] -= fx;
+    f[2 * first[b] + 1] -= fy;
+    f[2 * second[b]] += fx;
+    f[2 * second[b] + 1] += fy;
+  }
+  for (std::size_t k = 0; k < wide.term.size(); ++k) {
+    const double tension = present_stiffness[wide.term[k]] * wide_elongation(k, u);
+    for (const TermEntry& e : wide.entries(k)) {
+      f[2 * e.node] += tension * e.x;
+      f[2 * e.node + 1] += tension * e.y;
+    }
+  }
+}
+
+}  // namespace bempd::coupling

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "coupling/term_law.hpp"
+
+namespace bempd::coupling {
+
+// How strongly the displacement of a node takes part in a term.
+struct TermEntry {
+  int node;
+  double x, y;
+};
+
+// What the displacements u add to the energy as squares: each term is k/2 (c.u - e0)^2 + q (c.u), with c its
+// coefficients, c.u its elongation [m], k its stiffness [N/m], e0 its rest elongation [m] and q its constant force [N].
+// Rest elongations and constant forces have a part that is constant and one that is proportional to the load factor.
+//
+// A bond is the term of two nodes whose coefficients are -n and n, n the unit vector from the first to the second;
+// stepping sweeps over all of them at every event, hence the structure of arrays. Terms of any other shape (`wide`) are
+// numbered with them: `first` and `second` are then one and the same node and the direction is 0, so that sweeps over
+// the arrays of bonds pass over them without asking.
+struct Terms {
+  std::vector<int> first, second;    // nodes
+  std::vector<double> cosine, sine;  // unit vector from first to second
+  std::vector<double> length;        // [m]; makes a strain of the elongation
+  std::vector<double> stiffness;     // force per elongation [N/m]
+
+  // Constant and proportional parts. Terms beyond the end have 0: the arrays are empty where nothing uses them.
+  std::array<std::vector<double>, 2> rest_elongation;  // [m]
+  std::array<std::vector<double>, 2> constant_force;   // [N]
+
+  // Law of each term, an index into `laws`; terms beyond the end are brittle.
+  std::vector<std::uint8_t> law;
+  std::vector<TermLaw> laws{TermLaw::brittle()};
+
+  // Coefficients of wide terms.
+  struct Wide {
+    std::vector<int> term;  // their numbers, ascending
+    std::vector<std::size_t> start{0};
+    std::vector<TermEntry> entry;
+
+    std::span<const TermEntry> entries(std::size_t k) const {
+      return {entry.data() + start[k], start[k + 1] - start[k]};
+    }
+  };
+  Wide wide;
+
+  std::size_t size() const { return first.size(); }
+  bool is_wide(std::size_t term) const { return first[term] == second[term]; }
+
+  // Both return the number of the new term.
+  int add_bond(int from, int to, const Eigen::Vector2d& direction, double length_between, double its_stiffness);
+  int add_wide(std::span<const TermEntry> entries, double its_length, double its_stiffness);
+
+  void set_rest_elongation(int term, double constant, double proportional = 0);
+  void set_constant_force(int term, double constant, double proportional = 0);
+
+  int add_law(TermLaw its_law);  // returns its index
+  void set_law(int term, int its_law);
+  const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
+
+  // True if some term pulls without elongation.
+  bool have_offsets() const {
+    return has(rest_elongation, 0) || has(rest_elongation, 1) || has(constant_force, 0) || has(constant_force, 1);
+  }
+  bool have_offsets(int part) const { return has(rest_elongation, part) || has(constant_force, part); }
+
+  // Part 0 or 1 of e0 and q.
+  double rest(std::size_t term, int part) const { return value(rest_elongation[part], term); }
+  double constant(std::size_t term, int part) const { return value(constant_force[part], term); }
+
+  // visit(node, x, y) for every coefficient vector.
+  template <class Visit>
+  void for_each_entry(std::size_t term, const Visit& visit) const {
+    if (is_wide(term)) {
+      for (const TermEntry& e : wide.entries(place_of_wide(term))) visit(e.node, e.x, e.y);
+    } else {
+      visit(first[term], -cosine[term], -sine[term]);
+      visit(second[term], cosine[term], sine[term]);
+    }
+  }
+  template <class Visit>
+  void for_each_node(std::size_t term, const Visit& visit) const {
+    for_each_entry(term, [&](int node, double, double) { visit(node); });
+  }
+
+  // c.u, with the displacements as 2 * node + component.
+  double elongation(std::size_t term, const double* displacement) const {
+    return is_wide(term) ? wide_elongation(place_of_wide(term), displacement) : bond_elongation(term, displacement);
+  }
+
+  // c.u - e0: what the stiffness feels. The first takes a part of an affine displacement, the second the displacement
+  // at a load factor.
+  double elastic_elongation_part(std::size_t term, const double* displacement, int part) const {
+    return elongation(term, displacement) - rest(term, part);
+  }
+  double elastic_elongation(std::size_t term, const double* displacement, double load_factor) const {
+    return elongation(term, displacement) - (rest(term, 0) + load_factor * rest(term, 1));
+  }
+
+  // Force k (c.u - e0) + q with a stiffness that need not be the virgin one.
+  double tension(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
+    return present_stiffness * elastic_elongation(term, displacement, load_factor) + constant(term, 0) +
+           load_factor * constant(term, 1);
+  }
+
+  // k/2 (c.u - e0)^2 + q (c.u), likewise.
+  double energy(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
+    const double elastic = elastic_elongation(term, displacement, load_factor);
+    const double force = constant(term, 0) + load_factor * constant(term, 1);
+    return 0.5 * present_stiffness * elastic * elastic + force * elongation(term, displacement);
+  }
+
+  // What makes a share of the critical stretch of an elastic elongation, and the direction of a bond so scaled.
+  double per_critical(std::size_t term, double critical_stretch) const { return 1 / (length[term] * critical_stretch); }
+  Eigen::Vector2d scaled_direction(std::size_t term, double scale) const {
+    return {cosine[term] * scale, sine[term] * scale};
+  }
+
+  // Elastic elongations of all terms as shares of their critical ones, the two parts of a displacement apart.
+  void critical_shares(const Affine& displacement, const std::vector<double>& critical_stretch,
+                       std::vector<double>& constant_part, std::vector<double>& proportional_part) const;
+
+  // force += stiffness (c.u) c, without rest elongations and constant forces, on all nodes.
+  void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
+
+ private:
+  static bool has(const std::array<std::vector<double>, 2>& values, int part) { return !values[part].empty(); }
+  static double value(const std::vector<double>& values, std::size_t term) {
+    return term < values.size() ? values[term] : 0;
+  }
+  static void set(std::array<std::vector<double>, 2>& values, int term, double constant, double proportional);
+
+  std::size_t place_of_wide(std::size_t term) const {
+    return static_cast<std::size_t>(std::lower_bound(wide.term.begin(), wide.term.end(), static_cast<int>(term)) -
+                                    wide.term.begin());
+  }
+  double bond_elongation(std::size_t bond, const double* displacement) const {
+    const double* a = displacement + 2 * first[bond];
+    const double* b = displacement + 2 * second[bond];
+    return cosine[bond] * (b[0] - a[0]) + sine[bond] * (b[1] - a[1]);
+  }
+  double wide_elongation(std::size_t place, const double* displacement) const {
+    double sum = 0;
+    for (const TermEntry& e : wide.entries(place))
+      sum += e.x * displacement[2 * e.node] + e.y * displacement[2 * e.node + 1];
+    return sum;
+  }
+};
+
+}  // namespace bempd::coupling

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/elimination.hpp"
+#include "coupling/node_ties.hpp"
+#include "coupling/operators.hpp"
+
+namespace bempd::coupling {
+
+// What every degree of freedom (2 * node + component) is, and the numbers of those that a sparse system solves for.
+struct Unknowns {
+  std::vector<DofKind> kind;
+  std::vector<int> unknown_of;  // dof -> unknown of the sparse system, or -1
+  std::vector<int> dof_of;      // unknown -> dof
+
+  bool is_unknown(int dof) const { return unknown_of[dof] >= 0; }
+  bool has_unknown(int node) const { return is_unknown(2 * node) || is_unknown(2 * node + 1); }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(dof_of.size()); }
+};
+
+Unknowns classify(int node_count, const std::vector<DenseOperator>& operators, const Terms& terms, const NodeTies& ties,
+                  const std::vector<char>& prescribed);
+
+}  // namespace bempd::coupling

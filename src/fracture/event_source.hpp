@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fracture/stepping_options.hpp"
+
+namespace bempd::fracture {
+
+// Terms that reach their critical value together, at one load factor.
+struct Event {
+  double load_factor = 0;
+  double ratio = 0;           // largest stretch over critical stretch
+  std::vector<int> breaking;  // terms, ascending; not told where the event lies beyond the target
+};
+
+// What an event did.
+struct Outcome {
+  double work_before = 0;  // of the loads on the way to the event
+  double work = 0;         // of the event itself
+  double released_energy = 0;
+  double stored_energy = 0;  // after it
+  double unit_energy = 0;    // of the proportional load alone, after it
+  double residual = 0;
+  std::int64_t fragments = 0;
+  std::vector<double> reactions;  // after it, x and y of every support
+};
+
+// Says where on the way of the load factor the next event comes, and performs it on the body.
+class EventSource {
+ public:
+  EventSource() = default;
+  EventSource(const EventSource&) = delete;
+  EventSource& operator=(const EventSource&) = delete;
+  virtual ~EventSource() = default;
+
+  // The next event on the way to a target; null if the source knows of none in that direction. It may lie beyond the
+  // target.
+  virtual const Event* next(double target, const SteppingOptions& options) = 0;
+
+  // The event that next() told.
+  virtual Outcome perform() = 0;
+};
+
+}  // namespace bempd::fracture

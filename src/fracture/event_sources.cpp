@@ -1,0 +1,100 @@
+#include "fracture/event_sources.hpp"
+
+#include <algorithm>
+
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
+    : body_(body), whole_body_(body), window_(body, [this] { keep_present(); }) {
+  window_.expect_cracks(cut);
+}
+
+bool EventSources::may_use_window(double target, const SteppingOptions& options) const {
+  return options.window && options.mode == SteppingMode::events && body_.system().is_symmetric() &&
+         target >= body_.state().load_factor;
+}
+
+const Event* EventSources::next(double target, const SteppingOptions& options) {
+  const bool possible = may_use_window(target, options);
+  if (window_.is_open() && !(possible && window_.suits(options))) settle();
+  while (possible) {
+    if (!window_.is_open()) open_window(target, options);
+    if (!window_.is_open()) break;
+    told_ = &window_;
+    if (const Event* event = window_.next(target, options)) return event;
+    if (window_.events_performed() > 0) {
+      patience_ = 1;
+      if (window_.needs_whole_body()) whole_body_events_ = 1;
+    } else {
+      be_patient();
+    }
+    settle();
+  }
+  told_ = &whole_body_;
+  return whole_body_.next(target, options);
+}
+
+void EventSources::open_window(double target, const SteppingOptions& options) {
+  if (body_.state().separated || whole_body_events_ > 0) return;
+  const std::optional<double> next = body_.next_break(target);
+  if (!next || *next > target) return;
+  if (!window_.open(*next, options)) be_patient();
+}
+
+void EventSources::be_patient() {
+  patience_ = std::min(2 * patience_, WindowSettings::most_patience);
+  whole_body_events_ = patience_;
+}
+
+Outcome EventSources::perform() {
+  if (told_ == &whole_body_) whole_body_events_ = std::max(0, whole_body_events_ - 1);
+  return told_->perform();
+}
+
+void EventSources::settle() {
+  complete_mark();
+  window_.close();
+}
+
+void EventSources::forget() {
+  window_.forget();
+  whole_body_events_ = 0;
+  patience_ = 1;
+}
+
+void EventSources::mark() {
+  if (mark_) return;
+  if (window_.is_open()) {
+    mark_ = Mark{{}, window_.place()};
+  } else {
+    mark_ = Mark{body_.state(), {}};
+  }
+}
+
+// To the last bit: once more events are computed the same displacements come out with other rounding.
+void EventSources::keep_present() {
+  mark();
+  complete_mark();
+}
+
+void EventSources::complete_mark() {
+  if (!mark_ || !mark_->place) return;
+  mark_->state = window_.state_at(*mark_->place);
+  mark_->place.reset();
+}
+
+void EventSources::return_to_mark() {
+  if (!mark_) return;
+  if (mark_->place) {
+    window_.return_to(*mark_->place);
+  } else {
+    forget();
+    body_.state() = std::move(mark_->state);
+    body_.restore();
+  }
+  mark_.reset();
+}
+
+}  // namespace bempd::fracture

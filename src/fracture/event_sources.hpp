@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fracture/whole_body_events.hpp"
+#include "fracture/window/window_events.hpp"
+
+namespace bempd::fracture {
+
+// Which source the next event comes from: a window wherever one can be of use, the whole body otherwise. A window that
+// finds nothing to do is not tried again at once, and each time later.
+class EventSources {
+ public:
+  // Bonds in `cut` are gone from the start.
+  EventSources(LoadedBody& body, const std::vector<int>& cut);
+  EventSources(const EventSources&) = delete;
+  EventSources& operator=(const EventSources&) = delete;
+
+  // The next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
+  const Event* next(double target, const SteppingOptions& options);
+  Outcome perform();
+
+  // Displacements and forces in the body's state, which fall behind while events come from a window.
+  void bring_up_to_date() { window_.bring_up_to_date(); }
+  void settle();  // brings up to date and leaves the window: loads may change
+  void forget();  // what comes next is what it would be in a fresh run from the present state
+
+  // One state of the body to return to: the one at the first mark since the last was dropped.
+  void mark();
+  void drop_mark() { mark_.reset(); }
+  void return_to_mark();
+
+ private:
+  // While the window is open in which it was set, a place in it stands for the large parts of the state.
+  struct Mark {
+    BodyState state;
+    std::optional<WindowEvents::Place> place;
+  };
+
+  bool may_use_window(double target, const SteppingOptions& options) const;
+  void open_window(double target, const SteppingOptions& options);
+  void be_patient();
+  void keep_present();
+  void complete_mark();
+
+  LoadedBody& body_;
+  WholeBodyEvents whole_body_;
+  WindowEvents window_;
+  EventSource* told_ = nullptr;  // the next event
+  std::optional<Mark> mark_;
+  int whole_body_events_ = 0;  // to come before the next window is tried
+  int patience_ = 1;           // how many, doubled where a window finds nothing to do
+};
+
+}  // namespace bempd::fracture

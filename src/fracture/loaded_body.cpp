@@ -1,0 +1,159 @@
+#include "fracture/loaded_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stopwatch.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
+constexpr double separated_energy_ratio = 1e-10;
+
+}  // namespace
+
+using coupling::Affine;
+using coupling::evaluate;
+
+bool is_separated(double unit_energy, double first_unit_energy) {
+  return unit_energy < separated_energy_ratio * first_unit_energy;
+}
+
+double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
+                double largest_force) {
+  double unbalanced = 0;
+  const Eigen::VectorXd load = evaluate(system.force(), load_factor);
+  for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
+    if (system.is_prescribed(static_cast<int>(dof))) continue;
+    unbalanced = std::max(unbalanced, std::abs(internal_force[dof] - load[dof]));
+  }
+  return largest_force > 0 ? unbalanced / largest_force : unbalanced;
+}
+
+LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                       std::vector<double> critical_stretch, const std::vector<int>& cut,
+                       std::vector<std::vector<int>> reaction_dofs, BodyState& state)
+    : system_(system),
+      positions_(positions),
+      freed_parts_(system, positions),
+      ratios_(system.bonds(), std::move(critical_stretch)),
+      reaction_dofs_(std::move(reaction_dofs)),
+      state_(state) {
+  const Eigen::Index dofs = 2 * system.node_count();
+  force_ = prescribed_ = state_.displacement = Affine::Zero(dofs, 2);
+  state_.total_displacement = state_.total_force = Eigen::VectorXd::Zero(dofs);
+  state_.unloaded.assign(system.node_count(), 0);
+  system_.place_nodes(positions);
+  system_.mark_broken(cut);
+  system_.commit_break(cut, {});
+  state_.intact = system_.intact();
+  state_.springs = system_.springs();
+}
+
+void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
+  force_ = force;
+  prescribed_ = prescribed;
+  state_.in_equilibrium = false;
+  state_.first_unit_energy = -1;
+  apply_load();
+}
+
+void LoadedBody::apply_load() {
+  Affine force = force_;
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (state_.unloaded[node]) force.middleRows<2>(2 * node).setZero();
+  }
+  system_.set_load(std::move(force), prescribed_);
+}
+
+void LoadedBody::drop_loads(const std::vector<int>& nodes) {
+  for (int node : nodes) state_.unloaded[node] = 1;
+  apply_load();
+}
+
+LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
+  const FreedParts freed = freed_parts_.all_pieces(state_.total_displacement);
+  system_.commit_break({}, freed.springs);
+  if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
+  state_.springs = system_.springs();
+  solve();
+  update_ratios();
+  const double work = absorb(state_.load_factor);
+  if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
+  state_.in_equilibrium = true;
+  return {work, freed.fragments};
+}
+
+void LoadedBody::solve() { state_.displacement = system_.solve(); }
+
+void LoadedBody::update_ratios() {
+  const Stopwatch watch(seconds_search_);
+  ratios_.update(state_.displacement);
+}
+
+void LoadedBody::restore() {
+  system_.restore(state_.intact, state_.springs);
+  apply_load();
+  ratios_.update(state_.displacement);
+}
+
+double LoadedBody::absorb(double load_factor) {
+  const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
+  const Eigen::VectorXd force = system_.internal_force(displacement);
+  // On the straight way between two states the trapezoid rule is exact. In equilibrium internal forces equal the loads.
+  const double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
+  state_.total_displacement = displacement;
+  state_.total_force = force;
+  state_.largest_force = std::max(state_.largest_force, force.lpNorm<Eigen::Infinity>());
+  state_.load_factor = load_factor;
+  return work;
+}
+
+double LoadedBody::move_to(double load_factor) { return load_factor != state_.load_factor ? absorb(load_factor) : 0; }
+
+void LoadedBody::show(Affine displacement) {
+  state_.displacement = std::move(displacement);
+  update_ratios();
+  state_.total_displacement = evaluate(state_.displacement, state_.load_factor);
+  state_.total_force = system_.internal_force(state_.total_displacement);
+}
+
+std::optional<double> LoadedBody::next_break(double target) {
+  const Stopwatch watch(seconds_search_);
+  const double infinity = std::numeric_limits<double>::infinity();
+  return ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
+}
+
+double LoadedBody::stored_energy() const { return 0.5 * state_.total_displacement.dot(state_.total_force); }
+
+double LoadedBody::unit_energy() const {
+  const Eigen::VectorXd unit = state_.displacement.col(1);
+  return 0.5 * unit.dot(system_.internal_force(unit));
+}
+
+double LoadedBody::residual() const {
+  return fracture::residual(system_, state_.total_force, state_.load_factor, state_.largest_force);
+}
+
+Eigen::Vector2d LoadedBody::reaction(std::size_t support) const {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int dof : reaction_dofs_[support]) {
+    const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
+    sum[dof % 2] += state_.total_force[dof] - load;
+  }
+  return sum;
+}
+
+std::vector<double> LoadedBody::reactions() const {
+  std::vector<double> result;
+  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
+    const Eigen::Vector2d force = reaction(s);
+    result.insert(result.end(), {force.x(), force.y()});
+  }
+  return result;
+}
+
+}  // namespace bempd::fracture

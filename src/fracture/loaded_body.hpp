@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/critical_events.hpp"
+#include "fracture/evolution_state.hpp"
+#include "fracture/freed_parts.hpp"
+
+namespace bempd::fracture {
+
+// True if nothing resists the proportional load any more, given its energy and that in the undamaged scene.
+bool is_separated(double unit_energy, double first_unit_energy);
+
+// Largest force at a free node that internal forces leave over, relative to the largest one met so far.
+double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
+                double largest_force);
+
+// The whole body under its loads: the displacements for all load factors, and the forces and energies at the present
+// one. Between two breaks the response is linear in the load factor.
+class LoadedBody {
+ public:
+  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are gone from the start. The state
+  // belongs to the caller, who saves it and gives it back.
+  LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+             std::vector<double> critical_stretch, const std::vector<int>& cut,
+             std::vector<std::vector<int>> reaction_dofs, BodyState& state);
+  LoadedBody(const LoadedBody&) = delete;
+  LoadedBody& operator=(const LoadedBody&) = delete;
+
+  coupling::EquilibriumSystem& system() { return system_; }
+  const StretchRatios& ratios() const { return ratios_; }
+  const FreedPartFinder& freed_parts() const { return freed_parts_; }
+  const std::vector<Point>& positions() const { return positions_; }
+  const std::vector<std::vector<int>>& reaction_dofs() const { return reaction_dofs_; }
+  BodyState& state() { return state_; }
+  double& seconds_search() { return seconds_search_; }
+
+  void set_load(const coupling::Affine& force, const coupling::Affine& prescribed);
+  void drop_loads(const std::vector<int>& nodes);  // for good
+
+  struct FirstEquilibrium {
+    double work;
+    std::int64_t fragments;  // cut off by initial cracks, or pushed by new loads
+  };
+  // Under loads that are new, at the present load factor.
+  FirstEquilibrium find_equilibrium();
+
+  void solve();          // the displacements of the present system
+  void update_ratios();  // to these displacements
+  void restore();        // system and ratios to the state, which the caller has changed
+
+  double move_to(double load_factor);  // returns the work of the loads
+  double absorb(double load_factor);   // the same, also where only the displacements have changed
+  // Displacements and forces of this solution, at the present load factor, of which all sums are known.
+  void show(coupling::Affine displacement);
+
+  // Load factor of the next break on the way to a target, which may be infinite.
+  std::optional<double> next_break(double target);
+
+  double stored_energy() const;
+  double unit_energy() const;
+  double residual() const;
+  Eigen::Vector2d reaction(std::size_t support) const;
+  std::vector<double> reactions() const;
+
+ private:
+  void apply_load();
+
+  coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  FreedPartFinder freed_parts_;
+  StretchRatios ratios_;
+  std::vector<std::vector<int>> reaction_dofs_;
+  coupling::Affine force_, prescribed_;  // as the host gave them
+  BodyState& state_;
+  double seconds_search_ = 0;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+namespace bempd::fracture {
+
+// How bonds break on the way of the load factor.
+enum class SteppingMode {
+  // The most stretched bonds first, at the load factor at which they reach their critical stretch, until none exceeds
+  // it.
+  events,
+  // Fixed increments with one solution each: every bond that exceeds its critical stretch at the end of an increment
+  // breaks, and what that overloads has to wait for the next one (Yang and Liu 2021, fig. 6).
+  increments
+};
+
+struct SteppingOptions {
+  SteppingMode mode = SteppingMode::events;
+  double increment = 1;  // of the load factor
+  double tie_band = 1e-3;
+  int max_breaks_per_solve = 0;  // 0: no limit
+  std::int64_t max_events = 10'000'000;
+  bool window = true;       // compute events ahead in a window around what breaks, where that is possible
+  double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "coupling/condensation.hpp"
+#include "fracture/critical_events.hpp"
+#include "fracture/window/flexibility.hpp"
+#include "fracture/window/left_behind.hpp"
+#include "fracture/window/outside_stiffness.hpp"
+#include "fracture/window/window_terms.hpp"
+
+namespace bempd::fracture {
+
+// Bonds between kept nodes and the flexibility F (displacements per force) of the whole body there. Breaking a bond of
+// stiffness k along b changes F by a matrix of rank one: w = F b, gamma = 1 - k b.w, F <- F + (k / gamma) w w^T, and
+// the displacements by (k e / gamma) w, e being the bond's elongation (Sherman and Morrison 1950).
+//
+// Functions of the displacements are carried along like displacements on which no force acts: rows of F. Where nothing
+// breaks any more, the window can stop following displacements from event to event; they are found afterwards.
+class ActiveWindow {
+ public:
+  // A function of all displacements u -> x^T K u, x being nonzero on prescribed degrees of freedom only (energies and
+  // reactions), or u -> f^T u with loads f.
+  struct Function {
+    Eigen::VectorXd weights;  // of degrees of freedom
+    Eigen::VectorXd moved;    // x, or empty
+  };
+
+  ActiveWindow(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+               const StretchRatios& ratios, const coupling::Affine& displacement,
+               const std::vector<Function>& functions);
+
+  // Whether this bond is between kept nodes, and was intact when the window was opened.
+  bool contains(int global_bond) const { return terms_.contained(global_bond); }
+
+  // Global numbers of the bonds watched, ascending; bonds are named by their place in this list below, which narrow()
+  // changes.
+  const std::vector<int>& bonds() const { return terms_.numbers(); }
+  const std::vector<char>& intact() const { return terms_.intact(); }
+  const AffineRatios& ratios() const { return terms_.ratios(); }
+
+  // No longer follows the displacements of kept degrees of freedom that are marked, nor watches bonds that end on them.
+  void narrow(const std::vector<char>& leaves);
+  int followed() const { return static_cast<int>(size()); }
+  std::size_t breaks() const { return left_behind_.breaks(); }
+
+  // Displacements of the kept degrees of freedom: at once, or those that are followed now and all of many states later.
+  coupling::Affine displacement() const { return complete({state()}).front(); }
+  LeftBehind::State state() const;
+  std::vector<coupling::Affine> complete(const std::vector<LeftBehind::State>& states) const {
+    return left_behind_.complete(states, has_constant_part_);
+  }
+  const LeftBehind& left_behind() const { return left_behind_; }
+
+  // Row k: value of the function k for the constant and the proportional part of the load.
+  Eigen::Matrix<double, Eigen::Dynamic, 2> function_values() const { return rows_.middleRows(size(), functions_); }
+
+  double elongation(int bond, double load_factor) const;
+  double stiffness(int bond) const { return terms_.stiffness(bond); }
+
+  // False, and nothing changed, if some motion would lose its resistance with these bonds.
+  bool remove(std::span<const int> bonds);
+
+  // The stiffness of all that is not a bond of the window, on those kept degrees of freedom that it touches.
+  const Eigen::MatrixXd& outside_stiffness() const { return outside_.matrix; }
+  const std::vector<int>& outside_dofs() const { return outside_.dofs; }  // places among the kept ones
+
+ private:
+  Eigen::Index size() const { return flexibility_.size(); }
+  void collect_functions(const coupling::Condensation& condensation, const std::vector<Function>& functions,
+                         Eigen::Index dofs);
+  bool is_prescribed(int row) const { return row >= size(); }
+  bool is_supported(int bond) const;
+  Eigen::RowVector2d elongation(const Pull& pull) const;
+  LeftBehind::Form form(const Pull& pull, double scale) const;
+  void keep_rows(const std::vector<int>& followed);
+  void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
+  std::vector<Pull> pulls(std::span<const int> bonds) const;
+  // `response` is F b as it was when only this many changes were pending.
+  bool remove_one(int bond, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
+  void detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> response);
+
+  Eigen::Index kept_;          // degrees of freedom
+  Eigen::Index functions_;     // count
+  std::vector<int> followed_;  // which of the kept ones, ascending
+  WindowTerms terms_;
+  coupling::Affine rows_;  // followed displacements, values of functions, prescribed displacements at ends of bonds
+  bool has_constant_part_;
+  OutsideStiffness outside_;
+  Flexibility flexibility_;
+  std::vector<Eigen::VectorXd> moved_;  // of every function, at the prescribed ends of bonds; or empty
+  LeftBehind left_behind_;
+};
+
+}  // namespace bempd::fracture

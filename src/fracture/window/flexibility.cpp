@@ -1,0 +1,93 @@
+#include "fracture/window/flexibility.hpp"
+
+#include <algorithm>
+
+#include "fracture/window/window_settings.hpp"
+#include "linalg/dense_inverse.hpp"
+
+namespace bempd::fracture {
+
+Flexibility::Flexibility(const coupling::Condensation& condensation, Eigen::Index functions)
+    : size_(condensation.factor().rows()), functions_(functions) {
+  matrix_.resize(size_ + functions_, size_);
+  matrix_.topRows(size_) = condensation.factor();
+  linalg::invert_from_cholesky(matrix_.topRows(size_));
+  pending_.resize(size_ + functions_, WindowSettings::most_pending_changes);
+}
+
+void Flexibility::set_functions(const Eigen::MatrixXd& weights) {
+  const Eigen::MatrixXd answers = matrix_.topRows(size_).selfadjointView<Eigen::Lower>() * weights;
+  matrix_.bottomRows(functions_) = answers.transpose();
+}
+
+Eigen::MatrixXd Flexibility::responses(std::span<const Pull> pulls) const {
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(matrix_.rows(), static_cast<Eigen::Index>(pulls.size()));
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(pending_count_, w.cols());
+  for (Eigen::Index c = 0; c < w.cols(); ++c) {
+    const Pull& pull = pulls[static_cast<std::size_t>(c)];
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Index d = pull.row[k];
+      if (d >= size_ || pull.weight[k] == 0) continue;
+      w.col(c).head(d) += pull.weight[k] * matrix_.row(d).head(d).transpose();
+      w.col(c).tail(w.rows() - d) += pull.weight[k] * matrix_.col(d).tail(w.rows() - d);
+      along.col(c) += pull.weight[k] * pending_.row(d).head(pending_count_).transpose();
+    }
+  }
+  w.noalias() += pending_.leftCols(pending_count_) * along;
+  return w;
+}
+
+void Flexibility::update_response(const Pull& pull, Eigen::Index changes_known,
+                                  Eigen::Ref<Eigen::VectorXd> response) const {
+  for (Eigen::Index c = changes_known; c < pending_count_; ++c) {
+    double along = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (pull.row[i] < size_) along += pull.weight[i] * pending_(pull.row[i], c);
+    }
+    response += along * pending_.col(c);
+  }
+}
+
+void Flexibility::make_room(Eigen::Index count) {
+  if (pending_count_ + count > WindowSettings::most_pending_changes) flush();
+  if (count > pending_.cols()) pending_.conservativeResize(Eigen::NoChange, count);
+}
+
+void Flexibility::flush() {
+  if (size_ == 0 || pending_count_ == 0) return;
+  const auto columns = pending_.leftCols(pending_count_);
+  matrix_.topRows(size_).selfadjointView<Eigen::Lower>().rankUpdate(columns.topRows(size_));
+  matrix_.bottomRows(functions_).noalias() += columns.bottomRows(functions_) * columns.topRows(size_).transpose();
+  pending_count_ = 0;
+}
+
+void Flexibility::subtract_from_function(Eigen::Index function, const Eigen::Ref<const Eigen::VectorXd>& values) {
+  matrix_.row(size_ + function) -= values.transpose();
+}
+
+Eigen::MatrixXd Flexibility::block(const std::vector<int>& rows, const std::vector<int>& columns) const {
+  const Eigen::MatrixXd from = pending_.leftCols(pending_count_)(rows, Eigen::all);
+  const Eigen::MatrixXd to = pending_.leftCols(pending_count_)(columns, Eigen::all);
+  Eigen::MatrixXd result = from * to.transpose();
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const auto [column, row] = std::minmax(columns[c], rows[r]);
+      result(r, c) += matrix_(row, column);
+    }
+  }
+  return result;
+}
+
+void Flexibility::keep(const std::vector<int>& followed) {
+  std::vector<int> rows = followed;
+  for (Eigen::Index r = size_; r < matrix_.rows(); ++r) rows.push_back(static_cast<int>(r));
+  size_ = static_cast<Eigen::Index>(followed.size());
+  pending_ = Eigen::MatrixXd(pending_(rows, Eigen::all));
+  Eigen::MatrixXd smaller(size_ + functions_, size_);
+  for (Eigen::Index c = 0; c < size_; ++c) {
+    for (Eigen::Index r = c; r < smaller.rows(); ++r) smaller(r, c) = matrix_(rows[r], followed[c]);
+  }
+  matrix_.swap(smaller);
+}
+
+}  // namespace bempd::fracture

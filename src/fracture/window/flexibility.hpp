@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "coupling/condensation.hpp"
+#include "fracture/window/window_terms.hpp"
+
+namespace bempd::fracture {
+
+// The flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows, with
+// rows of functions below: displacements on which no force acts. Changes of rank one are collected and added to it many
+// at a time: F is the matrix kept plus the pending columns times their transpose.
+class Flexibility {
+ public:
+  Flexibility(const coupling::Condensation& condensation, Eigen::Index functions);
+
+  Eigen::Index size() const { return size_; }  // followed
+  // The functions' weights, of followed degrees of freedom, one column each.
+  void set_functions(const Eigen::MatrixXd& weights);
+
+  // F b for some pulls.
+  Eigen::MatrixXd responses(std::span<const Pull> pulls) const;
+  // Adds to one of them what has changed since only this many changes were pending.
+  void update_response(const Pull& pull, Eigen::Index changes_known, Eigen::Ref<Eigen::VectorXd> response) const;
+
+  Eigen::Index changes() const { return pending_count_; }
+  void make_room(Eigen::Index count);  // for changes that can be taken back
+  void add_change(const Eigen::Ref<const Eigen::VectorXd>& column) { pending_.col(pending_count_++) = column; }
+  void take_back_changes(Eigen::Index count) { pending_count_ = count; }  // but for the first ones
+
+  Eigen::MatrixXd function_rows() const { return matrix_.bottomRows(functions_); }
+  void set_function_rows(const Eigen::MatrixXd& rows) { matrix_.bottomRows(functions_) = rows; }
+  void subtract_from_function(Eigen::Index function, const Eigen::Ref<const Eigen::VectorXd>& values);
+
+  // Displacements of some followed degrees of freedom to forces on others.
+  Eigen::MatrixXd block(const std::vector<int>& rows, const std::vector<int>& columns) const;
+  void keep(const std::vector<int>& followed);
+
+ private:
+  void flush();
+
+  Eigen::Index size_, functions_;
+  Eigen::MatrixXd matrix_;  // lower triangle, and below it the rows of functions
+  Eigen::MatrixXd pending_;
+  Eigen::Index pending_count_ = 0;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,89 @@
+#include "fracture/window/left_behind.hpp"
+
+#include <algorithm>
+
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+using coupling::Affine;
+
+void LeftBehind::narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
+                        const Affine& displacement, std::vector<Form> ratios) {
+  Level level{std::move(left), std::vector<int>(displacement.rows(), -1), std::move(response), {}, broken_.size()};
+  for (std::size_t i = 0; i < followed.size(); ++i) level.column_of[followed[i]] = static_cast<int>(i);
+  level.start = displacement(level.left, Eigen::all);
+  levels_.push_back(std::move(level));
+  ratios_.insert(ratios_.end(), ratios.begin(), ratios.end());
+}
+
+void LeftBehind::note_break(const Form& elongation, double stiffness) { broken_.push_back({elongation, stiffness}); }
+
+std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool has_constant_part) const {
+  std::vector<Affine> result;
+  for (const State& state : states) result.push_back(state.displacement);
+  const int first_part = has_constant_part ? 0 : 1, parts = 2 - first_part;
+  // What was left behind last comes first: bonds that broke before end on it.
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    const Level& level = levels_[l];
+    std::vector<std::size_t> later;
+    for (std::size_t s = 0; s < states.size(); ++s) {
+      if (states[s].narrowings > l) later.push_back(s);
+    }
+    const auto columns = parts * static_cast<Eigen::Index>(later.size());
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(level.response.cols(), columns);
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      const State& state = states[later[c / parts]];
+      const Eigen::Index part = first_part + c % parts;
+      const double* u = result[later[c / parts]].col(part).data();
+      for (std::size_t b = level.breaks_before; b < state.breaks; ++b) {
+        const auto& [dof, weight, fixed] = broken_[b].elongation;
+        double elongation = fixed[part];
+        for (int k = 0; k < 4; ++k) elongation += dof[k] < 0 ? 0 : weight[k] * u[dof[k]];
+        for (int k = 0; k < 4; ++k) {
+          if (dof[k] >= 0) pull(level.column_of[dof[k]], c) += broken_[b].stiffness * elongation * weight[k];
+        }
+      }
+    }
+    const Eigen::MatrixXd change = level.response * pull;
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      const Eigen::Index part = first_part + c % parts;
+      result[later[c / parts]].col(part)(level.left) = level.start.col(part) + change.col(c);
+    }
+  }
+  return result;
+}
+
+int LeftBehind::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
+  // Each bond's ends are fetched once for a batch of states.
+  constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
+  using Batch = Eigen::Array<double, batch, 1>;
+  if (ratios_.empty() || checks.empty()) return static_cast<int>(states.size());
+  Eigen::Array<double, batch, Eigen::Dynamic> u;
+  for (std::size_t begin = 0; begin < checks.size(); begin += batch) {
+    const std::size_t end = std::min(checks.size(), begin + batch);
+    u.setZero(batch, states.front().rows());
+    Batch load_factor = Batch::Zero();
+    for (std::size_t c = begin; c < end; ++c) {
+      const Affine& state = states[checks[c].state];
+      const auto row = static_cast<Eigen::Index>(c - begin);
+      load_factor[row] = checks[c].load_factor;
+      u.row(row) = (state.col(0) + load_factor[row] * state.col(1)).transpose();
+    }
+    Batch largest = Batch::Zero();
+    for (const auto& [dof, weight, fixed] : ratios_) {
+      Batch ratio = fixed[0] + fixed[1] * load_factor;
+      for (int k = 0; k < 4; ++k) {
+        if (dof[k] >= 0) ratio += weight[k] * u.col(dof[k]);
+      }
+      largest = largest.max(ratio);
+    }
+    for (std::size_t c = begin; c < end; ++c) {
+      const bool holds = largest[static_cast<Eigen::Index>(c - begin)] < checks[c].bound();
+      if (!holds) return checks[c].state;
+    }
+  }
+  return static_cast<int>(states.size());
+}
+
+}  // namespace bempd::fracture

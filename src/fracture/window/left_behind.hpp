@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+// No bond that a window does not watch may reach `limit` (a stretch over the critical one) at this load factor in this
+// state.
+struct OutsideCheck {
+  int state;
+  double load_factor;
+  double limit;
+
+  // With a margin for the rounding in which plain and condensed equations differ.
+  double bound() const { return limit * (1 - WindowSettings::certificate_margin); }
+};
+
+// The displacements that a window no longer follows from event to event because nothing breaks there any more.
+//
+// Let K and F be stiffness and flexibility when they were left behind. With the bonds e that broke since, the
+// displacements obey K u = f + sum of k_e b_e e_e, as if the broken bonds still pulled with what their elongations e_e
+// ask for; all these bonds end on what is still followed. So u = u_then + F sum of k_e b_e e_e, for many states at
+// once.
+class LeftBehind {
+ public:
+  // A linear form of the window's displacements: sum of weight u[dof], and of prescribed displacements `fixed`.
+  struct Form {
+    std::array<int, 4> dof;  // -1: prescribed
+    std::array<double, 4> weight;
+    Eigen::RowVector2d fixed;
+  };
+
+  // Of the window: what is left behind in it is not filled in yet.
+  struct State {
+    coupling::Affine displacement;
+    std::size_t narrowings, breaks;  // until then
+  };
+
+  // Leaves the degrees of freedom `left` for good and goes on following others; `response` is the displacement of the
+  // left (rows) to forces on the followed ones (columns), `ratios` the stretch ratios of the bonds that end on the
+  // left.
+  void narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
+              const coupling::Affine& displacement, std::vector<Form> ratios);
+  void note_break(const Form& elongation, double stiffness);
+
+  std::size_t narrowings() const { return levels_.size(); }
+  std::size_t breaks() const { return broken_.size(); }
+
+  // The displacements of states, with what was left behind in them.
+  std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
+
+  // The first state with a check that a bond left behind fails, or the number of states. Of completed states.
+  int first_violation(const std::vector<coupling::Affine>& states, const std::vector<OutsideCheck>& checks) const;
+
+ private:
+  struct Level {
+    std::vector<int> left, column_of;  // column_of[dof]: in `response`
+    Eigen::MatrixXd response;
+    coupling::Affine start;
+    std::size_t breaks_before;
+  };
+  struct Broken {
+    Form elongation;
+    double stiffness;
+  };
+
+  std::vector<Level> levels_;
+  std::vector<Broken> broken_;
+  std::vector<Form> ratios_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,217 @@
+#include "fracture/window/lookahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "fracture/loaded_body.hpp"
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+using coupling::Affine;
+using coupling::evaluate;
+
+Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts,
+                     const StretchRatios& ratios, const std::vector<Point>& positions,
+                     const std::vector<std::vector<int>>& reaction_dofs)
+    : system_(system),
+      freed_parts_(freed_parts),
+      whole_ratios_(ratios),
+      place_(system, ratios, positions),
+      functions_(system, reaction_dofs),
+      narrowing_(system, place_, positions),
+      most_events_(WindowSettings::first_events) {}
+
+bool Lookahead::open(const BodyState& state, double load_factor, const Options& options) {
+  close();
+  options_ = options;
+  if (!system_.is_symmetric() || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
+  condensation_ = std::make_unique<coupling::Condensation>(system_);
+  window_ =
+      std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions_.list());
+  proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
+  certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+  whole_ = state.displacement;
+  any_displacement_ = state.total_displacement;
+  has_ended_ = needs_whole_body_ = system_has_changed_ = false;
+  position_ = 0;
+  narrowing_.restart();
+  states_ = {window_->displacement()};
+  return true;
+}
+
+void Lookahead::close() {
+  if (!window_) return;
+  window_.reset();
+  certificate_.reset();
+  condensation_.reset();
+  events_.clear();
+  states_.clear();
+  if (system_has_changed_) system_.forget_factor();
+  if (needs_whole_body_) system_.keep_last({});  // what comes next factorizes, twice, and needs no window for it
+}
+
+void Lookahead::forget() {
+  close();
+  most_events_ = WindowSettings::first_events;
+  place_.return_to_expected();
+}
+
+const ForeseenEvent* Lookahead::next() const {
+  return position_ < static_cast<int>(events_.size()) ? &events_[position_] : nullptr;
+}
+
+void Lookahead::take() {
+  system_.set_parted(events_[position_].event.breaking, true);
+  system_has_changed_ = true;
+  ++position_;
+}
+
+void Lookahead::return_to(int position) {
+  while (position_ > position) system_.set_parted(events_[--position_].event.breaking, false);
+}
+
+Affine Lookahead::displacement(int position) const {
+  const bool is_last = position + 1 == static_cast<int>(states_.size());
+  return is_last ? whole_ : condensation_->displacement(states_[position]);
+}
+
+std::vector<char> Lookahead::intact(int position) const {
+  std::vector<char> result = system_.intact();
+  for (int e = position; e < position_; ++e) {
+    for (int b : events_[e].event.breaking) result[b] = 1;
+  }
+  return result;
+}
+
+void Lookahead::compute(const BodyState& state) {
+  events_.clear();
+  checks_.clear();
+  position_ = 0;
+  foreseen_ = {window_->state()};
+  double from = state.load_factor;
+  while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
+    if (!foresee(from, state)) {
+      has_ended_ = true;
+    } else {
+      from = events_.back().event.load_factor;
+    }
+  }
+  most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
+  states_ = window_->complete(foreseen_);
+  certify();
+  for (const ForeseenEvent& foreseen : events_) system_.set_parted(foreseen.event.breaking, false);
+}
+
+std::vector<int> Lookahead::choose(double f) const {
+  const AffineRatios& ratios = window_->ratios();
+  const auto& [band, limit, ahead] = options_;
+  return proportional_ ? ratios.most_stretched(window_->intact(), f, band, limit, f * ratios.steepest())
+                       : ratios.most_stretched(window_->intact(), f, band, limit);
+}
+
+bool Lookahead::foresee(double from, const BodyState& start) {
+  narrowing_.narrow(*window_, condensation_->dofs(), from);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const AffineRatios& ratios = window_->ratios();
+  const std::optional<double> next =
+      proportional_ ? ratios.next_proportional_break(from) : ratios.next_break(window_->intact(), from, infinity);
+  if (!next) return false;
+  const std::vector<int> chosen = choose(*next);
+  ForeseenEvent foreseen;
+  foreseen.event.load_factor = *next;
+  for (int b : chosen) {
+    foreseen.event.breaking.push_back(window_->bonds()[b]);
+    foreseen.event.ratio = std::max(foreseen.event.ratio, ratios.at(b, *next));
+  }
+  if (!place_.is_far_from_rim(foreseen.event.breaking)) return false;
+  foreseen.largest_force = events_.empty() ? largest_force_before(*next, start) : events_.back().largest_force;
+  if (!perform_in_window(chosen, foreseen)) {
+    needs_whole_body_ = true;
+    return false;
+  }
+  add_checks(from, foreseen.event);
+  has_ended_ = is_separated(foreseen.after.unit(), start.first_unit_energy);
+  events_.push_back(std::move(foreseen));
+  foreseen_.push_back(window_->state());
+  return true;
+}
+
+// Just before the first of the events computed together.
+double Lookahead::largest_force_before(double load_factor, const BodyState& start) const {
+  const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
+  return std::max(start.largest_force, force.lpNorm<Eigen::Infinity>());
+}
+
+bool Lookahead::perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen) {
+  const double f = foreseen.event.load_factor;
+  std::vector<double> elongation;
+  for (int b : chosen) elongation.push_back(window_->elongation(b, f));
+  system_.set_parted(foreseen.event.breaking, true);
+  const auto before = window_->function_values();
+  if (!freed_parts_.frees_nothing(foreseen.event.breaking, any_displacement_) || !window_->remove(chosen)) {
+    system_.set_parted(foreseen.event.breaking, false);
+    return false;
+  }
+  const auto after = window_->function_values();
+  foreseen.before = WindowFunctions::energy(before);
+  foreseen.after = WindowFunctions::energy(after);
+  foreseen.work = WindowFunctions::work(before, after, f);
+  foreseen.reactions = functions_.reactions(after, f);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    foreseen.released += 0.5 * window_->stiffness(chosen[i]) * elongation[i] * window_->elongation(chosen[i], f);
+  }
+  return true;
+}
+
+// No bond outside may break before the event, nor with it.
+void Lookahead::add_checks(double from, const Event& event) {
+  const int state = static_cast<int>(events_.size());
+  const double f = event.load_factor, limit = tie_limit(options_.tie_band) * event.ratio;
+  if (proportional_) {
+    checks_.push_back({state, 1, limit / f});
+    return;
+  }
+  if (from != f) checks_.push_back({state, from, 1});
+  checks_.push_back({state, f, limit});
+}
+
+// Keeps the events that the whole body would go through in the same way.
+void Lookahead::certify() {
+  if (!events_.empty()) keep_first(window_->left_behind().first_violation(states_, checks_));
+  if (events_.empty()) return;
+  std::vector<int> breaks{0};
+  for (const ForeseenEvent& foreseen : events_) {
+    breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.breaking.size()));
+  }
+  keep_first(certificate_->first_violation(states_, breaks, checks_, whole_));
+  if (!events_.empty()) check_whole_body();
+}
+
+// Forces of the whole body are known before the first and after the last of the events.
+void Lookahead::check_whole_body() {
+  const Affine before = std::move(whole_);  // in state 0
+  whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
+  ForeseenEvent& last = events_.back();
+  const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, last.event.load_factor));
+  last.largest_force = std::max(last.largest_force, force.lpNorm<Eigen::Infinity>());
+  residual_ = fracture::residual(system_, force, last.event.load_factor, last.largest_force);
+  if (residual_ <= WindowSettings::acceptable_residual) return;
+  keep_first(0);
+  whole_ = before;
+}
+
+void Lookahead::keep_first(int count) {
+  if (count >= static_cast<int>(events_.size())) return;
+  has_ended_ = true;
+  needs_whole_body_ = false;
+  most_events_ = std::max(WindowSettings::first_events, 2 * count);  // more would be in vain again
+  for (std::size_t e = count; e < events_.size(); ++e) system_.set_parted(events_[e].event.breaking, false);
+  events_.resize(count);
+  states_.resize(count + 1);
+  std::erase_if(checks_, [&](const OutsideCheck& check) { return check.state >= count; });
+}
+
+}  // namespace bempd::fracture

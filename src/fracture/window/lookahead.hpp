@@ -1,0 +1,110 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fracture/event_source.hpp"
+#include "fracture/evolution_state.hpp"
+#include "fracture/freed_parts.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/narrowing.hpp"
+#include "fracture/window/window_certificate.hpp"
+#include "fracture/window/window_functions.hpp"
+#include "fracture/window/window_place.hpp"
+
+namespace bempd::fracture {
+
+// What an event will do once it happens.
+struct ForeseenEvent {
+  Event event;
+  EnergyForm before, after;
+  double work = 0, released = 0;  // of the break itself
+  double largest_force = 0;       // internal nodal force that is known to be reached until then
+  std::vector<double> reactions;  // after it
+};
+
+// Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those
+// of which it is proven that the whole body would break in the same way are kept. It gives up before an event that it
+// cannot perform: one near its rim or outside, one that frees a part of the body or takes away the last resistance to a
+// motion.
+class Lookahead {
+ public:
+  struct Options {
+    double tie_band;
+    int max_breaks_per_solve;
+    double ahead;  // of a crack tip, in lattice spacings; 0: chosen by the size of the system
+    bool operator==(const Options&) const = default;
+  };
+
+  Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
+            const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs);
+
+  // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
+  void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }
+
+  // Around the bonds that are hot at the load factor of the next event. False if there is no window that would be
+  // smaller than the problem.
+  bool open(const BodyState& state, double load_factor, const Options& options);
+  bool is_open() const { return window_ != nullptr; }
+  void close();
+  void forget();  // and where the window was: a new one is what it would be in a fresh run
+
+  const Options& options() const { return options_; }
+
+  // True where no event is left but more may come.
+  bool must_compute() const { return position_ == static_cast<int>(events_.size()) && !has_ended_; }
+  // More events on the way up from the state, which is that of the present position.
+  void compute(const BodyState& state);
+
+  // The next of the events computed; null if there is none.
+  const ForeseenEvent* next() const;
+  void take();  // the system's bonds break
+  // True if the window has come to its end before an event that no window can perform.
+  bool needs_whole_body() const { return needs_whole_body_; }
+
+  // States since the events were computed last, 0 first; only these can be asked for and returned to.
+  int position() const { return position_; }
+  void return_to(int position);
+  coupling::Affine displacement(int position) const;
+  std::vector<char> intact(int position) const;
+  // Of the whole body after the last of the events computed together; it stands for all of them.
+  double residual() const { return residual_; }
+
+ private:
+  bool foresee(double from, const BodyState& start);
+  double largest_force_before(double load_factor, const BodyState& start) const;
+  std::vector<int> choose(double load_factor) const;
+  bool perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen);
+  void add_checks(double from, const Event& event);
+  void certify();
+  void check_whole_body();
+  void keep_first(int count);  // of the events computed
+
+  coupling::EquilibriumSystem& system_;
+  const FreedPartFinder& freed_parts_;
+  const StretchRatios& whole_ratios_;
+  WindowPlace place_;
+  WindowFunctions functions_;
+  Narrowing narrowing_;
+  Options options_{};
+
+  std::unique_ptr<coupling::Condensation> condensation_;
+  std::unique_ptr<ActiveWindow> window_;
+  std::unique_ptr<WindowCertificate> certificate_;
+  Eigen::VectorXd any_displacement_;
+  coupling::Affine whole_;  // displacements of the whole body in the last state
+  bool proportional_ = false;
+  bool has_ended_ = false;
+  bool needs_whole_body_ = false;
+  int most_events_;  // to compute at once
+
+  std::vector<ForeseenEvent> events_;
+  std::vector<coupling::Affine> states_;
+  std::vector<LeftBehind::State> foreseen_;  // the states, while events are computed
+  std::vector<OutsideCheck> checks_;
+  int position_ = 0;
+  bool system_has_changed_ = false;
+  double residual_ = 0;
+};
+
+}  // namespace bempd::fracture

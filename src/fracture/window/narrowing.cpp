@@ -1,0 +1,62 @@
+#include "fracture/window/narrowing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+void Narrowing::restart() { next_ = WindowSettings::breaks_between_narrowings; }
+
+std::vector<double> Narrowing::rears(const ActiveWindow& window, double load_factor) const {
+  const AffineRatios& ratios = window.ratios();
+  const coupling::BondSet& bonds = system_.bonds();
+  const std::vector<Zone>& zones = place_.zones();
+  double largest = 0;
+  for (std::size_t b = 0; b < window.bonds().size(); ++b) {
+    if (window.intact()[b]) largest = std::max(largest, ratios.at(b, load_factor));
+  }
+  std::vector<double> rear(zones.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t b = 0; b < window.bonds().size(); ++b) {
+    if (!window.intact()[b] || ratios.at(b, load_factor) < WindowSettings::hot_when_narrowing * largest) continue;
+    const Point& p = positions_[bonds.first[window.bonds()[b]]];
+    const Point& q = positions_[bonds.second[window.bonds()[b]]];
+    for (std::size_t z = 0; z < zones.size(); ++z) {
+      if (!zones[z].contains(p) && !zones[z].contains(q)) continue;
+      const double place = std::min(zones[z].coordinates(p).x(), zones[z].coordinates(q).x());
+      rear[z] = std::isfinite(rear[z]) ? std::min(rear[z], place) : place;
+    }
+  }
+  return rear;
+}
+
+bool Narrowing::is_needed(int node, const std::vector<double>& rear) const {
+  for (std::size_t z = 0; z < rear.size(); ++z) {
+    const Zone& zone = place_.zones()[z];
+    if (!zone.contains(positions_[node])) continue;
+    if (zone.coordinates(positions_[node]).x() > rear[z] - WindowSettings::behind_hot * place_.spacing(node)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Narrowing::narrow(ActiveWindow& window, const std::vector<int>& dofs, double load_factor) {
+  const std::size_t broken = window.breaks();
+  if (broken < next_) return;
+  next_ = broken + WindowSettings::breaks_between_narrowings;
+  const std::vector<double> rear = rears(window, load_factor);
+  std::vector<char> leaves;
+  int leaving = 0;
+  for (int dof : dofs) {
+    const bool needed = is_needed(dof / 2, rear);
+    leaves.push_back(needed ? 0 : 1);
+    leaving += needed ? 0 : 1;
+  }
+  const int followed = window.followed(), gone = static_cast<int>(leaves.size()) - followed;
+  if (leaving - gone >= WindowSettings::least_narrowing * followed) window.narrow(leaves);
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_place.hpp"
+
+namespace bempd::fracture {
+
+// Lets a window leave behind what lies behind the bonds that are hot: nothing breaks there any more.
+class Narrowing {
+ public:
+  Narrowing(const coupling::EquilibriumSystem& system, const WindowPlace& place, const std::vector<Point>& positions)
+      : system_(system), place_(place), positions_(positions) {}
+
+  void restart();  // with a new window
+
+  // From time to time, at the load factor of an event. `dofs` are those kept by the window's condensation.
+  void narrow(ActiveWindow& window, const std::vector<int>& dofs, double load_factor);
+
+ private:
+  // Per zone the place along its axis of the hindmost hot bond; minus infinity where nothing is hot.
+  std::vector<double> rears(const ActiveWindow& window, double load_factor) const;
+  bool is_needed(int node, const std::vector<double>& rear) const;
+
+  const coupling::EquilibriumSystem& system_;
+  const WindowPlace& place_;
+  const std::vector<Point>& positions_;
+  std::size_t next_ = 0;  // bonds broken then
+};
+
+}  // namespace bempd::fracture

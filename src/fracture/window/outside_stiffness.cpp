@@ -1,0 +1,68 @@
+#include "fracture/window/outside_stiffness.hpp"
+
+#include <algorithm>
+
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& system, const WindowTerms& terms) {
+  const coupling::BondSet& bonds = system.bonds();
+  std::vector<char> touched(system.node_count(), 0);
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    if (system.intact()[b] && !terms.contained(static_cast<int>(b))) {
+      touched[bonds.first[b]] = touched[bonds.second[b]] = 1;
+    }
+  }
+  for (const coupling::HoldingSpring& s : system.springs()) touched[s.node] = 1;
+  return touched;
+}
+
+// Of the product of a triangular factor with its transpose, these rows and columns. The factor's rows end at their
+// diagonal.
+Eigen::MatrixXd part_of_product(const Eigen::MatrixXd& factor, const std::vector<int>& chosen) {
+  const Eigen::Index columns = chosen.empty() ? 0 : chosen.back() + 1;
+  const Eigen::MatrixXd rows = factor.leftCols(columns)(chosen, Eigen::all);
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(rows.rows(), rows.rows());
+  constexpr Eigen::Index at_once = WindowSettings::factor_columns_at_once;
+  for (Eigen::Index c = 0; c < columns; c += at_once) {
+    const auto reaching = std::lower_bound(chosen.begin(), chosen.end(), static_cast<int>(c));
+    const Eigen::Index above = reaching - chosen.begin(), height = rows.rows() - above;
+    product.bottomRightCorner(height, height)
+        .selfadjointView<Eigen::Lower>()
+        .rankUpdate(rows.block(above, c, height, std::min(at_once, columns - c)));
+  }
+  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+  return product;
+}
+
+}  // namespace
+
+OutsideStiffness outside_stiffness(const coupling::EquilibriumSystem& system,
+                                   const coupling::Condensation& condensation, const WindowTerms& terms) {
+  OutsideStiffness result;
+  const std::vector<char> touched = nodes_touched_outside(system, terms);
+  const auto size = static_cast<int>(condensation.dofs().size());
+  std::vector<int> place_of(static_cast<std::size_t>(size), -1);
+  for (int i = 0; i < size; ++i) {
+    const int node = condensation.dofs()[i] / 2;
+    if (!touched[node] && !system.in_dense_body(node)) continue;
+    place_of[i] = static_cast<int>(result.dofs.size());
+    result.dofs.push_back(i);
+  }
+  result.matrix = part_of_product(condensation.factor(), result.dofs);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const auto& [row, weight] = terms.pull(t);
+    for (int r = 0; r < 4; ++r) {
+      for (int c = 0; c < 4; ++c) {
+        if (row[r] >= size || row[c] >= size || place_of[row[r]] < 0 || place_of[row[c]] < 0) continue;
+        result.matrix(place_of[row[r]], place_of[row[c]]) -= terms.stiffness(t) * weight[r] * weight[c];
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace bempd::fracture

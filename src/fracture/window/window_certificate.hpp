@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "coupling/condensation.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+// Proves that what happened in a window is what would have happened in the whole body, because no bond outside was more
+// critical.
+//
+// Some states are computed for the whole body. Between two of them, a and b, take any of their means, (1 - t) a + t b,
+// 0 <= t <= 1: in it no bond is stretched more than by that mean of the largest stretches in a and in b. A state
+// differs from the mean by a displacement d of the window's nodes to which the outside answers without load, with the
+// strain energy d^T S d / 2, S being its stiffness as the window feels it. All bonds outside share that energy and none
+// has a negative one, so k e^2 <= d^T S d for the elongation e that d gives to any of them.
+class WindowCertificate {
+ public:
+  WindowCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+                    const ActiveWindow& window, const StretchRatios& ratios, bool proportional);
+
+  // `states` are the kept displacements after 0, 1, ... events, `breaks` the bonds broken until each; `first` is the
+  // state 0 of the whole body. Returns the first state with a check that fails, or the number of states.
+  int first_violation(const std::vector<coupling::Affine>& states, const std::vector<int>& breaks,
+                      const std::vector<OutsideCheck>& checks, const coupling::Affine& first);
+
+  // Displacements of the whole body in one of the states of the last question.
+  coupling::Affine last_displacement(int state) const;
+
+ private:
+  // Bonds outside, those that answer alike to an energy together.
+  static constexpr int most_classes = WindowSettings::classes;
+  using Classes = Eigen::Array<double, most_classes, 1>;
+
+  struct Snapshot {
+    Classes bound;                // of the stretch ratios at all load factors checked
+    std::vector<double> largest;  // per own check
+  };
+
+  void collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios);
+  void classify(const std::vector<double>& compliance);
+  std::vector<Classes> largest_ratios(const Eigen::MatrixXd& displacements) const;
+  void take(const std::vector<int>& states);
+  void take_together(const std::vector<int>& states);
+  Eigen::MatrixXd solve(const std::vector<int>& states);
+  Eigen::MatrixXd values(const std::vector<std::pair<int, double>>& wanted, const std::vector<int>& solved,
+                         const Eigen::MatrixXd& whole) const;
+  bool is_exceeded(int state) const;
+  std::vector<int> uncertified() const;
+  std::vector<int> between_snapshots(const std::vector<int>& uncertified, int round) const;
+  Eigen::VectorXd on_boundary(int state, double load_factor) const;
+
+  const coupling::Condensation& condensation_;
+  const ActiveWindow& window_;
+  bool proportional_;
+  std::vector<int> first_, second_;    // of bonds outside that can break
+  std::vector<double> cosine_, sine_;  // over length and critical stretch
+  std::vector<char> class_of_;
+  Classes compliance_;  // largest stretch ratio per root of energy, of each class
+  double rounding_;
+
+  // Of the present question.
+  const std::vector<coupling::Affine>* states_ = nullptr;
+  const coupling::Affine* whole_first_ = nullptr;
+  std::vector<std::vector<OutsideCheck>> checks_;  // per state
+  double lowest_ = 0, highest_ = 0;                // load factors checked
+  std::map<int, Snapshot> snapshots_;
+  int solved_state_ = -1;  // the last one of the question, once it is computed
+  Eigen::MatrixXd solved_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,144 @@
+#include "fracture/window/window_events.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "error.hpp"
+#include "stopwatch.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Adds the time of its scope to a sum of seconds, but for what the system counts on its own.
+class WindowWatch {
+ public:
+  WindowWatch(double& seconds, const coupling::SolverCounters& counters)
+      : seconds_(seconds), counters_(counters), counted_(counted()) {
+    watch_.emplace(elapsed_);
+  }
+  ~WindowWatch() {
+    watch_.reset();
+    seconds_ += elapsed_ - (counted() - counted_);
+  }
+  WindowWatch(const WindowWatch&) = delete;
+  WindowWatch& operator=(const WindowWatch&) = delete;
+
+ private:
+  double counted() const {
+    return counters_.seconds_assembly + counters_.seconds_factorization + counters_.seconds_solve +
+           counters_.seconds_update;
+  }
+
+  double& seconds_;
+  const coupling::SolverCounters& counters_;
+  double counted_, elapsed_ = 0;
+  std::optional<Stopwatch> watch_;
+};
+
+}  // namespace
+
+WindowEvents::WindowEvents(LoadedBody& body, std::function<void()> before_forgetting)
+    : lookahead_(body.system(), body.freed_parts(), body.ratios(), body.positions(), body.reaction_dofs()),
+      body_(body),
+      before_forgetting_(std::move(before_forgetting)) {}
+
+bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
+  events_performed_ = 0;
+  try {
+    const WindowWatch watch(body_.seconds_search(), body_.system().counters());
+    return lookahead_.open(body_.state(), load_factor,
+                           {options.tie_band, options.max_breaks_per_solve, options.window_ahead});
+  } catch (const Error& error) {
+    // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
+    if (error.failure() != Failure::unsolvable) throw;
+    return false;
+  }
+}
+
+bool WindowEvents::suits(const SteppingOptions& options) const {
+  return lookahead_.options() ==
+         Lookahead::Options{options.tie_band, options.max_breaks_per_solve, options.window_ahead};
+}
+
+void WindowEvents::close() {
+  bring_up_to_date();
+  lookahead_.close();
+}
+
+void WindowEvents::forget() {
+  lookahead_.forget();
+  is_behind_ = false;
+}
+
+const Event* WindowEvents::next(double, const SteppingOptions&) {
+  const WindowWatch watch(body_.seconds_search(), body_.system().counters());
+  if (lookahead_.must_compute()) {
+    before_forgetting_();
+    lookahead_.compute(body_.state());
+  }
+  const ForeseenEvent* foreseen = lookahead_.next();
+  return foreseen ? &foreseen->event : nullptr;
+}
+
+Outcome WindowEvents::perform() {
+  const ForeseenEvent& foreseen = *lookahead_.next();
+  const Event& event = foreseen.event;
+  BodyState& state = body_.state();
+  Outcome outcome;
+  outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
+  outcome.work = foreseen.work;
+  outcome.released_energy = foreseen.released;
+  outcome.stored_energy = foreseen.after.at(event.load_factor);
+  outcome.unit_energy = foreseen.after.unit();
+  outcome.residual = lookahead_.residual();
+  outcome.reactions = foreseen.reactions;
+  state.load_factor = event.load_factor;
+  state.largest_force = std::max(state.largest_force, foreseen.largest_force);
+  for (int b : event.breaking) state.intact[b] = 0;
+  lookahead_.take();
+  is_behind_ = true;
+  ++events_performed_;
+  return outcome;
+}
+
+void WindowEvents::bring_up_to_date() {
+  if (!is_behind_) return;
+  body_.show(lookahead_.displacement(lookahead_.position()));
+  is_behind_ = false;
+}
+
+WindowEvents::Place WindowEvents::place() const {
+  const BodyState& state = body_.state();
+  return {lookahead_.position(), events_performed_, state.load_factor, state.largest_force, state.separated};
+}
+
+BodyState WindowEvents::state_at(const Place& place) const {
+  const BodyState& present = body_.state();
+  BodyState state;
+  state.load_factor = place.load_factor;
+  state.in_equilibrium = present.in_equilibrium;
+  state.separated = place.separated;
+  state.first_unit_energy = present.first_unit_energy;
+  state.largest_force = place.largest_force;
+  state.displacement = lookahead_.displacement(place.position);
+  state.total_displacement = coupling::evaluate(state.displacement, state.load_factor);
+  state.total_force = body_.system().internal_force(state.total_displacement);
+  state.intact = lookahead_.intact(place.position);
+  state.springs = present.springs;
+  state.unloaded = present.unloaded;
+  return state;
+}
+
+void WindowEvents::return_to(const Place& place) {
+  lookahead_.return_to(place.position);
+  BodyState& state = body_.state();
+  state.load_factor = place.load_factor;
+  state.largest_force = place.largest_force;
+  state.separated = place.separated;
+  state.intact = body_.system().intact();
+  events_performed_ = place.events_performed;
+  is_behind_ = true;
+}
+
+}  // namespace bempd::fracture

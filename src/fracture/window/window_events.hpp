@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "fracture/event_source.hpp"
+#include "fracture/loaded_body.hpp"
+#include "fracture/window/lookahead.hpp"
+
+namespace bempd::fracture {
+
+// Events computed ahead in a window around what breaks, performed one by one. The body's displacements and forces fall
+// behind meanwhile: only its load factor and bonds are right until they are asked for.
+class WindowEvents final : public EventSource {
+ public:
+  // Calls `before_forgetting` before places told so far lose their meaning.
+  WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
+
+  // Before the first solution: initial cracks, given by the bonds they cut.
+  void expect_cracks(const std::vector<int>& cut) { lookahead_.expect_cracks(cut); }
+
+  // Around what is critical at the load factor of the next event. False if there is no window that would be of use.
+  bool open(double load_factor, const SteppingOptions& options);
+  bool is_open() const { return lookahead_.is_open(); }
+  bool suits(const SteppingOptions& options) const;  // the window, once open
+  void close();
+  void forget();  // and where the window was; the body's state is no longer brought up to date
+
+  // Null if the window has come to its end.
+  const Event* next(double target, const SteppingOptions& options) override;
+  Outcome perform() override;
+
+  std::int64_t events_performed() const { return events_performed_; }  // since the window was opened
+  // True if the window has come to its end before an event that no window can perform.
+  bool needs_whole_body() const { return lookahead_.needs_whole_body(); }
+
+  void bring_up_to_date();
+
+  // Where the body is among the events of the window.
+  struct Place {
+    int position;
+    std::int64_t events_performed;
+    double load_factor, largest_force;
+    bool separated;
+  };
+  Place place() const;
+  BodyState state_at(const Place& place) const;
+  void return_to(const Place& place);
+
+ private:
+  Lookahead lookahead_;
+  LoadedBody& body_;
+  std::function<void()> before_forgetting_;
+  bool is_behind_ = false;
+  std::int64_t events_performed_ = 0;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,63 @@
+#include "fracture/window/window_functions.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Places in the list of functions, each for the constant and the proportional part of the load.
+constexpr Eigen::Index loads = 0, supports = 2, first_reaction = 4;
+
+// Force that the body returns where supports are displaced in this way; tied nodes follow their masters.
+ActiveWindow::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
+  system.ties().expand(moved);
+  Eigen::VectorXd weights = system.internal_force(moved);
+  return {std::move(weights), std::move(moved)};
+}
+
+}  // namespace
+
+std::vector<ActiveWindow::Function> WindowFunctions::list() const {
+  std::vector<ActiveWindow::Function> result;
+  const Eigen::Index dofs = 2 * system_.node_count();
+  for (int part = 0; part < 2; ++part) {
+    Eigen::VectorXd load = system_.force().col(part);
+    for (Eigen::Index dof = 0; dof < dofs; ++dof) {
+      if (system_.is_prescribed(static_cast<int>(dof))) load[dof] = 0;
+    }
+    result.push_back({load, {}});
+  }
+  for (int part = 0; part < 2; ++part) {
+    result.push_back(force_of_supports(system_, system_.prescribed().col(part)));
+  }
+  for (const std::vector<int>& support : reaction_dofs_) {
+    for (int component = 0; component < 2; ++component) {
+      Eigen::VectorXd moved = Eigen::VectorXd::Zero(dofs);
+      for (int dof : support) moved[dof] = dof % 2 == component ? 1 : moved[dof];
+      result.push_back(force_of_supports(system_, std::move(moved)));
+    }
+  }
+  return result;
+}
+
+EnergyForm WindowFunctions::energy(const Values& values) {
+  return {values(loads, 0) + values(supports, 0), values(loads, 1) + values(supports + 1, 0),
+          values(loads + 1, 1) + values(supports + 1, 1)};
+}
+
+double WindowFunctions::work(const Values& before, const Values& after, double load_factor) {
+  const Eigen::Vector2d at(1, load_factor);
+  return at.dot((after - before).middleRows<2>(loads) * at);
+}
+
+std::vector<double> WindowFunctions::reactions(const Values& values, double load_factor) const {
+  const Eigen::Vector2d at(1, load_factor);
+  std::vector<double> result;
+  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
+    Eigen::Vector2d reaction = values.middleRows<2>(first_reaction + 2 * static_cast<Eigen::Index>(s)) * at;
+    for (int dof : reaction_dofs_[s]) reaction[dof % 2] -= system_.force().row(dof).dot(at);
+    result.insert(result.end(), {reaction.x(), reaction.y()});
+  }
+  return result;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,137 @@
+#include "fracture/window/window_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
+                         const std::vector<Point>& positions)
+    : system_(system),
+      ratios_(ratios),
+      positions_(positions),
+      spacing_(positions.size(), std::numeric_limits<double>::infinity()) {
+  const coupling::BondSet& bonds = system.bonds();
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    for (int node : {bonds.first[b], bonds.second[b]}) spacing_[node] = std::min(spacing_[node], bonds.length[b]);
+  }
+}
+
+void WindowPlace::expect_cracks(const std::vector<int>& cut) {
+  if (!system_.is_symmetric() || cut.empty() || cut.size() > WindowSettings::most_cut_bonds) return;
+  const ZoneShape shape{WindowSettings::length_of_expected * length_ahead(0)};
+  std::vector<Zone> zones = zones_at_ends(cut, system_.bonds(), positions_, spacing_, shape);
+  std::vector<int> nodes = nodes_of(zones);
+  if (is_too_large(nodes, shape)) return;
+  keep(std::move(zones), std::move(nodes));
+  expected_zones_ = zones_;
+  expected_nodes_ = nodes_;
+}
+
+void WindowPlace::return_to_expected() {
+  zones_ = expected_zones_;
+  nodes_ = expected_nodes_;
+  system_.keep_last(nodes_);
+}
+
+// Nodes that touch the outside come first: what the window needs to know of the outside is then a corner of the factor.
+void WindowPlace::keep(std::vector<Zone> zones, std::vector<int> nodes) {
+  zones_ = std::move(zones);
+  nodes_ = std::move(nodes);
+  mark_rim();
+  std::stable_partition(nodes_.begin(), nodes_.end(), [&](int node) { return touches_outside_[node] != 0; });
+  system_.keep_last(nodes_);
+}
+
+double WindowPlace::length_ahead(double wanted) const {
+  using S = WindowSettings;
+  if (wanted > 0) return wanted;
+  const double size = static_cast<double>(system_.counters().sparse_unknowns);
+  return std::clamp(S::length_at_20000_unknowns * std::sqrt(size / 20000), S::least_length, S::most_length);
+}
+
+bool WindowPlace::is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const {
+  return 2 * static_cast<double>(nodes.size()) >
+         std::max(WindowSettings::least_most_unknowns, WindowSettings::most_unknowns_per_length * shape.ahead);
+}
+
+std::vector<int> WindowPlace::nodes_of(const std::vector<Zone>& zones) const {
+  std::vector<int> nodes;
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (!std::isfinite(spacing_[node])) continue;
+    if (!system_.is_unknown(2 * node) && !system_.is_unknown(2 * node + 1)) continue;
+    const auto has = [&](const Zone& zone) { return zone.contains(positions_[node]); };
+    if (std::any_of(zones.begin(), zones.end(), has)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::vector<char> WindowPlace::marks_of_nodes() const {
+  std::vector<char> kept(system_.node_count(), 0);
+  for (int node : nodes_) kept[node] = 1;
+  return kept;
+}
+
+// Bonds that end on a node with bonds to the outside are left to the next window if they lie near a zone's rim: there
+// the neighbours outside soon break as well.
+void WindowPlace::mark_rim() {
+  std::vector<char> kept = marks_of_nodes();
+  touches_outside_.assign(system_.node_count(), 0);
+  for (int node = 0; node < system_.node_count(); ++node) {
+    if (system_.is_prescribed(2 * node) && system_.is_prescribed(2 * node + 1)) kept[node] = 1;
+  }
+  const coupling::BondSet& bonds = system_.bonds();
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const int i = bonds.first[b], j = bonds.second[b];
+    if (system_.intact()[b] && kept[i] != kept[j]) touches_outside_[i] = touches_outside_[j] = 1;
+  }
+  on_rim_ = touches_outside_;
+  for (int node : nodes_) {
+    const auto is_inside = [&](const Zone& zone) { return zone.is_inner(positions_[node]); };
+    if (on_rim_[node] && std::any_of(zones_.begin(), zones_.end(), is_inside)) on_rim_[node] = 0;
+  }
+}
+
+bool WindowPlace::is_far_from_rim(const std::vector<int>& bonds) const {
+  return std::none_of(bonds.begin(), bonds.end(),
+                      [&](int b) { return on_rim_[system_.bonds().first[b]] || on_rim_[system_.bonds().second[b]]; });
+}
+
+bool WindowPlace::still_holds(const std::vector<int>& hot) {
+  if (nodes_.empty() || !system_.factor_keeps(nodes_)) return false;
+  mark_rim();
+  const std::vector<char> kept = marks_of_nodes();
+  const bool all_kept = std::all_of(
+      hot.begin(), hot.end(), [&](int b) { return kept[system_.bonds().first[b]] && kept[system_.bonds().second[b]]; });
+  return all_kept && is_far_from_rim(hot);
+}
+
+bool WindowPlace::choose(double load_factor, double tie_band, double ahead) {
+  const std::vector<char>& intact = system_.intact();
+  double largest = 0;
+  for (std::size_t b = 0; b < intact.size(); ++b) {
+    if (intact[b]) largest = std::max(largest, ratios_.at(b, load_factor));
+  }
+  const ZoneShape shape{length_ahead(ahead)};
+  std::vector<double> shares(WindowSettings::hot_shares.begin(), WindowSettings::hot_shares.end());
+  shares.push_back(tie_limit(tie_band));
+  for (double share : shares) {
+    std::vector<int> hot;
+    for (std::size_t b = 0; b < intact.size(); ++b) {
+      if (intact[b] && ratios_.at(b, load_factor) >= share * largest) hot.push_back(static_cast<int>(b));
+    }
+    if (hot.size() > WindowSettings::most_hot_bonds) continue;
+    if (still_holds(hot)) return true;
+    std::vector<Zone> zones = zones_of(hot, ratios_, load_factor, intact, positions_, spacing_, shape);
+    std::vector<int> nodes = nodes_of(zones);
+    if (nodes.empty() || is_too_large(nodes, shape)) continue;
+    keep(std::move(zones), std::move(nodes));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/critical_events.hpp"
+#include "fracture/window/window_zones.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::fracture {
+
+// Where a window is: zones around what is about to break, and the nodes in them, which the system is told to eliminate
+// last.
+class WindowPlace {
+ public:
+  WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
+
+  // At the ends of initial cracks, given by the bonds they cut; before the first factorization.
+  void expect_cracks(const std::vector<int>& cut);
+  void return_to_expected();
+
+  // Around the bonds that are hot at this load factor: stays where it is if it can. `ahead` is the length in front of a
+  // crack tip in lattice spacings, 0 to choose it. False if there is no place that would be smaller than the problem.
+  bool choose(double load_factor, double tie_band, double ahead);
+
+  const std::vector<Zone>& zones() const { return zones_; }
+  double spacing(int node) const { return spacing_[node]; }  // of the lattice
+
+  // False for bonds that are left to the next window.
+  bool is_far_from_rim(const std::vector<int>& bonds) const;
+
+ private:
+  double length_ahead(double wanted) const;
+  bool is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const;
+  bool still_holds(const std::vector<int>& hot);
+  std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
+  std::vector<char> marks_of_nodes() const;
+  void keep(std::vector<Zone> zones, std::vector<int> nodes);
+  void mark_rim();
+
+  coupling::EquilibriumSystem& system_;
+  const StretchRatios& ratios_;
+  const std::vector<Point>& positions_;
+  std::vector<double> spacing_;
+  std::vector<Zone> zones_;
+  std::vector<int> nodes_;            // in the zones
+  std::vector<Zone> expected_zones_;  // of initial cracks
+  std::vector<int> expected_nodes_;
+  std::vector<char> touches_outside_, on_rim_;  // per node
+};
+
+}  // namespace bempd::fracture

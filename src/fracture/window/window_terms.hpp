@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "coupling/condensation.hpp"
+#include "fracture/critical_events.hpp"
+
+namespace bempd::fracture {
+
+// The elongation of a term as a linear form of the rows of a window: sum of weight u[row].
+struct Pull {
+  std::array<int, 4> row;
+  std::array<double, 4> weight;
+};
+
+// The terms of the energy that a window watches, with their ratios to critical values.
+class WindowTerms {
+ public:
+  // All intact terms between kept degrees of freedom and prescribed ones. A row of a kept degree of freedom is its
+  // place in the condensation; prescribed ones have rows from `first_prescribed` on.
+  WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+              const StretchRatios& ratios, int first_prescribed);
+
+  // Prescribed degrees of freedom at ends of terms, in the order of their rows.
+  const std::vector<int>& prescribed_dofs() const { return prescribed_dofs_; }
+  // Whether a term was there from the beginning, by its number in the system.
+  bool contained(int number) const { return contained_[number] != 0; }
+
+  std::size_t size() const { return numbers_.size(); }
+  const std::vector<int>& numbers() const { return numbers_; }  // in the system, ascending
+  const std::vector<char>& intact() const { return intact_; }
+  const AffineRatios& ratios() const { return ratios_; }
+  const Pull& pull(std::size_t term) const { return pulls_[term]; }
+  double stiffness(std::size_t term) const { return stiffness_[term]; }
+  double ratio_per_elongation(std::size_t term) const;
+
+  void part(int term);
+  void mend(int term) { intact_[term] = 1; }
+  void update_ratios(const coupling::Affine& rows, bool has_constant_part);
+
+  // Goes on with these terms only.
+  void keep(const std::vector<char>& watched);
+  void renumber_rows(const std::vector<int>& row_after);
+
+ private:
+  void add(int number, const coupling::BondSet& bonds, const StretchRatios& ratios, const std::array<int, 4>& row);
+
+  std::vector<int> numbers_;
+  std::vector<Pull> pulls_;
+  std::vector<double> stiffness_;
+  std::vector<double> cosine_, sine_;  // as ratios feel them
+  std::vector<char> intact_;
+  AffineRatios ratios_;
+  std::vector<char> contained_;
+  std::vector<int> prescribed_dofs_;
+};
+
+}  // namespace bempd::fracture

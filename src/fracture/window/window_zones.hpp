@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "fracture/critical_events.hpp"
+#include "fracture/window/window_settings.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::fracture {
+
+// A rectangle around bonds that are about to break, longer towards where they are expected to break next. Lengths are
+// in the model's unit; `low` and `high` are coordinates along `axis` (0) and across it (1), from `centre`.
+struct Zone {
+  Point centre, axis;
+  Point low, high;
+  Point inner_low, inner_high;  // bonds beyond these lie too near to the rim to break inside
+
+  Point coordinates(const Point& p) const {
+    const Point r = p - centre;
+    return {axis.dot(r), cross(axis, r)};
+  }
+  bool contains(const Point& p) const;
+  bool is_inner(const Point& p) const;
+};
+
+// In lattice spacings.
+struct ZoneShape {
+  double ahead;
+  double back = WindowSettings::back;
+  double half_width = WindowSettings::half_width;
+};
+
+// Zones of the hot bonds at a load factor, one for every crowd of them. `spacing` is that of the lattice at a node.
+std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
+                           const std::vector<char>& intact, const std::vector<Point>& positions,
+                           const std::vector<double>& spacing, const ZoneShape& shape);
+
+// Zones in front of both ends of the cracks that cut these bonds.
+std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::BondSet& bonds,
+                                const std::vector<Point>& positions, const std::vector<double>& spacing,
+                                const ZoneShape& shape);
+
+}  // namespace bempd::fracture

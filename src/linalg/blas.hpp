@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace bempd::linalg {
+
+// The BLAS that runs, which the host's system chooses when the program is loaded.
+struct Blas {
+  std::string name;  // with its version; "BLAS" if it does not say
+  std::string core;  // kind of processor that its kernels are made for; empty if it does not say
+  int threads = 0;   // 0 if it does not say
+};
+
+Blas running_blas();
+
+// "OpenBLAS 0.3.21 (Haswell, 4 threads)".
+std::string describe(const Blas& blas);
+
+// Whether kernels for this kind of processor leave out half of what one with AVX2 does at once.
+bool is_before_avx2(std::string_view core);
+
+// Whether the processor of this machine has AVX2 and its fused multiplication and addition.
+bool processor_has_avx2();
+
+}  // namespace bempd::linalg

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <numeric>
+#include <vector>
+
+namespace bempd::linalg {
+
+// Sets of the numbers 0 .. count - 1 without common members, joined two at a time (Tarjan 1975; paths are halved).
+class DisjointSets {
+ public:
+  explicit DisjointSets(int count) : parent_(static_cast<std::size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  // A set is named by its smallest member.
+  int find(int member) {
+    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+  void join(int member, int other) {
+    member = find(member);
+    other = find(other);
+    if (member < other) {
+      parent_[other] = member;
+    } else {
+      parent_[member] = other;
+    }
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+}  // namespace bempd::linalg

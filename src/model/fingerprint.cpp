@@ -1,0 +1,79 @@
+#include "model/fingerprint.hpp"
+
+#include "hash.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+void add(Hash& hash, const std::vector<double>& values) {
+  hash.add(values.size());
+  for (double value : values) hash.add(value);
+}
+
+void add(Hash& hash, const scene::Material& material) {
+  hash.add(material.elasticity.young_modulus);
+  hash.add(material.elasticity.poisson_ratio);
+  hash.add(material.elasticity.state);
+  hash.add(material.elasticity.thickness);
+  hash.add(material.critical_stretch);
+  hash.add(material.fracture_energy);
+}
+
+void add_place(Hash& hash, const scene::Condition& condition) {
+  condition.place->identify(hash);
+  hash.add(condition.components);
+}
+
+// Whether the values are numbers of the host's, which they are unless it gave a function.
+bool add_values(Hash& hash, const scene::Condition& condition) {
+  const auto* samples = std::get_if<scene::SampledValues>(&condition.values);
+  if (!samples) return false;
+  add(hash, samples->constant);
+  add(hash, samples->proportional);
+  return true;
+}
+
+}  // namespace
+
+SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options) {
+  Hash body;
+  body.add(scene.regions().size());
+  for (const auto& region : scene.regions()) {
+    add(body, scene.material(region->material()));
+    region->identify(body);
+  }
+  std::uint64_t cracks = 0;  // their order does not matter
+  for (const scene::Crack& crack : scene.cracks()) {
+    Hash hash;
+    for (const Point& p : crack.points) hash.add(p.x()), hash.add(p.y());
+    cracks += hash.value();
+  }
+  body.add(cracks);
+  for (const char* name :
+       {"scheme", "critical_stretch", "paper.lattice", "paper.interface", "paper.corner_tractions", "bem.grading"}) {
+    body.add(std::string_view(options.text_value(name)));
+  }
+  body.add(options.number("bem.quadrature_tolerance"));
+  Hash supports;
+  for (const scene::Condition& support : scene.supports()) add_place(supports, support);
+  return {body.value(), supports.value()};
+}
+
+std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values) {
+  Hash hash;
+  bool said = true;
+  for (const scene::Condition& support : scene.supports()) said = add_values(hash, support) && said;
+  hash.add(scene.loads().size());
+  for (const scene::Condition& load : scene.loads()) {
+    add_place(hash, load);
+    said = add_values(hash, load) && said;
+  }
+  if (!said) {
+    for (double value : values.displacement.reshaped()) hash.add(value);
+    for (double value : values.force.reshaped()) hash.add(value);
+  }
+  return hash.value();
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "regions/boundary_conditions.hpp"
+#include "scene/options.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::model {
+
+// Numbers that two scenes share if the host has said the same. What is computed from it stays out: its last digits
+// depend on the processor.
+struct SceneFingerprint {
+  std::uint64_t body = 0;      // regions with their materials, initial cracks, options that shape the system
+  std::uint64_t supports = 0;  // places and components in their order, not the values
+};
+
+SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);
+
+// Loads with their values, and the values of supports. `values` stand for those that the host gives by functions.
+std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values);
+
+}  // namespace bempd::model

@@ -1,0 +1,260 @@
+/* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
+#include "scenes.h"
+
+/* The layout of format version 2: a head, numbers, then arrays that begin with the count of their entries. */
+enum {
+  offset_version = 12,
+  offset_load_factor = 16 + 3 * 8,
+  offset_in_equilibrium = offset_load_factor + 8,
+  offset_events = offset_in_equilibrium + 2,
+  offset_arrays = offset_events + 3 * 8 + 7 * 8
+};
+enum { displacement, total_displacement, total_force, intact, springs, unloaded, history, reactions, array_count };
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 72, 8};
+
+typedef struct bytes {
+  uint8_t* data;
+  int64_t size;
+  int64_t begin[array_count]; /**< of each array's count */
+  int64_t count[array_count];
+} bytes;
+
+static bytes copy_of(const bytes* source) {
+  bytes copy = *source;
+  copy.data = (uint8_t*)malloc((size_t)source->size + 128);
+  if (copy.data == NULL) abort();
+  memcpy(copy.data, source->data, (size_t)source->size);
+  return copy;
+}
+
+static bytes bytes_of(bempd_model* model) {
+  bempd_state* state = NULL;
+  bytes saved;
+  int64_t place = offset_arrays;
+  int array;
+  memset(&saved, 0, sizeof saved);
+  CHECK_OK(model, bempd_state_save(model, &state));
+  CHECK_OK(NULL, bempd_state_to_bytes(state, 0, NULL, &saved.size));
+  saved.data = (uint8_t*)malloc((size_t)saved.size + 128);
+  if (saved.data == NULL) abort();
+  CHECK_OK(NULL, bempd_state_to_bytes(state, saved.size, saved.data, NULL));
+  bempd_state_free(state);
+  for (array = 0; array < array_count; ++array) {
+    saved.begin[array] = place;
+    memcpy(&saved.count[array], saved.data + place, 8);
+    place += 8 + entry_size[array] * saved.count[array];
+  }
+  CHECK(place + 8 == saved.size);
+  return saved;
+}
+
+/** FNV-1a, 64 bits, over all but the last eight bytes. */
+static void sign(bytes* altered) {
+  uint64_t sum = 14695981039346656037ULL;
+  int64_t k;
+  for (k = 0; k < altered->size - 8; ++k) sum = (sum ^ altered->data[k]) * 1099511628211ULL;
+  memcpy(altered->data + altered->size - 8, &sum, 8);
+}
+
+/** Reading or restoring fails as an argument error, and the model goes on as if nothing had been asked. */
+static void expect_refusal(bempd_model* model, bytes* altered, const char* what) {
+  bempd_state* state = NULL;
+  uint8_t* block = (uint8_t*)malloc((size_t)altered->size);
+  double before = 0.0, after = 1.0;
+  bempd_status status;
+  if (block == NULL) abort();
+  sign(altered);
+  memcpy(block, altered->data, (size_t)altered->size);
+  status = bempd_state_from_bytes(altered->size, block, &state);
+  free(block);
+  CHECK_OK(model, bempd_load_factor(model, &before));
+  if (status == BEMPD_OK) status = bempd_state_restore(model, state);
+  if (status != BEMPD_ERROR_ARGUMENT) fprintf(stderr, "altered: %s\n", what);
+  CHECK(status == BEMPD_ERROR_ARGUMENT);
+  CHECK_OK(model, bempd_load_factor(model, &after));
+  CHECK(before == after);
+  bempd_state_free(state);
+  free(altered->data);
+}
+
+static void arrays_of_other_lengths_are_refused(bempd_model* model, const bytes* saved) {
+  int array;
+  int longer;
+  for (array = 0; array < array_count; ++array) {
+    if (array == springs) continue; /* a piece may be held by any number of them */
+    for (longer = 0; longer <= 1; ++longer) {
+      bytes altered = copy_of(saved);
+      const int64_t size = entry_size[array];
+      const int64_t first = saved->begin[array] + 8;
+      const int64_t count = saved->count[array] + (longer ? 1 : -1);
+      if (count < 0) {
+        free(altered.data);
+        continue;
+      }
+      memcpy(altered.data + saved->begin[array], &count, 8);
+      if (longer) {
+        memmove(altered.data + first + size, altered.data + first, (size_t)(saved->size - first));
+        if (saved->count[array] == 0) memset(altered.data + first, 0, (size_t)size);
+        altered.size += size;
+      } else {
+        memmove(altered.data + first, altered.data + first + size, (size_t)(saved->size - first - size));
+        altered.size -= size;
+      }
+      expect_refusal(model, &altered, longer ? "an array with an entry more" : "an array with an entry less");
+    }
+  }
+}
+
+static void huge_counts_are_refused(bempd_model* model, const bytes* saved) {
+  const uint64_t counts[] = {UINT64_MAX, (uint64_t)1 << 63, (uint64_t)1 << 61, (uint64_t)saved->size};
+  int array;
+  size_t k;
+  for (array = 0; array < array_count; ++array)
+    for (k = 0; k < sizeof counts / sizeof counts[0]; ++k) {
+      bytes altered = copy_of(saved);
+      memcpy(altered.data + saved->begin[array], &counts[k], 8);
+      expect_refusal(model, &altered, "an array with a huge count");
+    }
+}
+
+static void put_double(bempd_model* model, const bytes* saved, int64_t place, double value, const char* what) {
+  bytes altered = copy_of(saved);
+  memcpy(altered.data + place, &value, 8);
+  expect_refusal(model, &altered, what);
+}
+
+static void put_byte(bempd_model* model, const bytes* saved, int64_t place, uint8_t value, const char* what) {
+  bytes altered = copy_of(saved);
+  altered.data[place] = value;
+  expect_refusal(model, &altered, what);
+}
+
+static void put_count(bempd_model* model, const bytes* saved, int64_t place, int64_t value, const char* what) {
+  bytes altered = copy_of(saved);
+  memcpy(altered.data + place, &value, 8);
+  expect_refusal(model, &altered, what);
+}
+
+static void numbers_have_to_be_finite(bempd_model* model, const bytes* saved) {
+  const int arrays[] = {displacement, total_displacement, total_force, reactions};
+  size_t k;
+  for (k = 0; k < sizeof arrays / sizeof arrays[0]; ++k) {
+    const int64_t last = saved->begin[arrays[k]] + 8 * saved->count[arrays[k]];
+    put_double(model, saved, saved->begin[arrays[k]] + 8, NAN, "a number that is none");
+    put_double(model, saved, last, INFINITY, "an infinite number");
+  }
+  put_double(model, saved, offset_load_factor, NAN, "the load factor");
+  put_double(model, saved, saved->begin[history] + 8 + 16, NAN, "the load factor of a line of the history");
+}
+
+static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved) {
+  int64_t k;
+  put_byte(model, saved, saved->begin[intact] + 8, 2, "a bond's flag");
+  put_byte(model, saved, saved->begin[unloaded] + 8, 255, "a node's flag");
+  put_byte(model, saved, offset_in_equilibrium, 2, "in_equilibrium");
+  put_byte(model, saved, offset_in_equilibrium + 1, 17, "separated");
+  for (k = 0; k < 3; ++k) put_count(model, saved, offset_events + 8 * k, -1, "a negative count");
+  put_count(model, saved, saved->begin[history] + 8, -1, "a negative event");
+  /* As many broken bonds as are counted, and those cut at first among them. */
+  put_count(model, saved, offset_events + 8, 1000, "the count of broken bonds");
+  for (k = 0; k < saved->count[intact]; ++k) {
+    const int64_t place = saved->begin[intact] + 8 + k;
+    if (k % 7 == 0) put_byte(model, saved, place, saved->data[place] ? 0 : 1, "a bond broken or mended");
+  }
+}
+
+static void springs_are_checked(bempd_model* model, const bytes* saved) {
+  const int64_t first = saved->begin[springs] + 8;
+  const int32_t nodes[] = {-1, (int32_t)(saved->count[unloaded]), INT32_MAX, INT32_MIN};
+  size_t k;
+  CHECK(saved->count[springs] > 0);
+  for (k = 0; k < sizeof nodes / sizeof nodes[0]; ++k) {
+    bytes altered = copy_of(saved);
+    memcpy(altered.data + first, &nodes[k], 4);
+    expect_refusal(model, &altered, "the node of a spring");
+  }
+  put_double(model, saved, first + 4, 3.0, "the direction of a spring");
+  put_double(model, saved, first + 12, NAN, "the direction of a spring");
+  put_double(model, saved, first + 20, -1.0, "the stiffness of a spring");
+  put_double(model, saved, first + 20, INFINITY, "the stiffness of a spring");
+  put_double(model, saved, first + 28, NAN, "the anchor of a spring");
+}
+
+static void other_versions_are_refused(const bytes* saved) {
+  bytes altered = copy_of(saved);
+  const uint32_t version = 1;
+  bempd_state* state = NULL;
+  memcpy(altered.data + offset_version, &version, 4);
+  sign(&altered);
+  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "version 1", bempd_state_from_bytes(altered.size, altered.data, &state));
+  CHECK(state == NULL);
+  free(altered.data);
+}
+
+/** A piece that cracks cut off is held by springs, the other one pulled until bonds break; built twice alike. */
+static bempd_model* torn_block(void) {
+  bempd_model* model = pd_block();
+  const double cuts[] = {7.5, 0.0, 7.5, 8.0};
+  const double notch[] = {3.5, 0.0, 3.5, 3.5};
+  const double pull = 1.0;
+  CHECK_OK(model, bempd_add_crack(model, 2, cuts, NULL));
+  CHECK_OK(model, bempd_add_crack(model, 2, notch, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_prescribe_edge(model, 1, 1, 0.6, 0.7, BEMPD_X, 1, NULL, &pull, NULL));
+  CHECK_OK(model, bempd_step_to_next_event(model, 100.0, NULL));
+  return model;
+}
+
+/** Nothing of a state comes from what lay in memory before. */
+static void equal_states_give_equal_bytes(void) {
+  bempd_model* one = torn_block();
+  bytes of_one = bytes_of(one);
+  void* used = malloc(100000);
+  bempd_model* other;
+  bytes of_other;
+  if (used == NULL) abort();
+  memset(used, 0xAB, 100000);
+  free(used);
+  other = torn_block();
+  of_other = bytes_of(other);
+  CHECK(of_one.size == of_other.size && memcmp(of_one.data, of_other.data, (size_t)of_one.size) == 0);
+  free(of_one.data);
+  free(of_other.data);
+  bempd_model_free(one);
+  bempd_model_free(other);
+}
+
+/** Every byte set to something else: whatever comes of it, it is an answer. */
+static void altered_bytes_do_no_harm(bempd_model* model, const bytes* saved) {
+  uint32_t seed = 7;
+  int64_t k;
+  for (k = 16; k < saved->size - 8; k += 1 + saved->size / 400) {
+    bytes altered = copy_of(saved);
+    bempd_state* state = NULL;
+    bempd_status status;
+    seed = seed * 1664525u + 1013904223u;
+    altered.data[k] = (uint8_t)(seed >> 24);
+    sign(&altered);
+    status = bempd_state_from_bytes(altered.size, altered.data, &state);
+    if (status == BEMPD_OK) status = bempd_state_restore(model, state);
+    CHECK(status == BEMPD_OK || status == BEMPD_ERROR_ARGUMENT);
+    bempd_state_free(state);
+    free(altered.data);
+  }
+}
+
+int main(void) {
+  bempd_model* model = torn_block();
+  bytes saved = bytes_of(model);
+  arrays_of_other_lengths_are_refused(model, &saved);
+  huge_counts_are_refused(model, &saved);
+  numbers_have_to_be_finite(model, &saved);
+  flags_and_counts_are_checked(model, &saved);
+  springs_are_checked(model, &saved);
+  other_versions_are_refused(&saved);
+  equal_states_give_equal_bytes();
+  altered_bytes_do_no_harm(model, &saved);
+  free(saved.data);
+  bempd_model_free(model);
+  return check_finish();
+}

@@ -1,0 +1,194 @@
+"""Random bodies of boundary element and peridynamic boxes, torn with windows and without: both must break the same bonds at
+the same loads, with equilibrium and energy balance held to stated bounds.
+
+    random_scenes.py [--first SEED] [--count N] [--verbose]
+
+A scene follows from its number alone. Prints one line for every scene that fails and a summary; exits with 1 if any does."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import random
+import sys
+from typing import Any, Optional
+
+import numpy as np
+
+import bempd
+
+# An answer whose forces or energies are off by more is no answer.
+MOST_RESIDUAL, MOST_IMBALANCE = 1e-8, 1e-8
+# In which windows and plain solutions may differ, relative to the largest value.
+LOADS, ENERGIES, REACTIONS = 1e-7, 1e-6, 1e-6
+EVENTS = 40
+
+
+@dataclasses.dataclass
+class Outcome:
+    error: Optional[str]
+    history: Any
+    reactions: list[np.ndarray]
+    reports: list[bempd.StepReport]
+
+
+def add_cracks(model: bempd.Model, boxes: list[tuple[int, int]], columns: list[str], height: int,
+               choose: random.Random) -> None:
+    for _ in range(choose.choice((0, 1, 1, 1, 2, 4, 12))):
+        inner = [box for box, kind in zip(boxes, columns) if kind == "lattice"]
+        if not inner:
+            return
+        left, right = choose.choice(inner)
+        x = choose.randrange(left, right) + 0.5
+        low = choose.choice((0, choose.randrange(0, height - 1) + 0.5))
+        high = choose.randrange(int(low), height) + 0.5
+        if high > low:
+            slant = choose.choice((0, 0, 0.31, -0.27))
+            far = min(max(x + slant * (high - low), left + 0.03), right - 0.03)
+            model.add_crack([(x, low), (far, high)])
+
+
+def build(seed: int, solver: str) -> tuple[bempd.Model, int, float]:
+    choose = random.Random(seed)
+    model = bempd.Model(options={"stepping.solver": solver,
+                                 "stepping.tie_band": choose.choice((1e-3, 1e-3, 0.0, 0.02))})
+    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    height, horizon = choose.randrange(4, 16), choose.choice((2, 3, 3, 4))
+    columns = [choose.choice(("lattice", "lattice", "boundary")) for _ in range(choose.randrange(1, 5))]
+    boxes, x = [], 0
+    for _ in columns:
+        boxes.append((x, x + choose.randrange(3, 16)))
+        x = boxes[-1][1]
+    regions = []
+    for (left, right), kind in zip(boxes, columns):
+        outline = bempd.rectangle(left, 0, right, height)
+        if kind == "lattice":
+            regions.append(model.add_pd_region(glass, outline, 1, horizon))
+        else:
+            regions.append(model.add_bem_region(glass, outline, choose.choice((2.0, 4.0))))
+    for k, kind in enumerate(columns):
+        for neighbour, edge in ((k - 1, 4), (k + 1, 2)):
+            touches = kind == "boundary" and 0 <= neighbour < len(columns) and columns[neighbour] == "lattice"
+            if touches and choose.random() < 0.4:
+                model.set_edge_mesh(regions[k], edge, choose.choice((1.3, 2.0, 3.1)))
+    add_cracks(model, boxes, columns, height, choose)
+    supports = add_conditions(model, regions, columns, height, boxes, choose)
+    return model, supports, choose.choice((1.0, 1.0, 3.0))
+
+
+def add_conditions(model: bempd.Model, regions: list[int], columns: list[str], height: int,
+                   boxes: list[tuple[int, int]], choose: random.Random) -> int:
+    model.fix_edge(regions[0], 4, choose.choice(("both", "both", "x")))
+    if model_is_loose := choose.random() < 0.5:
+        model.fix_point((0, 0), "y")
+    supports = 2 if model_is_loose else 1
+    end = regions[-1]
+    way = choose.randrange(6)
+    if way < 3:
+        model.prescribe_edge(end, 2, choose.choice("xxy"), 1e-3 * boxes[-1][1])
+        supports += 1
+    elif way == 3:
+        model.add_traction(end, 2, "x", 1e-3)
+    elif way == 4:
+        model.add_traction(end, 2, choose.choice("xy"), 1e-3, constant=choose.choice((0, 3e-4)))
+    else:
+        model.add_point_force((boxes[-1][1], height), choose.choice("xy"), 4e-3)
+    middle = choose.randrange(len(regions))
+    edge = choose.choice((1, 3))
+    if choose.random() < 0.3:
+        model.prescribe_edge(regions[middle], edge, choose.choice("xy"), choose.choice((0, 2e-3)),
+                             constant=choose.choice((0, 1e-3)), part=choose.choice(((0, 1), (0.25, 0.5))))
+        supports += 1
+    if columns[middle] == "boundary" and len(regions) > 1 and choose.random() < 0.2:
+        model.prescribe_edge(regions[middle], 4 if middle else 2, "y", 1e-3)
+        supports += 1
+    return supports
+
+
+def run(seed: int, solver: str) -> Outcome:
+    reports: list[bempd.StepReport] = []
+    reactions: list[np.ndarray] = []
+    error = None
+    try:
+        model, supports, limit = build(seed, solver)
+    except bempd.ArgumentError as refused:  # of both solvers alike
+        return Outcome(str(refused), None, [], [])
+    try:
+        for _ in range(EVENTS):
+            report = model.step_to_next_event(1e9 * limit)
+            reports.append(report)
+            reactions.append(np.array([model.reaction(s) for s in range(1, supports + 1)]))
+            if report.stop_reason != bempd.StopReason.EVENT:
+                break
+    except bempd.Error as failed:
+        error = f"{type(failed).__name__}: {failed}"
+    history = model.history() if reports else None
+    model.close()
+    return Outcome(error, history, reactions, reports)
+
+
+def unsound(outcome: Outcome) -> Optional[str]:
+    for number, report in enumerate(outcome.reports, 1):
+        values = [getattr(report, name) for name in ("load_factor", "stored_energy", "released_energy", "work",
+                                                     "energy_balance_error", "residual")]
+        if not np.isfinite(values).all():
+            return f"event {number}: a value is not finite"
+        if report.residual > MOST_RESIDUAL:
+            return f"event {number}: residual {report.residual:.2g}"
+        if report.energy_balance_error > MOST_IMBALANCE:
+            return f"event {number}: energy balance {report.energy_balance_error:.2g}"
+    return None
+
+
+def difference(plain: Outcome, window: Outcome) -> Optional[str]:
+    if plain.error != window.error:
+        return f"plain: {plain.error}; window: {window.error}"
+    if len(plain.reports) != len(window.reports):
+        return f"{len(plain.reports)} events, with windows {len(window.reports)}"
+    largest_energy = max((abs(r.work) for r in plain.reports), default=0)
+    size = max((np.abs(r).max() for r in plain.reactions), default=0) + 1e-300
+    for number, (a, b) in enumerate(zip(plain.reports, window.reports), 1):
+        if a.total_broken_bonds != b.total_broken_bonds or a.stop_reason != b.stop_reason:
+            return (f"event {number}: {a.total_broken_bonds} bonds, {a.stop_reason.name}; with windows "
+                    f"{b.total_broken_bonds}, {b.stop_reason.name}")
+        if abs(a.load_factor - b.load_factor) > LOADS * abs(a.load_factor):
+            return f"event {number}: load factor {a.load_factor} and {b.load_factor}"
+        for name in ("stored_energy", "released_energy", "work"):
+            if abs(getattr(a, name) - getattr(b, name)) > ENERGIES * largest_energy:
+                return f"event {number}: {name} {getattr(a, name)} and {getattr(b, name)}"
+        off = np.abs(plain.reactions[number - 1] - window.reactions[number - 1]).max()
+        if off > REACTIONS * size:
+            return f"event {number}: reactions differ by {off / size:.2g}"
+    if plain.history is not None:
+        for name in plain.history.dtype.names:
+            if name in ("residual", "energy_balance_error"):
+                continue
+            a, b = plain.history[name].astype(float), window.history[name].astype(float)
+            size = np.abs(a).max() if len(a) else 0
+            if len(a) != len(b) or np.abs(a - b).max(initial=0) > ENERGIES * size:
+                return f"history: {name} differs"
+    return None
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--verbose", action="store_true")
+    arguments = parser.parse_args()
+    failed = compared = refused = 0
+    for seed in range(arguments.first, arguments.first + arguments.count):
+        plain, window = run(seed, "plain"), run(seed, "window")
+        finding = unsound(plain) or unsound(window) or difference(plain, window)
+        compared += len(plain.reports)
+        refused += 1 if plain.error else 0
+        failed += 1 if finding else 0
+        if finding:
+            print(f"scene {seed}: {finding}", flush=True)
+        elif arguments.verbose:
+            print(f"scene {seed}: {len(plain.reports)} events, {plain.error}", flush=True)
+    print(f"{arguments.count} scenes, {compared} events compared, {refused} ended with an error, {failed} failed")
+    return 1 if failed else 0
+
+
+sys.exit(main())

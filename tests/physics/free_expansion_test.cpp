@@ -1,0 +1,167 @@
+// A body whose bonds all want to be longer by the same share, and whose boundary element regions want to swell by it,
+// expands freely: the displacement is eps x and nothing carries a force, up to faces, holes and interfaces.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "coupling/equilibrium_system.hpp"
+#include "model/discretization.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace bempd::model;
+
+constexpr double eps = 1e-3;
+
+std::vector<Point> rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+int add_material(Scene& scene) {
+  Material material;
+  material.elasticity = {30e9, bond_based_poisson_ratio(PlaneState::stress), PlaneState::stress, 0.02};
+  return scene.add_material(material);
+}
+
+Scene lattice_with_hole() {
+  Scene scene;
+  const int region = scene.add_lattice_region(add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
+  scene.add_hole(region, {{8, 5}, {8, 9}, {13, 9}, {13, 5}});
+  return scene;
+}
+
+Scene two_lattices() {
+  Scene scene;
+  const int id = add_material(scene);
+  scene.add_lattice_region(id, rectangle(0, 0, 10, 12), 1.0, 4);
+  scene.add_lattice_region(id, rectangle(10, 0, 22, 12), 1.0, 3);
+  return scene;
+}
+
+Scene lattice_between_boundary_regions() {
+  Scene scene;
+  const int id = add_material(scene);
+  scene.add_boundary_region(id, rectangle(0, 0, 4, 8), 2.0);
+  scene.add_lattice_region(id, rectangle(4, 0, 16, 8), 1.0, 3);
+  scene.add_boundary_region(id, rectangle(16, 0, 20, 8), 4.0);
+  return scene;
+}
+
+Scene lattice_in_a_plate() {
+  Scene scene;
+  const int id = add_material(scene);
+  const int plate = scene.add_boundary_region(id, rectangle(0, 0, 24, 20), 4.0);
+  scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
+  scene.add_lattice_region(id, rectangle(6, 5, 16, 15), 1.0, 4);
+  return scene;
+}
+
+// Two elements meet twelve spacings: the lattice points between are tied.
+Scene lattice_tied_to_a_boundary_region() {
+  Scene scene;
+  const int id = add_material(scene);
+  const int left = scene.add_boundary_region(id, rectangle(0, 0, 6, 12), 3.0);
+  scene.set_edge_mesh(left, 2, {3, 1});
+  scene.add_lattice_region(id, rectangle(6, 0, 20, 12), 1.0, 3);
+  return scene;
+}
+
+struct Case {
+  const char* name;
+  Scene (*scene)();
+};
+
+class FreeExpansion : public testing::TestWithParam<Case> {
+ protected:
+  FreeExpansion() : d(discretize(GetParam().scene(), Options())) {
+    for (std::size_t b = 0; b < d.bonds.size(); ++b) {
+      d.bonds.set_rest_elongation(static_cast<int>(b), eps * d.bonds.length[b]);
+      largest_force = std::max(largest_force, d.bonds.stiffness[b] * eps * d.bonds.length[b]);
+    }
+    operators = d.dense_operators();
+    for (coupling::DenseOperator& op : operators) {
+      op.rest.setZero(2 * static_cast<Eigen::Index>(op.nodes.size()), 2);
+      for (std::size_t i = 0; i < op.nodes.size(); ++i) {
+        op.rest.block<2, 1>(2 * static_cast<Eigen::Index>(i), 0) = eps * d.positions[op.nodes[i]];
+      }
+    }
+    // Held where it may turn and move, on points of its lower edge.
+    std::vector<char> held(2 * d.positions.size(), 0);
+    int corner = 0, other = 0;
+    for (int n = 0; n < static_cast<int>(d.positions.size()); ++n) {
+      if (d.positions[n].norm() < d.positions[corner].norm()) corner = n;
+    }
+    for (int n = 0; n < static_cast<int>(d.positions.size()); ++n) {
+      const bool level = d.positions[n].y() == d.positions[corner].y() && d.ties.tie_of(n) < 0;
+      if (level && d.positions[n].x() > d.positions[other].x()) other = n;
+    }
+    held[2 * corner] = held[2 * corner + 1] = held[2 * other + 1] = 1;
+    origin = d.positions[corner];
+    system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), operators, d.bonds,
+                                                           held, d.ties);
+  }
+
+  void expect_free_expansion(const char* when) const {
+    const coupling::Affine u = system->solve();
+    EXPECT_EQ(u.col(1).norm(), 0);
+    double displacement = 0, size = 0, bond_force = 0;
+    for (std::size_t n = 0; n < d.positions.size(); ++n) {
+      const Point wanted = eps * (d.positions[n] - origin);
+      size = std::max(size, wanted.norm());
+      displacement = std::max(displacement, (u.block<2, 1>(2 * static_cast<Eigen::Index>(n), 0) - wanted).norm());
+    }
+    for (std::size_t b = 0; b < d.bonds.size(); ++b) {
+      const double tension = d.bonds.tension(b, system->present_stiffness()[b], u.col(0).data(), 0);
+      bond_force = std::max(bond_force, std::abs(tension));
+    }
+    const double node_force = system->internal_force(u.col(0)).cwiseAbs().maxCoeff();
+    const double energy = system->energy(u.col(0)) / (largest_force * eps);
+    std::printf(
+        "%s, %s, %zu nodes tied: error of displacement %.1e, bond force %.1e, nodal force %.1e, energy %.1e "
+        "(reference: 0)\n",
+        GetParam().name, when, d.ties.nodes().size(), displacement / size, bond_force / largest_force,
+        node_force / largest_force, energy);
+    EXPECT_LE(displacement, 1e-12 * size);
+    EXPECT_LE(bond_force, 1e-12 * largest_force);
+    EXPECT_LE(node_force, 1e-12 * largest_force);
+    EXPECT_LE(energy, 1e-20);
+  }
+
+  Discretization d;
+  std::vector<coupling::DenseOperator> operators;
+  double largest_force = 0;  // of a bond that is kept from expanding
+  Point origin;
+  std::unique_ptr<coupling::EquilibriumSystem> system;
+};
+
+TEST_P(FreeExpansion, is_without_stress_also_along_a_crack) {
+  EXPECT_EQ(d.ties.empty(), GetParam().scene != lattice_tied_to_a_boundary_region);
+  expect_free_expansion("whole");
+  // A crack across the fifth row of points.
+  std::vector<int> cut;
+  for (std::size_t b = 0; b < d.bonds.size(); ++b) {
+    const Point &a = d.positions[d.bonds.first[b]], &e = d.positions[d.bonds.second[b]];
+    const double middle = 0.5 * (a.x() + e.x());
+    if ((a.y() - 6.5) * (e.y() - 6.5) < 0 && middle > 5 && middle < 9) cut.push_back(static_cast<int>(b));
+  }
+  ASSERT_FALSE(cut.empty());
+  system->mark_broken(cut);
+  system->commit_break(cut, {});
+  expect_free_expansion("cracked");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, FreeExpansion,
+                         testing::Values(Case{"lattice with a hole", lattice_with_hole},
+                                         Case{"two lattices", two_lattices},
+                                         Case{"lattice between boundary regions", lattice_between_boundary_regions},
+                                         Case{"tied lattice", lattice_tied_to_a_boundary_region},
+                                         Case{"lattice in a plate", lattice_in_a_plate}),
+                         [](const auto& instance) {
+                           std::string name = instance.param.name;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+}  // namespace
