@@ -651,7 +651,7 @@ BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, in
 typedef struct bempd_statistics {
   int64_t struct_size;           /**< sizeof(bempd_statistics), set by bempd_statistics_init() */
   int64_t boundary_nodes;        /**< nodes of all BEM regions */
-  int64_t boundary_elements;     /**< elements of all BEM regions */
+  int64_t boundary_elements;     /**< elements of all BEM regions, with those on cracks */
   int64_t material_points;       /**< points of all PD regions */
   int64_t bonds;                 /**< bonds of all PD regions */
   int64_t cut_bonds;             /**< bonds cut by initial cracks */

@@ -44,7 +44,9 @@ double turn(const CrackLine& line, std::size_t vertex) {
 template <class Limit>
 void halve(double from, double to, double length, const Limit& limit, int depth, std::vector<double>& ends) {
   const double middle = 0.5 * (from + to);
-  if (depth < most_halvings && length > std::min({limit(from), limit(middle), limit(to)})) {
+  // Rounding must not halve one of two that are alike.
+  constexpr double slack = 1 + 1e-9;
+  if (depth < most_halvings && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
     halve(from, middle, 0.5 * length, limit, depth + 1, ends);
     halve(middle, to, 0.5 * length, limit, depth + 1, ends);
     return;

@@ -166,6 +166,7 @@ std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) c
 void BoundaryRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.boundary_nodes += static_cast<std::int64_t>(mesh_.nodes.size());
   statistics.boundary_elements += static_cast<std::int64_t>(mesh_.elements.size());
+  if (cracks_) statistics.boundary_elements += static_cast<std::int64_t>(cracks_->elements().elements.size());
   statistics.seconds_boundary += seconds_preparing;
   if (statistics.counted.insert(operator_.get()).second)
     statistics.kernel_evaluations += operator_->kernel_evaluations();
