@@ -26,7 +26,7 @@ class MinimumNormSolver {
     VectorXd lambda, change;  // change = B^T lambda
   };
   virtual ~MinimumNormSolver() = default;
-  virtual Step solve(VectorXd r, int& steps) const = 0;
+  virtual Step solve(VectorXd r) const = 0;
 };
 
 // Complete orthogonal decomposition, for a few equations that may be close to dependent.
@@ -38,8 +38,7 @@ class DenseSolver final : public MinimumNormSolver {
     rows_.compute(Eigen::MatrixXd(b));
     columns_.compute(Eigen::MatrixXd(b.transpose()));
   }
-  Step solve(VectorXd r, int& steps) const override {
-    ++steps;
+  Step solve(VectorXd r) const override {
     const VectorXd change = rows_.solve(r);
     return {columns_.solve(change), change};
   }
@@ -63,7 +62,7 @@ class SparseSolver final : public MinimumNormSolver {
     factor_.compute(normal);
   }
 
-  Step solve(VectorXd r, int& steps) const override {
+  Step solve(VectorXd r) const override {
     Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
     VectorXd z = precondition(r), p = z;
     double rz = r.dot(z);
@@ -78,7 +77,6 @@ class SparseSolver final : public MinimumNormSolver {
       s.lambda += alpha * p;
       s.change += alpha * q;
       r -= alpha * (b_ * q);
-      ++steps;
       if (r.lpNorm<Eigen::Infinity>() <= goal) break;
       z = precondition(r);
       const double next = r.dot(z);
@@ -106,7 +104,7 @@ struct Candidate {
 };
 
 // Least change with some of the values held at the bound.
-Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held, int& steps) {
+Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held) {
   Candidate c{problem.start, VectorXd::Zero(problem.target.size()), 0};
   VectorXd free_scale = problem.scale;
   for (std::size_t i = 0; i < held.size(); ++i) {
@@ -124,7 +122,7 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   VectorXd missing = problem.target - problem.constraints * c.values;
   c.residual = largest(missing);
   for (int round = 0; round < 30 && c.residual > rounding; ++round) {
-    const MinimumNormSolver::Step step = solver->solve(missing, steps);
+    const MinimumNormSolver::Step step = solver->solve(missing);
     const VectorXd next = c.values + free_scale.cwiseProduct(step.change);
     missing = problem.target - problem.constraints * next;
     const double residual = largest(missing), before = c.residual;
@@ -147,7 +145,7 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   std::vector<char> held(problem.start.size(), 0);
   const bool bounded = std::isfinite(problem.lower);
   for (int round = 0; round < 30; ++round) {
-    const Candidate c = solve_with_held(problem, held, result.conjugate_steps);
+    const Candidate c = solve_with_held(problem, held);
     result.values = c.values;
     result.residual = c.residual;
     const VectorXd pull = problem.constraints.transpose() * c.lambda;

@@ -16,8 +16,7 @@ struct LeastChange {
 
 struct LeastChangeResult {
   Eigen::VectorXd values;
-  double residual = 0;      // largest |A x - b|
-  int conjugate_steps = 0;  // over all solves
+  double residual = 0;  // largest |A x - b|
 };
 
 LeastChangeResult solve_least_change(const LeastChange& problem);

@@ -75,10 +75,8 @@ const OptionDescription& describe(std::string_view name) {
   fail(Failure::argument, "there is no option '", name, "'; near names are ", near_names(name));
 }
 
-}  // namespace
-
-const std::vector<OptionDescription>& option_descriptions() {
-  static const std::vector<OptionDescription> all = {
+std::vector<OptionDescription> discretization_options() {
+  return {
       text_option("accuracy",
                   "Defaults of bem.quadrature_tolerance and stepping.tie_band: draft, 1e-6 for the first; standard, "
                   "their own; fine, 1e-15 and 0. A value set by hand stands, before or after.",
@@ -113,6 +111,11 @@ const std::vector<OptionDescription>& option_descriptions() {
                   "re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(); none. Scheme paper "
                   "has none.",
                   "auto | none", "auto"),
+  };
+}
+
+std::vector<OptionDescription> stepping_options() {
+  return {
       text_option(
           "stepping.mode",
           "How bonds break: event, the most stretched first at the load factor they reach, until none is "
@@ -139,6 +142,16 @@ const std::vector<OptionDescription>& option_descriptions() {
                     true),
       number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),
   };
+}
+
+}  // namespace
+
+const std::vector<OptionDescription>& option_descriptions() {
+  static const std::vector<OptionDescription> all = [] {
+    std::vector<OptionDescription> options = discretization_options();
+    for (const OptionDescription& option : stepping_options()) options.push_back(option);
+    return options;
+  }();
   return all;
 }
 

@@ -6,12 +6,17 @@
 #include <cstdio>
 
 #include "coupling/equilibrium_system.hpp"
-#include "model/discretization.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/discretization.hpp"
+#include "regions/lattice/lattice_description.hpp"
 
 namespace {
 
 using namespace bempd;
-using namespace bempd::model;
+using namespace bempd::regions;
+using scene::Material;
+using scene::Options;
+using scene::Scene;
 
 constexpr double eps = 1e-3;
 
@@ -27,7 +32,7 @@ int add_material(Scene& scene) {
 
 Scene lattice_with_hole() {
   Scene scene;
-  const int region = scene.add_lattice_region(add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
+  const int region = add_lattice_region(scene, add_material(scene), rectangle(0, 0, 20, 14), 1.0, 3);
   scene.add_hole(region, {{8, 5}, {8, 9}, {13, 9}, {13, 5}});
   return scene;
 }
@@ -35,26 +40,26 @@ Scene lattice_with_hole() {
 Scene two_lattices() {
   Scene scene;
   const int id = add_material(scene);
-  scene.add_lattice_region(id, rectangle(0, 0, 10, 12), 1.0, 4);
-  scene.add_lattice_region(id, rectangle(10, 0, 22, 12), 1.0, 3);
+  add_lattice_region(scene, id, rectangle(0, 0, 10, 12), 1.0, 4);
+  add_lattice_region(scene, id, rectangle(10, 0, 22, 12), 1.0, 3);
   return scene;
 }
 
 Scene lattice_between_boundary_regions() {
   Scene scene;
   const int id = add_material(scene);
-  scene.add_boundary_region(id, rectangle(0, 0, 4, 8), 2.0);
-  scene.add_lattice_region(id, rectangle(4, 0, 16, 8), 1.0, 3);
-  scene.add_boundary_region(id, rectangle(16, 0, 20, 8), 4.0);
+  add_boundary_region(scene, id, rectangle(0, 0, 4, 8), 2.0);
+  add_lattice_region(scene, id, rectangle(4, 0, 16, 8), 1.0, 3);
+  add_boundary_region(scene, id, rectangle(16, 0, 20, 8), 4.0);
   return scene;
 }
 
 Scene lattice_in_a_plate() {
   Scene scene;
   const int id = add_material(scene);
-  const int plate = scene.add_boundary_region(id, rectangle(0, 0, 24, 20), 4.0);
+  const int plate = add_boundary_region(scene, id, rectangle(0, 0, 24, 20), 4.0);
   scene.add_hole(plate, {{6, 5}, {6, 15}, {16, 15}, {16, 5}});
-  scene.add_lattice_region(id, rectangle(6, 5, 16, 15), 1.0, 4);
+  add_lattice_region(scene, id, rectangle(6, 5, 16, 15), 1.0, 4);
   return scene;
 }
 
@@ -62,9 +67,9 @@ Scene lattice_in_a_plate() {
 Scene lattice_tied_to_a_boundary_region() {
   Scene scene;
   const int id = add_material(scene);
-  const int left = scene.add_boundary_region(id, rectangle(0, 0, 6, 12), 3.0);
+  const int left = add_boundary_region(scene, id, rectangle(0, 0, 6, 12), 3.0);
   scene.set_edge_mesh(left, 2, {3, 1});
-  scene.add_lattice_region(id, rectangle(6, 0, 20, 12), 1.0, 3);
+  add_lattice_region(scene, id, rectangle(6, 0, 20, 12), 1.0, 3);
   return scene;
 }
 

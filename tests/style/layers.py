@@ -1,0 +1,41 @@
+"""Arrows run down only: a source file includes its own folder and those below it.
+
+    layers.py ROOT
+
+The folders of src/ by height; those of the same height do not know each other. Files directly in src/ belong to all."""
+
+from __future__ import annotations
+
+import pathlib
+import re
+import sys
+
+HEIGHT = {"capi": 8, "model": 7, "paper": 6, "results": 6, "regions": 5, "fracture": 5, "scene": 4, "coupling": 3, "bem": 2,
+          "pd": 2, "elasticity": 1, "output": 1, "geometry": 0, "linalg": 0}
+
+# Where a folder is registered with one above it, and why.
+EXCEPTIONS: dict[tuple[str, str], str] = {}
+
+
+def main() -> int:
+    source = pathlib.Path(sys.argv[1]) / "src"
+    complaints = []
+    for path in sorted(p for ending in ("*.cpp", "*.hpp") for p in source.rglob(ending)):
+        name = path.relative_to(source).as_posix()
+        own = name.split("/")[0] if "/" in name else None
+        if own is not None and own not in HEIGHT:
+            complaints.append(f"{name}: the folder {own} has no place among the layers")
+            continue
+        for line, included in re.findall(r'^(#include "([^"]+)")', path.read_text(), re.MULTILINE):
+            if own != "capi" and included == "bempd.h":
+                complaints.append(f"{name}: includes the C header")
+            other = included.split("/")[0]
+            if own is None or "/" not in included or other == own or (name, other) in EXCEPTIONS:
+                continue
+            if HEIGHT.get(other, 99) >= HEIGHT[own]:
+                complaints.append(f"{name}: {line} goes up or sideways")
+    print("\n".join(complaints) or "all arrows run down")
+    return 1 if complaints else 0
+
+
+sys.exit(main())
