@@ -647,6 +647,31 @@ BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_
 BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                            double* normal, double* tangential);
 
+/** @brief What bempd_grow_cracks() did. Fill it with bempd_growth_init(). @since 0.2 */
+typedef struct bempd_growth {
+  int64_t struct_size; /**< sizeof(bempd_growth), set by bempd_growth_init() */
+  int32_t tips;        /**< tips that have grown */
+  int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
+  double load_factor;  /**< load factor at which they did; the model is there now [-] */
+} bempd_growth;
+
+/** @brief Set struct_size and zeros. @param[out] growth the struct to fill
+ * @param[in] struct_size sizeof(bempd_growth) as the caller was compiled: older programs keep working when it grows
+ * @return status @since 0.2 */
+BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size);
+
+/** @brief Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+ *
+ * The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That tip
+ * grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way ends
+ * there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose lengths
+ * some times shorter than the distance to the next edge or crack.
+ * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
+ * @param[in,out] growth struct_size in, the rest out; may be NULL
+ * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
+ * an argument error and stays as it was @since 0.2 */
+BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
+
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {
   int64_t struct_size;           /**< sizeof(bempd_statistics), set by bempd_statistics_init() */
@@ -751,7 +776,8 @@ BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes
 /* ------------------------------------------------------------------------------------------- Files */
 
 /** @brief Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
- * damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
+ * damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face), and
+ * prefix.pvd, the series of all snapshots this model has written with this prefix.
  * @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
  * 0.1 */
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);

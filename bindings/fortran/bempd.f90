@@ -22,7 +22,7 @@ module bempd
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, BEMPD_POSITION, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
-    BEMPD_CRACK_END, bempd_step_report, bempd_statistics, bempd_history_entry, bempd_crack_tip, &
+    BEMPD_CRACK_END, bempd_step_report, bempd_statistics, bempd_history_entry, bempd_crack_tip, bempd_growth, &
     bempd_boundary_function, bempd_progress_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
@@ -43,7 +43,7 @@ module bempd
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_point_force, add_crack_traction, set_load_values
-    procedure :: set_support_values, tips, crack_opening
+    procedure :: set_support_values, tips, crack_opening, grow_cracks
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
     procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate
@@ -77,7 +77,7 @@ module bempd
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
     load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate, get_statistics, &
-    history, add_crack_traction, tips, crack_opening, &
+    history, add_crack_traction, tips, crack_opening, grow_cracks, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
 
@@ -446,6 +446,13 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine tips
+    module subroutine grow_cracks(self, length, growth, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: length
+      type(bempd_growth), intent(out), optional :: growth
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine grow_cracks
     module subroutine crack_opening(self, crack, fractions, normal, tangential, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: crack

@@ -256,6 +256,20 @@ module bempd_c
     real(c_double) :: critical_load_factor
   end type bempd_crack_tip
 
+  !> What bempd_grow_cracks() did. Fill it with bempd_growth_init().
+  !>
+  !> since: 0.2
+  type, bind(c) :: bempd_growth
+    !> sizeof(bempd_growth), set by bempd_growth_init()
+    integer(c_int64_t) :: struct_size
+    !> tips that have grown
+    integer(c_int32_t) :: tips
+    !> of them those that have reached an edge, a hole or another crack and are no tips any more
+    integer(c_int32_t) :: ended
+    !> load factor at which they did; the model is there now [-]
+    real(c_double) :: load_factor
+  end type bempd_growth
+
   !> Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
   !>
   !> since: 0.1
@@ -264,7 +278,7 @@ module bempd_c
     integer(c_int64_t) :: struct_size
     !> nodes of all BEM regions
     integer(c_int64_t) :: boundary_nodes
-    !> elements of all BEM regions
+    !> elements of all BEM regions, with those on cracks
     integer(c_int64_t) :: boundary_elements
     !> points of all PD regions
     integer(c_int64_t) :: material_points
@@ -1448,6 +1462,40 @@ module bempd_c
 
     !> Set struct_size and zeros.
     !>
+    !> growth [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.2
+    function bempd_growth_init(growth, struct_size) bind(c, name="bempd_growth_init")
+      import :: bempd_growth, c_int, c_int64_t
+      type(bempd_growth), intent(inout) :: growth
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_growth_init
+    end function bempd_growth_init
+
+    !> Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    !>
+    !> The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That
+    !> tip grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way
+    !> ends there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose
+    !> lengths some times shorter than the distance to the next edge or crack.
+    !>
+    !> model [in]: a model without peridynamic regions
+    !> length [in]: how far tips grow [m], > 0
+    !> growth [in,out]: struct_size in, the rest out; may be NULL
+    !> return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two
+    !>   is an argument error and stays as it was
+    !> since: 0.2
+    function bempd_grow_cracks(model, length, growth) bind(c, name="bempd_grow_cracks")
+      import :: c_double, c_int, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), value :: length
+      type(c_ptr), value :: growth
+      integer(c_int) :: bempd_grow_cracks
+    end function bempd_grow_cracks
+
+    !> Set struct_size and zeros.
+    !>
     !> statistics [out]: the struct to fill
     !> struct_size [in]: sizeof(bempd_statistics) as the caller was compiled: older programs keep working
     !> return: status
@@ -1602,7 +1650,8 @@ module bempd_c
     end function bempd_state_from_bytes
 
     !> Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
-    !> damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
+    !> damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face),
+    !> and prefix.pvd, the series of all snapshots this model has written with this prefix.
     !>
     !> model [in]: the model
     !> prefix [in]: path without ending, UTF-8; the folder must exist

@@ -187,6 +187,15 @@ contains
     call finish(self, status, stat, errmsg)
   end procedure tips
 
+  module procedure grow_cracks
+    type(bempd_growth), target :: done
+    integer(c_int) :: status
+
+    status = bempd_growth_init(done, c_sizeof(done))
+    call finish(self, bempd_grow_cracks(self%handle, length, c_loc(done)), stat, errmsg)
+    if (present(growth)) growth = done
+  end procedure grow_cracks
+
   module procedure crack_opening
     real(c_double), allocatable, target :: n(:), t(:)
 

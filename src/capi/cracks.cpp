@@ -27,6 +27,19 @@ bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip) 
   });
 }
 
+bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size) {
+  return init_struct(__func__, "growth", growth, struct_size, bempd_growth{});
+}
+
+bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
+    const model::GrowthResult grown = m.grow_cracks(length);
+    if (growth)
+      write_struct(growth, bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor}, "growth");
+  });
+}
+
 bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                  double* normal, double* tangential) {
   return with_model(model, __func__, [&](model::Model& m) {

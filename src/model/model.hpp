@@ -46,6 +46,12 @@ struct PreparedScene {
   std::int64_t interior_kernel_evaluations = 0;
 };
 
+struct GrowthResult {
+  int tips = 0;   // that have grown
+  int ended = 0;  // of them at an edge, a hole or another crack
+  double load_factor = 0;
+};
+
 // A scene, its state, and what can be asked of them.
 class Model {
  public:
@@ -64,6 +70,11 @@ class Model {
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
   StepResult advance(double target, fracture::Goal goal);
+
+  // Tips that reach their fracture energy first grow by a length, in the direction of the largest hoop stress; then the
+  // scene is built anew, at the load factor at which they did. Throws Error if no tip can grow, or if a crack would cut
+  // a region in two; then nothing has changed (crack_growth.cpp).
+  GrowthResult grow_cracks(double length);
 
   using Progress = std::function<bool(double load_factor, std::int64_t events, std::int64_t broken_bonds)>;
   using Log = std::function<void(int level, const std::string& message)>;
@@ -110,6 +121,7 @@ class Model {
   void warn_of_overlap();
   bool has_crack_elements() const;
   void reload();
+  void rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before);
   void check_mechanism(const PreparedScene& prepared) const;
   regions::Solution solution() const;
   results::FieldsOfScene fields();

@@ -62,7 +62,12 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
 
 void Model::write_snapshot(const std::string& prefix) {
   ensure_equilibrium();
-  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields());
+  std::vector<regions::CrackPicture> cracks;
+  for (const auto& region : prepared_->discretization.regions) {
+    const auto pictures = region->crack_pictures(solution());
+    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
+  }
+  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(), cracks);
 }
 
 void Model::write_history(const std::string& path) const {

@@ -43,14 +43,16 @@ struct LeadingElements {
 
 // The tip of a crack with elements.
 struct TipValues {
-  int crack;                    // id
-  int end;                      // 1: the crack's last point, 0: its first
-  Point place, direction;       // unit vector in which a straight crack would go on
-  Point factors;                // K_I, K_II [Pa m^(1/2)]
-  double energy_release_rate;   // [J/m^2]
-  double stress_along;          // T [Pa]
-  double error;                 // of the factors [Pa m^(1/2)]
-  double kink_angle;            // from the direction, counter-clockwise [rad]
+  int crack;                   // id
+  int end;                     // 1: the crack's last point, 0: its first
+  Point place, direction;      // unit vector in which a straight crack would go on
+  Point factors;               // K_I, K_II [Pa m^(1/2)]
+  double energy_release_rate;  // [J/m^2]
+  double stress_along;         // T [Pa]
+  double error;                // of the factors [Pa m^(1/2)]
+  double kink_angle;           // from the direction, counter-clockwise [rad]
+  double growth_load_factor;   // at which it goes on in the direction of the largest hoop stress, and its angle [rad]
+  double growth_angle;
   double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
 };
 
@@ -58,6 +60,12 @@ struct Overlap {
   int crack;
   Point place;
   double depth;  // [m]
+};
+
+// Elements on a crack for a picture: start, middle and end of each one, with the openings there [m].
+struct CrackPicture {
+  int crack;
+  std::vector<Point> places, openings;
 };
 
 struct RegionOperator {
@@ -145,6 +153,7 @@ class Region {
                                             const Solution& /*solution*/) const {
     return {};
   }
+  virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
   // Where faces overlap most, if they do.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
   // Adds the scene's bonds that crack number `crack` cuts.

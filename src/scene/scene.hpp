@@ -26,6 +26,8 @@ class Scene {
   // A row of edges of one loop becomes a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);
+  // All of them, of which there are as many.
+  void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
   void set_values(Condition& condition, const char* what, int id, SampledValues values);

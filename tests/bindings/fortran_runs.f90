@@ -304,6 +304,8 @@ contains
     call model%crack_opening(crack, [.5_dp, 1.0_dp], normal, tangential)
     call check(abs(normal(1) - 4 * 3 * .01_dp) < 1e-3_dp * normal(1) .and. abs(normal(2)) < 1e-12_dp, "it opens")
     call check(maxval(abs(tangential)) < 1e-6_dp * normal(1), "it does not slide")
+    call model%grow_cracks(.001_dp, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_UNSOLVABLE, message, "bempd_grow_cracks: ")
     call model%crack_opening(2, [.5_dp], normal, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_crack_opening: ")
     call model%add_crack_traction(crack, 7, constant=[3.0_dp], stat=stat, errmsg=message)

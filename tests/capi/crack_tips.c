@@ -130,6 +130,75 @@ static void values_beside_the_crack(void) {
   bempd_model_free(model);
 }
 
+static void snapshots_show_the_openings(void) {
+  const double crack[] = {-0.5, 0, 0.5, 0};
+  char name[64];
+  char text[4096] = "";
+  FILE* file;
+  bempd_model* model = cracked_plate(2, crack, 0);
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(model, bempd_write_snapshot(model, "crack_tips_snapshot"));
+  for (int k = 0; k < 2; ++k) {
+    snprintf(name, sizeof name, "crack_tips_snapshot%s", k == 0 ? ".pvd" : "_0000_cracks.vtu");
+    file = fopen(name, "rb");
+    CHECK(file != NULL);
+    if (file == NULL) return;
+    CHECK(fread(text, 1, sizeof text - 1, file) > 0);
+    fclose(file);
+    CHECK(strstr(text, k == 0 ? "_cracks.vtu" : "opening") != NULL);
+  }
+  bempd_model_free(model);
+}
+
+/** An inclined crack turns to go across the pull, until its tips come through the sides. */
+static void cracks_grow_until_they_cut_the_plate(void) {
+  const double crack[] = {-0.2, -0.15, 0.2, 0.15};
+  bempd_model* model = cracked_plate(2, crack, 1);
+  bempd_growth growth;
+  bempd_status status = BEMPD_OK;
+  double first = 0, factor = 0, x = 0.2, y = 0.15;
+  int steps = 0;
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(model, bempd_growth_init(&growth, sizeof growth));
+  {
+    const bempd_crack_tip tip = tip_of(model, 1);
+    const double turned = atan2(tip.direction_y, tip.direction_x) + tip.kink_angle;
+    CHECK_OK(model, bempd_grow_cracks(model, 0.1, &growth));
+    CHECK(growth.tips == 2 && growth.ended == 0);
+    CHECK_CLOSE(tip_of(model, 1).x, x + 0.1 * cos(turned), 1e-6);
+    CHECK_CLOSE(tip_of(model, 1).y, y + 0.1 * sin(turned), 1e-6);
+    CHECK(growth.load_factor < tip.critical_load_factor);
+    first = growth.load_factor;
+    CHECK_OK(model, bempd_load_factor(model, &factor));
+    CHECK(factor == first);
+  }
+  while (steps < 12 && (status = bempd_grow_cracks(model, 0.1, &growth)) == BEMPD_OK) {
+    ++steps;
+    CHECK(growth.tips == 2 && growth.load_factor < first);
+    CHECK(fabs(tip_of(model, 1).y + tip_of(model, 0).y) < 1e-6);
+  }
+  CHECK(status == BEMPD_ERROR_ARGUMENT && strstr(bempd_last_error(model), "cut through") != NULL);
+  CHECK(steps >= 4);
+  /* It goes across the pull at last, and what was refused has changed nothing. */
+  CHECK(fabs(tip_of(model, 1).direction_y) < 0.05 && tip_of(model, 1).x < 1);
+  bempd_model_free(model);
+}
+
+static void growth_that_cannot_be(void) {
+  const double crack[] = {-0.5, 0, 0.5, 0};
+  bempd_growth growth;
+  bempd_model* model = cracked_plate(2, crack, 0);
+  CHECK(bempd_grow_cracks(NULL, 0.1, NULL) == BEMPD_ERROR_ARGUMENT);
+  CHECK(bempd_growth_init(NULL, sizeof growth) == BEMPD_ERROR_ARGUMENT);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "length", bempd_grow_cracks(model, 0, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "length", bempd_grow_cracks(model, NAN, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_UNSOLVABLE, "fracture_energy", bempd_grow_cracks(model, 0.1, NULL));
+  CHECK_OK(model, bempd_growth_init(&growth, sizeof growth));
+  growth.struct_size = 0;
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "struct_size", bempd_grow_cracks(model, 0.1, &growth));
+  bempd_model_free(model);
+}
+
 static void cracks_that_cannot_be(void) {
   const double cut[] = {-1, 0, 1, 0}, corner[] = {-1, 0, -0.5, 0, -0.5, 1, -1, 1}, leaves[] = {0, 0, 2, 0};
   const double along[] = {-1, 0, -1, 1}, folded[] = {0, 0, 0.5, 0, 0.2, 0};
@@ -211,6 +280,9 @@ int main(void) {
   pressure_opens_and_new_values_follow();
   faces_that_overlap_are_warned_of_once();
   values_beside_the_crack();
+  snapshots_show_the_openings();
+  cracks_grow_until_they_cut_the_plate();
+  growth_that_cannot_be();
   cracks_that_cannot_be();
   misuse();
   lattices_have_no_openings();

@@ -36,6 +36,7 @@ from .reports import (
     BondState,
     CrackOpening,
     CrackTip,
+    Growth,
     PointValues,
     Statistics,
     StepReport,
@@ -48,7 +49,7 @@ __version__ = version()
 
 __all__ = [
     "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip", "Error",
-    "FileError", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
+    "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
     "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

@@ -214,6 +214,14 @@ bempd_status bempd_tip_count(bempd_model *model, int64_t *count);
 bempd_status bempd_tip(bempd_model *model, int64_t index, bempd_crack_tip *tip);
 bempd_status bempd_crack_opening(bempd_model *model, int32_t crack, int64_t count,
     const double *fractions, double *normal, double *tangential);
+typedef struct bempd_growth {
+  int64_t struct_size;
+  int32_t tips;
+  int32_t ended;
+  double load_factor;
+} bempd_growth;
+bempd_status bempd_growth_init(bempd_growth *growth, int64_t struct_size);
+bempd_status bempd_grow_cracks(bempd_model *model, double length, bempd_growth *growth);
 typedef struct bempd_statistics {
   int64_t struct_size;
   int64_t boundary_nodes;
@@ -1037,13 +1045,44 @@ normal [out]: shape [count], positive if it is open, negative if its faces overl
 tangential [out]: shape [count], along the crack [m]; may be NULL
 return: status
 since: 0.2""",
+    "bempd_growth": """What bempd_grow_cracks() did. Fill it with bempd_growth_init().
+
+since: 0.2""",
+    "bempd_growth.struct_size": """sizeof(bempd_growth), set by bempd_growth_init()""",
+    "bempd_growth.tips": """tips that have grown""",
+    "bempd_growth.ended": """\
+of them those that have reached an edge, a hole or another crack and are no tips any more""",
+    "bempd_growth.load_factor": """load factor at which they did; the model is there now [-]""",
+    "bempd_growth_init": """\
+Set struct_size and zeros.
+
+growth [out]: the struct to fill
+struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older programs keep working when
+  it grows
+return: status
+since: 0.2""",
+    "bempd_grow_cracks": """\
+Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+
+The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's
+fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an edge, a
+hole or a crack on 1.25 times its way ends there. The scene is built anew with the longer cracks, at
+that load factor; the history begins anew. Choose lengths some times shorter than the distance to
+the next edge or crack.
+
+model [in]: a model without peridynamic regions
+length [in]: how far tips grow [m], > 0
+growth [in,out]: struct_size in, the rest out; may be NULL
+return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a
+  region in two is an argument error and stays as it was
+since: 0.2""",
     "bempd_statistics": """\
 Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 
 since: 0.1""",
     "bempd_statistics.struct_size": """sizeof(bempd_statistics), set by bempd_statistics_init()""",
     "bempd_statistics.boundary_nodes": """nodes of all BEM regions""",
-    "bempd_statistics.boundary_elements": """elements of all BEM regions""",
+    "bempd_statistics.boundary_elements": """elements of all BEM regions, with those on cracks""",
     "bempd_statistics.material_points": """points of all PD regions""",
     "bempd_statistics.bonds": """bonds of all PD regions""",
     "bempd_statistics.cut_bonds": """bonds cut by initial cracks""",
@@ -1171,8 +1210,9 @@ return: status
 since: 0.1""",
     "bempd_write_snapshot": """\
 Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with
-displacement, damage and stress, and prefix.pvd, the series of all snapshots this model has written
-with this prefix.
+displacement, damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions
+(left face less right face), and prefix.pvd, the series of all snapshots this model has written with
+this prefix.
 
 model [in]: the model
 prefix [in]: path without ending, UTF-8; the folder must exist

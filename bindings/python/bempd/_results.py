@@ -13,7 +13,7 @@ from ._arguments import FloatArray
 from ._handle import Handle
 from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
-from .reports import Bonds, CrackOpening, CrackTip, PointValues, Statistics, crack_tip, rows, values_of
+from .reports import Bonds, CrackOpening, CrackTip, Growth, PointValues, Statistics, crack_tip, rows, values_of
 
 FIELDS = {
     "position": lib.BEMPD_POSITION,
@@ -169,6 +169,15 @@ class Results:
             self._open().call("bempd_tip", index, struct)
             found.append(crack_tip(struct))
         return found
+
+    def grow_cracks(self, length: float) -> Growth:
+        """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
+
+        The load factor is solved for and the model is there afterwards, with the longer cracks and a new history.
+        """
+        struct = new_struct("bempd_growth", "bempd_growth_init")
+        self._open().call("bempd_grow_cracks", arguments.real("grow_cracks: length", length), struct, changes=True)
+        return Growth(**values_of(struct, "bempd_growth", Growth))
 
     def crack_opening(self, crack: int, fractions: npt.ArrayLike) -> CrackOpening:
         """Openings [m] of a crack in a BEM region at places given as fractions of its length."""

@@ -56,6 +56,15 @@ class CrackTip:
 
 
 @dataclasses.dataclass(frozen=True)
+class Growth:
+    """What growth of cracks by a length did."""
+
+    tips: int  #: that have grown
+    ended: int  #: of them at an edge, a hole or another crack
+    load_factor: float  #: at which they did
+
+
+@dataclasses.dataclass(frozen=True)
 class StepReport:
     """What a step did."""
 

@@ -47,6 +47,7 @@ class BoundaryRegion : public Region {
   std::vector<TipValues> tips(const Solution& solution) const override;
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions,
                                     const Solution& solution) const override;
+  std::vector<CrackPicture> crack_pictures(const Solution& solution) const override;
   std::optional<Overlap> overlap(const Solution& solution) const override;
 
   FieldSize field_size(Field field) const override;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "error.hpp"
+#include "linalg/disjoint_sets.hpp"
 
 namespace bempd::regions {
 
@@ -50,27 +50,21 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
 void RegionCracks::require_one_piece(const Preparation& p, int region) const {
   const Outline& outline = p.scene.region(region).outline();
   const int joints = static_cast<int>(lines_.joints.size());
-  std::vector<int> group(lines_.joints.size() + outline.loops.size());
-  std::iota(group.begin(), group.end(), 0);
-  const auto root = [&](int i) {
-    while (group[i] != i) i = group[i];
-    return i;
-  };
+  linalg::DisjointSets joined(joints + static_cast<int>(outline.loops.size()));
   for (int j = 0; j < joints; ++j) {
     if (!lines_.joints[j].mouth) continue;
     std::size_t edge = 0;
     for (std::size_t loop = 0; loop < outline.loops.size(); ++loop)
       for (std::size_t k = 0; k < outline.loops[loop].size(); ++k, ++edge)
         if (distance(edges_[edge], lines_.joints[j].place) <= 8 * tolerance_)
-          group[root(j)] = root(joints + static_cast<int>(loop));
+          joined.join(j, joints + static_cast<int>(loop));
   }
   for (const CrackLine& line : lines_.lines) {
     if (line.joints[0] < 0 || line.joints[1] < 0) continue;
-    const int a = root(line.joints[0]), b = root(line.joints[1]);
-    require(a != b, "crack ", paths_[line.crack].id, " completes a cut through region ", region, " near (",
-            line.points.front().x(), ", ", line.points.front().y(),
-            "); leave a ligament, or describe the pieces as regions of their own");
-    group[a] = b;
+    require(joined.find(line.joints[0]) != joined.find(line.joints[1]), "crack ", paths_[line.crack].id,
+            " completes a cut through region ", region, " near (", line.points.front().x(), ", ",
+            line.points.front().y(), "); leave a ligament, or describe the pieces as regions of their own");
+    joined.join(line.joints[0], line.joints[1]);
   }
 }
 
@@ -145,6 +139,19 @@ Point RegionCracks::opening_at(int crack, double fraction, const Eigen::VectorXd
     found = {opening.dot(along), opening.dot(left_of(along))};
   }
   return found;
+}
+
+std::vector<CrackPicture> RegionCracks::pictures(const Eigen::VectorXd& openings) const {
+  std::vector<CrackPicture> all;
+  for (const CrackPath& path : paths_) all.push_back({path.id, {}, {}});
+  for (const bem::CrackElement& e : mesh_.elements) {
+    CrackPicture& picture = all[lines_.lines[e.line].crack];
+    for (const int n : e.nodes) {
+      picture.places.push_back(mesh_.nodes[n]);
+      picture.openings.emplace_back(openings.segment<2>(2 * n));
+    }
+  }
+  return all;
 }
 
 std::optional<Overlap> RegionCracks::overlap(const Eigen::VectorXd& openings) const {

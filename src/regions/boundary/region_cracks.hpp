@@ -29,6 +29,7 @@ class RegionCracks {
   bem::FaceTraction traction(const std::vector<CrackLoad>& loads, double constant, double proportional) const;
   // The opening at a part of the length of a crack, along it and normal to it.
   Point opening_at(int crack, double fraction, const Eigen::VectorXd& openings) const;
+  std::vector<CrackPicture> pictures(const Eigen::VectorXd& openings) const;
   std::optional<Overlap> overlap(const Eigen::VectorXd& openings) const;
 
  private:

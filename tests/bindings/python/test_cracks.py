@@ -68,3 +68,14 @@ def test_misuse():
         model.crack_opening(crack, [[0.5]])
     with pytest.raises(bempd.ArgumentError, match="infinite"):
         model.evaluate([(0.5, 0)])
+
+
+def test_cracks_grow_straight_on_at_their_fracture_energy():
+    model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
+    first = model.tips()[0].critical_load_factor
+    growth = model.grow_cracks(0.05)
+    assert (growth.tips, growth.ended) == (2, 0)
+    assert growth.load_factor == pytest.approx(first, rel=1e-6)
+    assert model.load_factor == growth.load_factor
+    assert model.tips()[1].x == pytest.approx(0.35) and abs(model.tips()[1].y) < 1e-4
+    assert model.grow_cracks(0.05).load_factor < first

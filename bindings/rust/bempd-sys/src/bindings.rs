@@ -1272,6 +1272,52 @@ extern "C" {
         tangential: *mut f64,
     ) -> bempd_status;
 }
+/// What bempd_grow_cracks() did. Fill it with bempd_growth_init().
+///
+/// * since: 0.2
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_growth {
+    /// sizeof(bempd_growth), set by bempd_growth_init()
+    pub struct_size: i64,
+    /// tips that have grown
+    pub tips: i32,
+    /// of them those that have reached an edge, a hole or another crack and are no tips any more
+    pub ended: i32,
+    /// load factor at which they did; the model is there now \[-\]
+    pub load_factor: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * growth \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_growth) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_growth_init(growth: *mut bempd_growth, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    ///
+    /// The load factor is solved for: the smallest one \>= 0 at which a tip reaches its material's
+    /// fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an
+    /// edge, a hole or a crack on 1.25 times its way ends there. The scene is built anew with the
+    /// longer cracks, at that load factor; the history begins anew. Choose lengths some times
+    /// shorter than the distance to the next edge or crack.
+    ///
+    /// * model \[in\]: a model without peridynamic regions
+    /// * length \[in\]: how far tips grow \[m\], \> 0
+    /// * growth \[in,out\]: struct_size in, the rest out; may be NULL
+    /// * return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that
+    ///   would cut a region in two is an argument error and stays as it was
+    /// * since: 0.2
+    pub fn bempd_grow_cracks(
+        model: *mut bempd_model,
+        length: f64,
+        growth: *mut bempd_growth,
+    ) -> bempd_status;
+}
 /// Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 ///
 /// * since: 0.1
@@ -1282,7 +1328,7 @@ pub struct bempd_statistics {
     pub struct_size: i64,
     /// nodes of all BEM regions
     pub boundary_nodes: i64,
-    /// elements of all BEM regions
+    /// elements of all BEM regions, with those on cracks
     pub boundary_elements: i64,
     /// points of all PD regions
     pub material_points: i64,
@@ -1493,8 +1539,9 @@ extern "C" {
 }
 extern "C" {
     /// Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu
-    /// with displacement, damage and stress, and prefix.pvd, the series of all snapshots this model
-    /// has written with this prefix.
+    /// with displacement, damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in
+    /// BEM regions (left face less right face), and prefix.pvd, the series of all snapshots this
+    /// model has written with this prefix.
     ///
     /// * model \[in\]: the model
     /// * prefix \[in\]: path without ending, UTF-8; the folder must exist

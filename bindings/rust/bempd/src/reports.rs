@@ -96,6 +96,18 @@ mirror! {
 }
 
 mirror! {
+    /// What growth of cracks by a length did.
+    Growth of bempd_growth {
+        /// Tips that have grown.
+        tips: i32,
+        /// Of them those that have reached an edge, a hole or another crack.
+        ended: i32,
+        /// Load factor at which they did [-].
+        load_factor: f64,
+    }
+}
+
+mirror! {
     /// What a step did.
     StepReport of bempd_step_report {
         /// Why the step ended.

@@ -1,4 +1,4 @@
-use crate::{BondState, CrackId, CrackTip, Field, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View};
+use crate::{BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View};
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -156,6 +156,12 @@ impl Model {
     /// ```
     pub fn tips(&self) -> Result<Vec<CrackTip>> {
         (0..self.tip_count()?).map(|index| self.tip(index)).collect()
+    }
+
+    /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
+    /// The load factor is solved for; the model is there afterwards, with the longer cracks and a new history.
+    pub fn grow_cracks(&mut self, length: f64) -> Result<Growth> {
+        Ok(Growth::from_raw(&self.handle.grow_cracks(length)?))
     }
 
     /// Openings of a crack in a boundary element region at places given as fractions of its length.

@@ -140,6 +140,12 @@ impl Handle {
         Ok(tip)
     }
 
+    pub(crate) fn grow_cracks(&mut self, length: f64) -> Result<sys::bempd_growth> {
+        let mut growth = filled(sys::bempd_growth_init)?;
+        self.call(|model| unsafe { sys::bempd_grow_cracks(model, length, &mut growth) })?;
+        Ok(growth)
+    }
+
     /// Normal and tangential.
     pub(crate) fn crack_opening(&self, crack: i32, fractions: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
         let (mut normal, mut tangential) = (vec![0.0; fractions.len()], vec![0.0; fractions.len()]);
