@@ -150,6 +150,9 @@ double CrackLine::length() const {
 
 CrackLines crack_lines(const std::vector<CrackPath>& given, const std::vector<Edge>& boundary, double tolerance) {
   std::vector<Path> paths(given.begin(), given.end());
+  for (const Path& path : paths)
+    require(path.ways.back() > 6 * tolerance, "crack ", path.given.id, " is ", path.ways.back(),
+            " long, and places count as one up to ", tolerance, " here; leave it out, or choose a smaller body");
   for (std::size_t a = 0; a < paths.size(); ++a)
     for (std::size_t b = a; b < paths.size(); ++b)
       for (int i = 0; i < paths[a].segments(); ++i)

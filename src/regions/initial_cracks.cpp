@@ -62,7 +62,8 @@ int region_of_crack(const Preparation& p, int crack, const std::vector<Point>& p
       found = region;
     }
   }
-  return std::max(found, 0);
+  // All of it may be too short for the question where it passes from one region to another.
+  return found < 0 ? region_of_piece(p, crack, 0.5 * (points[0] + points[1])) : found;
 }
 
 }  // namespace

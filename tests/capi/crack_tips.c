@@ -150,6 +150,14 @@ static void snapshots_show_the_openings(void) {
   bempd_model_free(model);
 }
 
+static void cracks_of_1e_8_of_the_body_have_tips(void) {
+  const double crack[] = {0.1 - 3e-8, 0.2, 0.1 + 3e-8, 0.2};
+  bempd_model* model = cracked_plate(2, crack, 0);
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_CLOSE(tip_of(model, 1).stress_intensity_1 / sqrt(pi * 3e-8), 1, 1e-4);
+  bempd_model_free(model);
+}
+
 /** An inclined crack turns to go across the pull, until its tips come through the sides. */
 static void cracks_grow_until_they_cut_the_plate(void) {
   const double crack[] = {-0.2, -0.15, 0.2, 0.15};
@@ -281,6 +289,7 @@ int main(void) {
   faces_that_overlap_are_warned_of_once();
   values_beside_the_crack();
   snapshots_show_the_openings();
+  cracks_of_1e_8_of_the_body_have_tips();
   cracks_grow_until_they_cut_the_plate();
   growth_that_cannot_be();
   cracks_that_cannot_be();

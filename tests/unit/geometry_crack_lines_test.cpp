@@ -49,6 +49,7 @@ TEST(CrackLines, cracks_end_where_they_meet) {
 
 TEST(CrackLines, refuse_what_has_no_meaning) {
   EXPECT_THROW(lines_of({{{0.5, 0.5}, {1.5, 0.5}}}), Error);                            // leaves the body
+  EXPECT_THROW(lines_of({{{0.2, 0.5}, {0.2 + 3e-9, 0.5}}}), Error);                     // no length
   EXPECT_THROW(lines_of({{{0.2, 0}, {0.8, 0}}}), Error);                                // along the boundary
   EXPECT_THROW(lines_of({{{0.2, 0.5}, {0.8, 0.5}}, {{0.4, 0.5}, {0.9, 0.5}}}), Error);  // along each other
   EXPECT_THROW(lines_of({{{0.2, 0.5}, {0.8, 0.5}, {0.5, 0.5}}}), Error);                // folded
