@@ -1,10 +1,14 @@
-# Finds CHOLMOD and UMFPACK of SuiteSparse 5, which ships neither CMake nor pkg-config files. Defines
-# SuiteSparse_INCLUDE_DIR, SuiteSparse_LIBRARIES and, of CHOLMOD, SuiteSparse_VERSION.
+# Finds libraries of SuiteSparse 5, which ships neither CMake nor pkg-config files: the components CHOLMOD and UMFPACK.
+# Defines SuiteSparse_INCLUDE_DIR, SuiteSparse_<component>_LIBRARY and, of CHOLMOD, SuiteSparse_VERSION.
 find_path(SuiteSparse_INCLUDE_DIR NAMES cholmod.h PATH_SUFFIXES suitesparse)
-find_library(SuiteSparse_CHOLMOD_LIBRARY cholmod)
-find_library(SuiteSparse_UMFPACK_LIBRARY umfpack)
-mark_as_advanced(SuiteSparse_INCLUDE_DIR SuiteSparse_CHOLMOD_LIBRARY SuiteSparse_UMFPACK_LIBRARY)
-set(SuiteSparse_LIBRARIES ${SuiteSparse_CHOLMOD_LIBRARY} ${SuiteSparse_UMFPACK_LIBRARY})
+mark_as_advanced(SuiteSparse_INCLUDE_DIR)
+set(_suitesparse_libraries)
+foreach(_component IN LISTS SuiteSparse_FIND_COMPONENTS)
+  string(TOLOWER "${_component}" _name)
+  find_library(SuiteSparse_${_component}_LIBRARY ${_name})
+  mark_as_advanced(SuiteSparse_${_component}_LIBRARY)
+  list(APPEND _suitesparse_libraries SuiteSparse_${_component}_LIBRARY)
+endforeach()
 
 if(SuiteSparse_INCLUDE_DIR AND EXISTS "${SuiteSparse_INCLUDE_DIR}/cholmod_core.h")
   file(STRINGS "${SuiteSparse_INCLUDE_DIR}/cholmod_core.h" _suitesparse_version_lines
@@ -16,5 +20,7 @@ endif()
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(SuiteSparse
-  REQUIRED_VARS SuiteSparse_CHOLMOD_LIBRARY SuiteSparse_UMFPACK_LIBRARY SuiteSparse_INCLUDE_DIR
+  REQUIRED_VARS ${_suitesparse_libraries} SuiteSparse_INCLUDE_DIR
   VERSION_VAR SuiteSparse_VERSION)
+unset(_suitesparse_libraries)
+unset(_name)

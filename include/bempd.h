@@ -28,9 +28,10 @@
  * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL); bempd_model_free()
  * then waits: the model is freed when the call that runs returns.
  *
- * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or "paper", the method of Yang
- * and Liu (Int. J. Solids Struct., 2021) as published, in which material points are the centres of the cells and those
- * of the boundary nodes on interfaces. What this file says of material points on boundaries holds for the first.
+ * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or, unless the library was
+ * built without it, "paper", the method of Yang and Liu (Int. J. Solids Struct., 2021) as published, in which material
+ * points are the centres of the cells and those of the boundary nodes on interfaces. What this file says of material
+ * points on boundaries holds for the first.
  *
  * Sign conventions. Stress is positive in tension; a traction is the force per area that acts on the body; loops have
  * the body on their left.
@@ -268,12 +269,22 @@ BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, i
  * It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
  * themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end
  * at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM
- * region, and ends before interfaces of BEM regions.
+ * region, and ends before interfaces of BEM regions. A crack
+ * beside all regions there are is refused at once, everything else when the model is prepared.
  * @param[in] model the model @param[in] point_count number of points, >= 2
  * @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);
 
-/** @brief Number of regions. @param[in] model the model @param[out] count their number @return status @since 0.1 */
+/** @brief Remove a region before the model is prepared; its id is not given again. Supports and loads on its edges are
+ * removed first. @param[in] model the model @param[in] region id of a region @return status @since 0.3 */
+BEMPD_API bempd_status bempd_remove_region(bempd_model* model, int32_t region);
+
+/** @brief Remove an initial crack before the model is prepared; its id is not given again.
+ * @param[in] model the model @param[in] crack id of a crack @return status @since 0.3 */
+BEMPD_API bempd_status bempd_remove_crack(bempd_model* model, int32_t crack);
+
+/** @brief Largest id of a region: the number of regions, with those that were removed.
+ * @param[in] model the model @param[out] count their number @return status @since 0.1 */
 BEMPD_API bempd_status bempd_region_count(const bempd_model* model, int32_t* count);
 
 /** @brief Number of edges of a region with its holes. @param[in] model the model @param[in] region id of a region
@@ -403,6 +414,14 @@ BEMPD_API bempd_status bempd_set_load_values(bempd_model* model, int32_t load, i
 BEMPD_API bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count,
                                                 const double* constant, const double* proportional);
 
+/** @brief Remove a support before the model is prepared; its id is not given again.
+ * @param[in] model the model @param[in] support id of a support @return status @since 0.3 */
+BEMPD_API bempd_status bempd_remove_support(bempd_model* model, int32_t support);
+
+/** @brief Remove a load before the model is prepared; its id is not given again.
+ * @param[in] model the model @param[in] load id of a load @return status @since 0.3 */
+BEMPD_API bempd_status bempd_remove_load(bempd_model* model, int32_t load);
+
 /* --------------------------------------------------------------------------------------- Callbacks */
 
 /** @brief Progress of a step, called after every event. @param[in] load_factor where the run stands [-]
@@ -469,8 +488,12 @@ typedef struct bempd_step_report {
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step_report_init(bempd_step_report* report, int64_t struct_size);
 
-/** @brief Check the scene and build its operators. The first step does it if you do not. From then on nothing can be
- * added; loads and supports can still change their values. @param[in] model the model @return status @since 0.1 */
+/** @brief Check the scene and build its operators. The first step or result does it if you do not. From then on nothing
+ * can be added or removed; loads and supports can still change their values.
+ *
+ * A call that fails or is cancelled leaves a model that was not prepared as it was: correct the scene and call again.
+ * So does a first equilibrium that cannot be found, also after this call.
+ * @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prepare(bempd_model* model);
 
 /** @brief Move the load factor, breaking every bond that reaches its critical stretch on the way.

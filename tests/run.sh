@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Builds and tests everything; installs missing Debian packages first.
-#   tests/run.sh        both sparse backends, then the sanitizers in a host that fetches the library
+#   tests/run.sh        with and without the scheme paper, both sparse backends, then the sanitizers in a host that fetches
+#                       the library
 #   tests/run.sh quick  the default backend only
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 case "${1:-all}" in
-  all) stages=(ci ci-eigen fetch-sanitize) ;;
+  all) stages=(ci ci-symmetric ci-eigen fetch-sanitize) ;;
   quick) stages=(ci) ;;
   *) echo "usage: tests/run.sh [quick]" >&2; exit 2 ;;
 esac

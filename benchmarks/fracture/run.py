@@ -21,7 +21,7 @@ ISIDA = "Isida, in Tada, Paris and Irwin 2.1"
 KAYA = "Kaya and Erdogan 1987"
 NEWMAN = "Newman 1971"
 AMESTOY = "Amestoy and Leblond 1992"
-OWN = "here, twice as fine"
+OWN = "here, finer mesh"
 
 
 @dataclasses.dataclass

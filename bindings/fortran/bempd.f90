@@ -40,6 +40,7 @@ module bempd
     generic :: assignment(=) => refuse_copy
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
     procedure :: set_edge_arc, set_edges_smooth, set_edge_mesh
+    procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_point_force, add_crack_traction, set_load_values
@@ -73,6 +74,7 @@ module bempd
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     set_edge_arc, set_edges_smooth, set_edge_mesh, &
+    remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
@@ -195,6 +197,31 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_crack
+    ! Before the model is prepared; other ids stay.
+    module subroutine remove_region(self, region, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_region
+    module subroutine remove_crack(self, crack, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_crack
+    module subroutine remove_support(self, support, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_support
+    module subroutine remove_load(self, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine remove_load
     module subroutine region_count(self, count, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(out) :: count

@@ -757,7 +757,8 @@ module bempd_c
     !> points. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which
     !> are divided by themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it
     !> may start or end at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic
-    !> regions or in one BEM region, and ends before interfaces of BEM regions.
+    !> regions or in one BEM region, and ends before interfaces of BEM regions. A crack beside all regions there are is
+    !> refused at once, everything else when the model is prepared.
     !>
     !> model [in]: the model
     !> point_count [in]: number of points, >= 2
@@ -774,7 +775,34 @@ module bempd_c
       integer(c_int) :: bempd_add_crack
     end function bempd_add_crack
 
-    !> Number of regions.
+    !> Remove a region before the model is prepared; its id is not given again. Supports and loads on its edges are
+    !> removed first.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> return: status
+    !> since: 0.3
+    function bempd_remove_region(model, region) bind(c, name="bempd_remove_region")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int) :: bempd_remove_region
+    end function bempd_remove_region
+
+    !> Remove an initial crack before the model is prepared; its id is not given again.
+    !>
+    !> model [in]: the model
+    !> crack [in]: id of a crack
+    !> return: status
+    !> since: 0.3
+    function bempd_remove_crack(model, crack) bind(c, name="bempd_remove_crack")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: crack
+      integer(c_int) :: bempd_remove_crack
+    end function bempd_remove_crack
+
+    !> Largest id of a region: the number of regions, with those that were removed.
     !>
     !> model [in]: the model
     !> count [out]: their number
@@ -1069,6 +1097,32 @@ module bempd_c
       integer(c_int) :: bempd_set_support_values
     end function bempd_set_support_values
 
+    !> Remove a support before the model is prepared; its id is not given again.
+    !>
+    !> model [in]: the model
+    !> support [in]: id of a support
+    !> return: status
+    !> since: 0.3
+    function bempd_remove_support(model, support) bind(c, name="bempd_remove_support")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      integer(c_int) :: bempd_remove_support
+    end function bempd_remove_support
+
+    !> Remove a load before the model is prepared; its id is not given again.
+    !>
+    !> model [in]: the model
+    !> load [in]: id of a load
+    !> return: status
+    !> since: 0.3
+    function bempd_remove_load(model, load) bind(c, name="bempd_remove_load")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      integer(c_int) :: bempd_remove_load
+    end function bempd_remove_load
+
     !> Ask to be told of progress.
     !>
     !> model [in]: the model
@@ -1124,8 +1178,11 @@ module bempd_c
       integer(c_int) :: bempd_step_report_init
     end function bempd_step_report_init
 
-    !> Check the scene and build its operators. The first step does it if you do not. From then on nothing can be added;
-    !> loads and supports can still change their values.
+    !> Check the scene and build its operators. The first step or result does it if you do not. From then on nothing can
+    !> be added or removed; loads and supports can still change their values.
+    !>
+    !> A call that fails or is cancelled leaves a model that was not prepared as it was: correct the scene and call
+    !> again. So does a first equilibrium that cannot be found, also after this call.
     !>
     !> model [in]: the model
     !> return: status

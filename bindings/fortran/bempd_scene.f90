@@ -116,6 +116,22 @@ contains
     call give(new, crack)
   end procedure add_crack
 
+  module procedure remove_region
+    call finish(self, bempd_remove_region(self%handle, region), stat, errmsg)
+  end procedure remove_region
+
+  module procedure remove_crack
+    call finish(self, bempd_remove_crack(self%handle, crack), stat, errmsg)
+  end procedure remove_crack
+
+  module procedure remove_support
+    call finish(self, bempd_remove_support(self%handle, support), stat, errmsg)
+  end procedure remove_support
+
+  module procedure remove_load
+    call finish(self, bempd_remove_load(self%handle, load), stat, errmsg)
+  end procedure remove_load
+
   module procedure fix_edge
     integer(c_int32_t), target :: new
 

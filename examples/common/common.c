@@ -33,12 +33,23 @@ void make_output_folder(const char* name) {
   mkdir(path, 0777);
 }
 
+static int knows_scheme(const char* scheme) {
+  bempd_model* model = NULL;
+  int known;
+  ensure(NULL, bempd_model_create(&model));
+  known = bempd_set_option_text(model, "scheme", scheme) == BEMPD_OK;
+  bempd_model_free(model);
+  return known;
+}
+
 scheme_list schemes_to_run(int argument_count, char** arguments) {
   scheme_list schemes = {2, {"symmetric", "paper"}};
   int k;
   if (argument_count > 1) {
     schemes.count = argument_count > 3 ? 2 : argument_count - 1;
     for (k = 0; k < schemes.count; ++k) schemes.names[k] = arguments[k + 1];
+  } else if (!knows_scheme("paper")) {
+    schemes.count = 1;
   }
   return schemes;
 }

@@ -21,7 +21,8 @@ typedef struct scheme_list {
   const char* names[2];
 } scheme_list;
 
-/* The schemes that the command line names; without any, symmetric and paper. */
+/* The schemes that the command line names; without any, those the library has: symmetric and, unless it was left out,
+ * paper. */
 scheme_list schemes_to_run(int argument_count, char** arguments);
 
 /* A new model that uses the scheme. */

@@ -25,9 +25,6 @@ class BoundaryOperator {
   // Boundary tractions [Pa], row 2 * traction_node + component, one column per column of displacements [m].
   virtual Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const = 0;
 
-  // Whether the stiffness equals its transpose.
-  virtual bool symmetric() const = 0;
-
   virtual std::int64_t kernel_evaluations() const = 0;
 };
 

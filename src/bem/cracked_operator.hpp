@@ -29,7 +29,6 @@ class CrackedOperator final : public BoundaryOperator {
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
   // With faces free of traction.
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
-  bool symmetric() const override { return true; }
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
   // Of displacements and remaining openings.

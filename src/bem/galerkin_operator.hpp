@@ -22,7 +22,6 @@ class GalerkinOperator final : public BoundaryOperator {
   // Symmetric positive semidefinite; the only motions without force are the rigid ones.
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
-  bool symmetric() const override { return true; }
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
  private:

@@ -58,16 +58,17 @@ std::shared_ptr<const scene::Place> at_point(double x, double y) {
   return std::make_shared<const regions::SinglePoint>(Point(x, y));
 }
 
-bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id,
-                         const std::function<Condition()>& make) {
+// `make` is called within the guard: it takes memory.
+template <class Make>
+bempd_status add_support(bempd_model* handle, const char* function, std::int32_t* id, const Make& make) {
   return with_model(handle, function, [&](model::Model& m) {
     const int added = m.editable_scene().add_support(make());
     if (id) *id = added;
   });
 }
 
-bempd_status add_load(bempd_model* handle, const char* function, std::int32_t* id,
-                      const std::function<Condition()>& make) {
+template <class Make>
+bempd_status add_load(bempd_model* handle, const char* function, std::int32_t* id, const Make& make) {
   return with_model(handle, function, [&](model::Model& m) {
     const int added = m.editable_scene().add_load(make());
     if (id) *id = added;
@@ -156,4 +157,12 @@ bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64
   return with_model(model, __func__, [&](model::Model& m) {
     m.set_support_values(support, samples(value_count, constant, proportional));
   });
+}
+
+bempd_status bempd_remove_support(bempd_model* model, int32_t support) {
+  return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().remove_support(support); });
+}
+
+bempd_status bempd_remove_load(bempd_model* model, int32_t load) {
+  return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().remove_load(load); });
 }

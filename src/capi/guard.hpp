@@ -70,6 +70,26 @@ bempd_status without_model(const char* function, const Body& body) noexcept {
   return catch_all(function, thread_error(), nullptr, body);
 }
 
+// What a failed call has prepared is given up again, so that the scene can be corrected.
+template <class Body>
+void run(model::Model& engine, const Body& body) {
+  const bool was_prepared = engine.is_prepared();
+  try {
+    body(engine);
+  } catch (const Error& error) {
+    engine.call_failed(was_prepared, error.failure() == Failure::unsolvable);
+    throw;
+  } catch (...) {
+    engine.call_failed(was_prepared, false);
+    throw;
+  }
+}
+
+template <class Body>
+void run(const model::Model& engine, const Body& body) {
+  body(engine);
+}
+
 // A call on a model, const or not; `body` receives its engine.
 template <class Handle, class Body>
 bempd_status with_model(Handle* model, const char* function, const Body& body) noexcept {
@@ -86,7 +106,7 @@ bempd_status with_model(Handle* model, const char* function, const Body& body) n
   const bempd_status status = catch_all(function, model->error, &model->broken, [&] {
     if (model->broken)
       throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
-    body(model->engine);
+    run(model->engine, body);
   });
   Use in_a_call = Use::in_a_call;
   if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {

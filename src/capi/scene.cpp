@@ -97,6 +97,14 @@ bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const doub
   });
 }
 
+bempd_status bempd_remove_region(bempd_model* model, int32_t region) {
+  return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().remove_region(region); });
+}
+
+bempd_status bempd_remove_crack(bempd_model* model, int32_t crack) {
+  return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().remove_crack(crack); });
+}
+
 bempd_status bempd_region_count(const bempd_model* model, int32_t* count) {
   return with_model(model, __func__, [&](const model::Model& m) { out(count, "count") = m.scene().region_count(); });
 }

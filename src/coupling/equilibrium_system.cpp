@@ -20,6 +20,25 @@ const SolutionMethod& least_demanding(const std::vector<DenseOperator>& operator
   return *method;
 }
 
+double largest_stiffness_of(int node_count, const std::vector<DenseOperator>& operators, const Terms& terms) {
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(2 * node_count);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    terms.for_each_entry(t, [&](int node, double x, double y) {
+      diagonal[2 * node] += terms.stiffness[t] * x * x;
+      diagonal[2 * node + 1] += terms.stiffness[t] * y * y;
+    });
+  }
+  for (const DenseOperator& op : operators) {
+    for (std::size_t i = 0; i < op.nodes.size(); ++i) {
+      for (int c = 0; c < 2; ++c) {
+        const auto own = 2 * static_cast<Eigen::Index>(i) + c;
+        diagonal[2 * op.nodes[i] + c] += (*op.stiffness)(own, own);
+      }
+    }
+  }
+  return diagonal.size() > 0 ? diagonal.maxCoeff() : 0;
+}
+
 }  // namespace
 
 EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, Terms terms,
@@ -44,6 +63,7 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       operators_have_rest_[part] = operators_have_rest_[part] || !op.rest.col(part).isZero(0);
     }
   }
+  largest_stiffness_ = largest_stiffness_of(node_count, operators, terms_);
   pending_ = std::move(operators);
 }
 

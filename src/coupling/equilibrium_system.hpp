@@ -104,6 +104,7 @@ class EquilibriumSystem {
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
   void restore(const std::vector<char>& intact, std::vector<HoldingSpring> springs);
   void forget_factor() { factor_.forget(); }
+  bool has_current_factor() const { return factor_.is_current(); }
 
   // True if the factor is that of the present matrix, with these nodes' unknowns last.
   bool factor_keeps(const std::vector<int>& nodes) const { return factor_.keeps(nodes); }
@@ -128,6 +129,9 @@ class EquilibriumSystem {
 
   // Energy of operators and terms at the same.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
+
+  // Largest stiffness of a single degree of freedom, with all terms in their first stage.
+  double largest_stiffness() const { return largest_stiffness_; }
 
   bool is_symmetric() const { return method_.needs_symmetry(); }
   // The sparse matrix, of which a symmetric system gives the lower triangle; for factorization and tests.
@@ -158,6 +162,7 @@ class EquilibriumSystem {
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
   int node_count_;
+  double largest_stiffness_ = 0;
   const SolutionMethod& method_;
   bool operators_have_rest_[2] = {false, false};  // in its two parts
   std::vector<DenseOperator> pending_;            // until condensed

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error.hpp"
 #include "stopwatch.hpp"
@@ -18,6 +19,11 @@ constexpr double acceptable_rounding = 1e-14;  // relative to the forces that th
 
 // Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
 constexpr double suspicious_pivot_ratio = 1e-10;
+
+// Shifts of inverse iteration: the first is far below the stiffness of slender parts, the second survives the rounding
+// of any factorization.
+constexpr double small_shift = 1e-12, safe_shift = 1e-9;
+constexpr int inverse_iterations = 8;
 
 }  // namespace
 
@@ -107,20 +113,28 @@ bool SystemFactor::pivots_are_sound() const {
 
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance) {
-  // A shift makes a singular matrix factorizable without hiding its null space.
-  const double largest = matrix.diagonal().maxCoeff();
-  Eigen::SparseMatrix<double> shifted = matrix;
-  for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += 1e-9 * largest;
-  const std::unique_ptr<SystemSolver> solver = method.make_solver();
-  if (!solver->factorization().factorize(shifted)) fail(Failure::unsolvable, "the stiffness matrix is indefinite");
+  // Relative to the diagonal, which neither units nor stiff neighbours spoil. The shift makes a singular matrix
+  // factorizable without hiding its null space behind motions that are merely soft, such as those of slender parts.
+  const Eigen::VectorXd diagonal = matrix.diagonal().cwiseMax(std::numeric_limits<double>::min());
+  std::unique_ptr<SystemSolver> solver = method.make_solver();
+  const auto factorize = [&](double shift) {
+    Eigen::SparseMatrix<double> shifted = matrix;
+    for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += shift * diagonal[i];
+    return solver->factorization().factorize(shifted);
+  };
+  if (!factorize(small_shift) && !factorize(safe_shift)) {
+    fail(Failure::unsolvable, "the stiffness matrix is indefinite");
+  }
   Eigen::VectorXd vector =
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
-  for (int iteration = 0; iteration < 6; ++iteration) {
+  const double unit = diagonal.maxCoeff();
+  for (int iteration = 0; iteration < inverse_iterations; ++iteration) {
+    vector.array() *= diagonal.array() / unit;
     solver->factorization().solve_in_place(vector);
     vector /= vector.cwiseAbs().maxCoeff();
   }
   const Eigen::VectorXd force = solver->multiply(matrix, vector);
-  resistance = std::abs(vector.dot(force)) / (largest * vector.squaredNorm());
+  resistance = std::abs(vector.dot(force / unit)) / vector.cwiseAbs2().dot(diagonal / unit);
   return vector;
 }
 

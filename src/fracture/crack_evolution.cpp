@@ -9,6 +9,21 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
+namespace {
+
+void require_balance(double residual, double energy_balance_error) {
+  if (residual > most_residual) {
+    fail(Failure::unsolvable, "forces are out of balance by ", residual,
+         " of the largest one: a part is held by next to nothing, or very slender; check supports and cracks");
+  }
+  if (energy_balance_error > most_imbalance) {
+    fail(Failure::unsolvable, "work and energies differ by ", energy_balance_error,
+         " of the largest work: a part is held by next to nothing, or very slender; check supports and cracks");
+  }
+}
+
+}  // namespace
+
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                                std::vector<double> critical_stretch, const std::vector<int>& cut,
                                std::vector<std::vector<int>> reaction_dofs)
@@ -25,7 +40,9 @@ void CrackEvolution::find_equilibrium() {
   if (state_.in_equilibrium) return;
   BodyState before = state_;
   try {
-    const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+    LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+    require_balance(body_.residual(), 0);
+    held_ = std::move(found.held);
     state_.fragments += found.fragments;
     state_.work += found.work;
   } catch (...) {
@@ -101,23 +118,36 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   state_.broken_bonds += static_cast<std::int64_t>(event.breaking.size());
   state_.fragments += outcome.fragments;
   if (is_separated(outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
-  write_line(state_.events, event.ratio, outcome.stored_energy, outcome.residual, outcome.reactions);
+  HistoryEntry line;
+  line.event = state_.events;
+  line.stretch_ratio = event.ratio;
+  line.stored_energy = outcome.stored_energy;
+  line.residual = outcome.residual;
+  write_line(line, outcome.energy_scale, outcome.reactions);
 }
 
 void CrackEvolution::end_step() {
   sources_.bring_up_to_date();
-  write_line(0, 0, body_.stored_energy(), body_.residual(), body_.reactions());
+  HistoryEntry line;
+  line.stored_energy = body_.stored_energy();
+  line.residual = body_.residual();
+  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }
 
-void CrackEvolution::write_line(std::int64_t event, double ratio, double stored_energy, double residual,
-                                const std::vector<double>& reactions) {
+void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, const std::vector<double>& reactions) {
+  HistoryEntry line = known;
+  line.total_broken_bonds = state_.broken_bonds;
+  line.load_factor = state_.load_factor;
+  line.released_energy = state_.released_energy;
+  line.work = state_.work;
   state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
-  const double difference = std::abs(state_.work - stored_energy - state_.released_energy);
-  const double error = state_.largest_work > 0 ? difference / state_.largest_work : difference;
-  state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, error);
-  state_.residual = residual;
-  state_.history.push_back({event, state_.broken_bonds, state_.load_factor, ratio, stored_energy,
-                            state_.released_energy, state_.work, error, residual});
+  const double scale = std::max(state_.largest_work, energy_scale);
+  const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);
+  line.energy_balance_error = scale > 0 ? difference / scale : difference;
+  require_balance(line.residual, system_.is_symmetric() ? line.energy_balance_error : 0);
+  state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, line.energy_balance_error);
+  state_.residual = line.residual;
+  state_.history.push_back(line);
   state_.reactions.insert(state_.reactions.end(), reactions.begin(), reactions.end());
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
@@ -36,6 +37,9 @@ class CrackEvolution {
 
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
+
+  // Nodes of parts that the last equilibrium under new loads found to move freely; they are held from there on.
+  std::vector<int> take_held() { return std::exchange(held_, {}); }
 
   // Displacements and forces are brought up to date first; nothing else depends on whether they are asked for.
   const EvolutionState& state() {
@@ -73,13 +77,14 @@ class CrackEvolution {
   void return_to(const Start& start);
   void book(const Event& event, const Outcome& outcome);
   void end_step();
-  void write_line(std::int64_t event, double ratio, double stored_energy, double residual,
-                  const std::vector<double>& reactions);
+  // Throws Error (unsolvable) for a line whose forces or energies do not balance.
+  void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions);
 
   coupling::EquilibriumSystem& system_;
   EvolutionState state_;
   LoadedBody body_;
   EventSources sources_;
+  std::vector<int> held_;
 };
 
 }  // namespace bempd::fracture

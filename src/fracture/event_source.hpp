@@ -22,6 +22,7 @@ struct Outcome {
   double stored_energy = 0;  // after it
   double unit_energy = 0;    // of the proportional load alone, after it
   double residual = 0;
+  double energy_scale = 0;  // what energies are measured by at least
   std::int64_t fragments = 0;
   std::vector<double> reactions;  // after it, x and y of every support
 };

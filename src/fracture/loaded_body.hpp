@@ -17,6 +17,13 @@ bool is_separated(double unit_energy, double first_unit_energy);
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
                 double largest_force);
 
+// No result is given out whose residual or energy balance is off by more (bempd.h says so).
+constexpr double most_residual = 1e-8, most_imbalance = 1e-8;
+
+// What forces, and energies, are measured by at least where supports move.
+double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
+double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
+
 // The whole body under its loads: the displacements for all load factors, and the forces and energies at the present
 // one. Between two breaks the response is linear in the load factor.
 class LoadedBody {
@@ -43,6 +50,7 @@ class LoadedBody {
   struct FirstEquilibrium {
     double work;
     std::int64_t fragments;  // cut off by initial cracks, or pushed by new loads
+    std::vector<int> held;   // nodes of parts that could move freely
   };
   // Under loads that are new, at the present load factor.
   FirstEquilibrium find_equilibrium();
@@ -62,6 +70,7 @@ class LoadedBody {
   double stored_energy() const;
   double unit_energy() const;
   double residual() const;
+  bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet
   Eigen::Vector2d reaction(std::size_t support) const;
   std::vector<double> reactions() const;
 

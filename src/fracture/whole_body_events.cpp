@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "error.hpp"
+#include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::fracture {
@@ -14,16 +14,8 @@ namespace {
 // A bond that lengthens by this factor when it breaks was the last resistance to some motion.
 constexpr double runaway_elongation = 1e8;
 
-constexpr int most_holds_per_event = 16;
-
-// Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
-constexpr double free_motion_resistance = 1e-13;
-
 // An increment that has begun by less than this share of its size has not begun.
 constexpr double increment_rounding = 1e-9;
-
-// Nodes that a free motion moves by less than this share of its largest displacement stay where they are.
-constexpr double moved_share = 1e-6;
 
 }  // namespace
 
@@ -74,24 +66,6 @@ void WholeBodyEvents::choose_bonds(const SteppingOptions& options) {
   for (int b : event_.breaking) event_.ratio = std::max(event_.ratio, ratios.at(b, f));
 }
 
-bool WholeBodyEvents::drop_loads_that_push(const Eigen::VectorXd& motion) {
-  std::vector<char> moves(system_.node_count(), 0);
-  const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
-  for (int node = 0; node < system_.node_count(); ++node) moves[node] = is_moved(node) ? 1 : 0;
-  // A body that cannot break moves as a whole.
-  for (const std::vector<int>& body : system_.dense_bodies()) {
-    if (std::none_of(body.begin(), body.end(), is_moved)) continue;
-    for (int node : body) moves[node] = 1;
-  }
-  std::vector<int> loaded;
-  for (int node = 0; node < system_.node_count(); ++node) {
-    if (moves[node] && !system_.force().middleRows<2>(2 * node).isZero(0)) loaded.push_back(node);
-  }
-  if (loaded.empty()) return false;
-  body_.drop_loads(loaded);
-  return true;
-}
-
 bool WholeBodyEvents::runs_away(const std::vector<double>& elongation) {
   const Eigen::VectorXd after = evaluate(body_.state().displacement, body_.state().load_factor);
   for (std::size_t i = 0; i < elongation.size(); ++i) {
@@ -99,31 +73,6 @@ bool WholeBodyEvents::runs_away(const std::vector<double>& elongation) {
     if (!(now < runaway_elongation * std::abs(elongation[i]))) return true;
   }
   return false;
-}
-
-bool WholeBodyEvents::solve_after_break(const std::vector<double>& elongation, const Eigen::VectorXd& before,
-                                        Outcome& outcome) {
-  bool loads_lost = false;
-  for (int hold = 0;; ++hold) {
-    bool free_motion = false;
-    try {
-      body_.solve();
-      free_motion = runs_away(elongation);
-    } catch (const Error& error) {
-      if (error.failure() != Failure::unsolvable || hold == most_holds_per_event) throw;
-      free_motion = true;
-    }
-    if (!free_motion && system_.resists_all_motions(event_.breaking)) return loads_lost;
-    const coupling::SoftMotion soft = system_.softest_motion();
-    if (!free_motion && soft.resistance > free_motion_resistance) return loads_lost;
-    if (hold == most_holds_per_event) fail(Failure::unsolvable, "bonds broke so that parts move freely");
-    const coupling::HoldingSpring spring = body_.freed_parts().against(soft.motion, before);
-    system_.commit_break({}, {&spring, 1});
-    system_.forget_factor();
-    if (!drop_loads_that_push(soft.motion)) continue;
-    loads_lost = true;
-    ++outcome.fragments;
-  }
 }
 
 // Potential energy lost: k e^2 / (2 gamma) for a single bond, whose elongation grows from e to e / gamma.
@@ -155,7 +104,9 @@ Outcome WholeBodyEvents::perform() {
   system_.commit_break(breaking, freed.springs);
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
-  const bool loads_lost = solve_after_break(elongation, before, outcome) || !freed.nodes_with_lost_loads.empty();
+  const HeldMotions held = solve_and_hold(body_, breaking, before, [&] { return runs_away(elongation); });
+  outcome.fragments += held.fragments;
+  const bool loads_lost = held.loads_lost || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
   outcome.stored_energy = body_.stored_energy();
@@ -166,6 +117,7 @@ Outcome WholeBodyEvents::perform() {
   state.springs = system_.springs();
   outcome.unit_energy = body_.unit_energy();
   outcome.residual = body_.residual();
+  outcome.energy_scale = energy_scale_of_supports(system_, event_.load_factor);
   outcome.reactions = body_.reactions();
   return outcome;
 }

@@ -23,12 +23,7 @@ class WholeBodyEvents final : public EventSource {
   std::optional<double> next_increment(double target, double increment) const;
   void choose_bonds(const SteppingOptions& options);
 
-  // Solves and holds what the solution shows to move freely. Returns whether loads were lost with a part that came
-  // free.
-  bool solve_after_break(const std::vector<double>& elongation, const Eigen::VectorXd& before, Outcome& outcome);
   bool runs_away(const std::vector<double>& elongation);
-  // Loads on the nodes that a free motion moves: nothing balances them any more, the part counts as a fragment.
-  bool drop_loads_that_push(const Eigen::VectorXd& motion);
   double released_energy(const std::vector<double>& elongation) const;
 
   LoadedBody& body_;

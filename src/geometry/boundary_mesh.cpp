@@ -45,16 +45,12 @@ void add_loop(const std::vector<Panel>& panels, int first_panel, BoundaryMesh& m
 
 }  // namespace
 
-BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops, CornerTractions corner_tractions) {
+BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops) {
   BoundaryMesh mesh;
   int first_panel = 0;
   for (const auto& loop : loops) {
     add_loop(loop, first_panel, mesh);
     first_panel += static_cast<int>(loop.size());
-  }
-  if (corner_tractions == CornerTractions::one) {
-    for (BoundaryElement& element : mesh.elements) element.traction_nodes = element.nodes;
-    mesh.traction_node_count = static_cast<int>(mesh.nodes.size());
   }
   return mesh;
 }

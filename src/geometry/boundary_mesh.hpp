@@ -25,12 +25,9 @@ struct Panel {
   Arc arc() const { return {start, end, sweep}; }
 };
 
-// Tractions at a node between two panels: one of each panel, so that they may jump there, or one in common.
-enum class CornerTractions { one, two };
-
 // Closed boundary of one body: the outer loop counter-clockwise, holes clockwise, every panel continuing the last one.
-// Displacement nodes are shared along each loop; the traction space is continuous inside a panel and, with two corner
-// tractions, double at its ends. With one corner traction the traction nodes are the displacement nodes.
+// Displacement nodes are shared along each loop; the traction space is continuous inside a panel and double at its
+// ends, so that tractions may jump there.
 struct BoundaryMesh {
   std::vector<Point> nodes;
   std::vector<BoundaryElement> elements;
@@ -38,8 +35,7 @@ struct BoundaryMesh {
 };
 
 // `loops[l]` lists the panels of loop l in order; panels are numbered through all loops.
-BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops,
-                           CornerTractions corner_tractions = CornerTractions::two);
+BoundaryMesh mesh_boundary(const std::vector<std::vector<Panel>>& loops);
 
 // Whether two meshes have the same elements on places that differ by a translation, up to the rounding of the places.
 bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b);

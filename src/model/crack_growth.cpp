@@ -23,8 +23,8 @@ double first_meeting(const scene::Scene& scene, const Segment& way, double toler
   const auto consider = [&](double fraction) {
     if (fraction > behind_tip) first = std::min(first, fraction);
   };
-  for (const auto& region : scene.regions())
-    for (const Edge& edge : edges_of(region->outline()))
+  for (const int region : scene.region_ids())
+    for (const Edge& edge : edges_of(scene.region(region).outline()))
       for (const Crossing& meeting : meeting_points(Edge(way.start, way.end), edge)) consider(meeting.fraction_a);
   for (const scene::Crack& crack : scene.cracks())
     for (std::size_t i = 0; i + 1 < crack.points.size(); ++i)

@@ -22,9 +22,7 @@ const std::vector<regions::TipValues>& Model::tips() {
 }
 
 std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& fractions) {
-  const int count = static_cast<int>(scene_.cracks().size());
-  require(crack >= 1 && crack <= count, "crack ", crack, " does not exist; ",
-          count == 0 ? std::string("add a crack first") : text("ids run from 1 to ", count));
+  scene_.crack(crack);
   for (const double fraction : fractions)
     require(fraction >= 0 && fraction <= 1, "a fraction of the crack's length is ", fraction,
             "; it must lie between 0 and 1");

@@ -1,6 +1,7 @@
 #include "model/fingerprint.hpp"
 
 #include "hash.hpp"
+#include "regions/scheme.hpp"
 
 namespace bempd::model {
 
@@ -21,6 +22,7 @@ void add(Hash& hash, const scene::Material& material) {
 }
 
 void add_place(Hash& hash, const scene::Condition& condition) {
+  if (condition.removed()) return hash.add(std::string_view("removed"));
   condition.place->identify(hash);
   hash.add(condition.components);
 }
@@ -34,27 +36,38 @@ bool add_values(Hash& hash, const scene::Condition& condition) {
   return true;
 }
 
+void add_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
+  hash.add(std::string_view(option.name));
+  if (option.is_text) {
+    hash.add(std::string_view(options.text_value(option.name)));
+  } else {
+    hash.add(options.number(option.name));
+  }
+}
+
 }  // namespace
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options) {
   Hash body;
-  body.add(scene.regions().size());
-  for (const auto& region : scene.regions()) {
-    add(body, scene.material(region->material()));
-    region->identify(body);
+  const std::vector<int> ids = scene.region_ids();
+  body.add(ids.size());
+  for (int id : ids) {
+    add(body, scene.material_of(id));
+    scene.region(id).identify(body);
   }
   std::uint64_t cracks = 0;  // their order does not matter
   for (const scene::Crack& crack : scene.cracks()) {
+    if (crack.points.empty()) continue;
     Hash hash;
     for (const Point& p : crack.points) hash.add(p.x()), hash.add(p.y());
     cracks += hash.value();
   }
   body.add(cracks);
-  for (const char* name :
-       {"scheme", "critical_stretch", "paper.lattice", "paper.interface", "paper.corner_tractions", "bem.grading"}) {
-    body.add(std::string_view(options.text_value(name)));
+  for (const scene::OptionDescription& option : scene::option_descriptions()) {
+    if (option.shapes_operators) add_option(body, option, options);
   }
-  body.add(options.number("bem.quadrature_tolerance"));
+  // Those of other schemes mean nothing here.
+  for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(body, option, options);
   Hash supports;
   for (const scene::Condition& support : scene.supports()) add_place(supports, support);
   return {body.value(), supports.value()};

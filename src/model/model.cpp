@@ -48,6 +48,16 @@ scene::Scene& Model::editable_scene() {
   return scene_;
 }
 
+void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
+  if (!prepared_) return;
+  const fracture::EvolutionState& state = prepared_->evolution->progress();
+  const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
+  if (was_prepared && (has_begun || !unsolvable)) return;
+  prepared_.reset();
+  fields_ = {};
+  ++generation_;
+}
+
 void Model::log(int level, const std::string& message) const {
   if (log_) log_(level, message);
 }
@@ -69,7 +79,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
 
 void Model::prepare() {
   if (prepared_) return;
-  if (scene_.regions().empty()) fail(Failure::order, "the scene has no region; add one first");
+  if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   auto p = std::make_unique<PreparedScene>();
   p->fingerprint = fingerprint(scene_, options_);
   p->discretization = regions::discretize(scene_, options_);
@@ -101,8 +111,7 @@ void Model::ensure_equilibrium() {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
-  warn_of_condition();
-  warn_of_overlap();
+  warn_of_equilibrium();
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
@@ -118,12 +127,35 @@ void Model::warn_of_blas() const {
               "OPENBLAS_CORETYPE, for instance Haswell)"));
 }
 
+void Model::warn_of_equilibrium() {
+  warn_of_condition();
+  warn_of_held_parts();
+  warn_of_overlap();
+}
+
 void Model::warn_of_condition() {
   const double condition = prepared_->system->counters().reciprocal_condition;
   if (warned_of_condition_ || condition >= poor_condition) return;
   warned_of_condition_ = true;
   log(1, text("the equations are badly conditioned: about ", static_cast<int>(std::lround(-std::log10(condition))),
               " digits of the displacement are lost; look for parts that are very slender or hardly supported"));
+}
+
+void Model::warn_of_held_parts() {
+  constexpr std::size_t most_named = 4;
+  std::vector<int> held = prepared_->evolution->take_held();
+  std::sort(held.begin(), held.end());
+  held.erase(std::unique(held.begin(), held.end()), held.end());
+  if (held.empty()) return;
+  std::string places;
+  for (std::size_t i = 0; i < std::min(held.size(), most_named); ++i) {
+    const Point& place = prepared_->discretization.positions[held[i]];
+    const int crack = scene_.crack_nearest(place);
+    places += text(i == 0 ? "" : ", ", "(", place.x(), ", ", place.y(), ")");
+    if (crack > 0) places += text(" by initial crack ", crack);
+  }
+  if (held.size() > most_named) places += text(" and at ", held.size() - most_named, " places more");
+  log(1, "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
 }
 
 void Model::reload() {
@@ -195,8 +227,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
         "and their balance are not; choose other units");
   }
-  warn_of_condition();
-  warn_of_overlap();
+  warn_of_equilibrium();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

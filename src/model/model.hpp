@@ -61,6 +61,9 @@ class Model {
 
   // Throws Error (order) once the model is prepared.
   scene::Scene& editable_scene();
+  // After a call that failed: what it has prepared is given up, and so is a body whose first equilibrium was not found,
+  // so that the scene can be corrected.
+  void call_failed(bool was_prepared, bool unsolvable) noexcept;
   void set_load_values(int load, scene::SampledValues values);
   void set_support_values(int support, scene::SampledValues values);
 
@@ -117,8 +120,10 @@ class Model {
   void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
   void ensure_equilibrium();
   void warn_of_condition();
+  void warn_of_held_parts();
   void warn_of_blas() const;
   void warn_of_overlap();
+  void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
   void reload();
   void rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before);

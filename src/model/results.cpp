@@ -71,7 +71,9 @@ void Model::write_snapshot(const std::string& prefix) {
 }
 
 void Model::write_history(const std::string& path) const {
-  results::write_history(path, prepared_ ? &prepared_->evolution->progress() : nullptr, scene_.supports().size());
+  std::vector<char> there;
+  for (const scene::Condition& support : scene_.supports()) there.push_back(support.removed() ? 0 : 1);
+  results::write_history(path, prepared_ ? &prepared_->evolution->progress() : nullptr, there);
 }
 
 }  // namespace bempd::model

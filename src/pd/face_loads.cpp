@@ -12,11 +12,10 @@ namespace {
 constexpr double abscissa[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
 constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
 
-// Calls deposit(lower end of the cell edge, axis along it, fraction along it, force) for the Gauss points of all (parts
-// of) cell edges between a and b.
-template <class Deposit>
-void integrate_over_edges(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
-                          const Deposit& deposit) {
+}  // namespace
+
+void for_forces_on_cell_edges(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
+                              const CellEdgeVisitor& visit) {
   const int along = std::abs(b.x() - a.x()) >= std::abs(b.y() - a.y()) ? 0 : 1, across = 1 - along;
   const int line = static_cast<int>(std::lround(a[across]));
   assert(std::abs(a[across] - line) < 1e-9 && std::abs(b[across] - line) < 1e-9);
@@ -32,31 +31,19 @@ void integrate_over_edges(const Point& a, const Point& b, const std::function<Po
       Point at;
       at[along] = start + half * (1 + abscissa[g]);
       at[across] = line;
-      deposit(lower_end, along, at[along] - edge, weight[g] * half * traction(at));
+      visit(lower_end, along, at[along] - edge, weight[g] * half * traction(at));
     }
   }
 }
 
-}  // namespace
-
 void add_face_forces(const CellLattice& lattice, const Point& a, const Point& b,
                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces) {
   assert(forces.size() == 2 * lattice.point_count());
-  integrate_over_edges(a, b, traction, [&](const Eigen::Vector2i& end, int along, double s, const Point& force) {
+  for_forces_on_cell_edges(a, b, traction, [&](const Eigen::Vector2i& end, int along, double s, const Point& force) {
     const int i = lattice.find_point(end), j = lattice.find_point(end + Eigen::Vector2i::Unit(along));
     assert(i >= 0 && j >= 0);
     forces.segment<2>(2 * i) += (1 - s) * force;
     forces.segment<2>(2 * j) += s * force;
-  });
-}
-
-void add_layer_forces(const CellLattice& centres, const Point& a, const Point& b,
-                      const std::function<Point(const Point&)>& traction, Eigen::Ref<Eigen::VectorXd> forces) {
-  assert(forces.size() == 2 * centres.point_count());
-  integrate_over_edges(a, b, traction, [&](const Eigen::Vector2i& end, int along, double, const Point& force) {
-    const int ahead = centres.find_point(end), behind = centres.find_point(end - Eigen::Vector2i::Unit(1 - along));
-    assert((ahead >= 0) != (behind >= 0));
-    forces.segment<2>(2 * std::max(ahead, behind)) += force;
   });
 }
 

@@ -47,6 +47,7 @@ class SupportTable {
 
 void apply_support(const scene::Scene& scene, const Discretization& d, int support, SupportTable& table) {
   const scene::Condition& condition = scene.supports()[support];
+  if (condition.removed()) return;
   for (const PlacedNode& n : condition.place->held_nodes(scene, d, support)) {
     const scene::BoundaryValue value = condition.value(d.positions[n.node], n.fraction);
     for (int component = 0; component < 2; ++component) {
@@ -74,7 +75,7 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
   SupportTable table(d, c);
   for (std::size_t s = 0; s < scene.supports().size(); ++s) apply_support(scene, d, static_cast<int>(s), table);
   for (std::size_t l = 0; l < scene.loads().size(); ++l)
-    scene.loads()[l].place->add_load(scene, d, static_cast<int>(l), c);
+    if (!scene.loads()[l].removed()) scene.loads()[l].place->add_load(scene, d, static_cast<int>(l), c);
   return c;
 }
 

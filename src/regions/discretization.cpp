@@ -17,19 +17,40 @@ namespace {
 void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outlines, Discretization& d) {
   constexpr double share = 0.1;
   std::vector<double> reach;
-  for (const auto& region : scene.regions()) reach.push_back(share * region->resolution());
+  for (int id : scene.region_ids()) reach.push_back(share * scene.region(id).resolution());
   const std::vector<Gap> gaps = close_gaps(outlines, reach);
   if (gaps.empty()) return;
   const auto narrower = [](const Gap& a, const Gap& b) { return a.width < b.width; };
   const Gap& gap = *std::min_element(gaps.begin(), gaps.end(), narrower);
   const std::string others = gaps.size() > 1 ? text(" (and ", gaps.size() - 1, " more such pairs)") : "";
-  d.warnings.push_back(text("regions ", gap.region_a + 1, " and ", gap.region_b + 1, " lie ", gap.width, " apart at (",
-                            gap.where.x(), ", ", gap.where.y(), "), less than a tenth of their elements", others,
-                            "; they are not bonded there, as places count as one up to ", d.tolerance,
+  const std::vector<int> ids = scene.region_ids();
+  d.warnings.push_back(text("regions ", ids[gap.region_a], " and ", ids[gap.region_b], " lie ", gap.width,
+                            " apart at (", gap.where.x(), ", ", gap.where.y(), "), less than a tenth of their elements",
+                            others, "; they are not bonded there, as places count as one up to ", d.tolerance,
                             " only: let them share vertices if they belong together"));
 }
 
+// An arrangement speaks of the outlines it was given; from here on of ids - 1, which removed regions leave out.
+void number_by_ids(Arrangement& arrangement, const scene::Scene& scene) {
+  const std::vector<int> ids = scene.region_ids();
+  if (static_cast<int>(ids.size()) == scene.region_count()) return;
+  const auto number = [&](int& index) { index = ids[index] - 1; };
+  for (Contact& contact : arrangement.contacts) number(contact.region), number(contact.other_region);
+  if (arrangement.overlap) number(arrangement.overlap->region_a), number(arrangement.overlap->region_b);
+  for (PointTouch& hinge : arrangement.hinges) {
+    for (auto& group : hinge.groups) std::for_each(group.begin(), group.end(), number);
+  }
+  auto breakpoints = std::move(arrangement.breakpoints);
+  arrangement.breakpoints.assign(static_cast<std::size_t>(scene.region_count()), {});
+  for (std::size_t i = 0; i < ids.size(); ++i) arrangement.breakpoints[ids[i] - 1] = std::move(breakpoints[i]);
+}
+
 }  // namespace
+
+const Region& Discretization::region(int id) const {
+  const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
+  return **std::lower_bound(regions.begin(), regions.end(), id, reaches);
+}
 
 std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   std::vector<RegionOperator> known;
@@ -50,16 +71,17 @@ RegionStatistics Discretization::statistics() const {
 Discretization discretize(const scene::Scene& scene, const scene::Options& options) {
   Discretization d;
   std::vector<Outline> outlines;
-  for (const auto& region : scene.regions()) outlines.push_back(region->outline());
+  for (int id : scene.region_ids()) outlines.push_back(scene.region(id).outline());
   const Box box = scene.bounding_box();
   d.tolerance = geometric_tolerance(box);
   d.arrangement = arrange(outlines);
+  number_by_ids(d.arrangement, scene);
   warn_of_gaps(scene, outlines, d);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
   const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions, d.crack_regions};
   require_compatible(preparation);
 
-  for (int id = 1; id <= scene.region_count(); ++id) d.regions.push_back(scene.region(id).build(id, preparation));
+  for (int id : scene.region_ids()) d.regions.push_back(scene.region(id).build(id, preparation));
   d.crack_regions = regions_of_cracks(preparation);
   for (const auto& region : d.regions) {
     const Stopwatch watch(region->seconds_preparing);

@@ -16,15 +16,15 @@ namespace bempd::regions {
 struct Discretization {
   double tolerance;  // distance below which places are the same
   Arrangement arrangement;
-  std::vector<Point> positions;  // of the scene's nodes
-  std::vector<std::unique_ptr<Region>> regions;
+  std::vector<Point> positions;                  // of the scene's nodes
+  std::vector<std::unique_ptr<Region>> regions;  // by ascending id
   coupling::BondSet bonds;
   coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
   std::vector<double> critical_stretch;  // per bond
   std::vector<std::string> warnings;
   std::vector<int> crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
 
-  const Region& region(int id) const { return *regions[static_cast<std::size_t>(id) - 1]; }
+  const Region& region(int id) const;  // one that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;
   RegionStatistics statistics() const;
 };

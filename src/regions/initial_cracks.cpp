@@ -13,8 +13,8 @@ namespace {
 // Where a segment may pass from one region to another: crossings with edges, and vertices and ends that touch.
 std::vector<double> crossings(const Scene& scene, const Segment& segment, double tolerance) {
   std::vector<double> fractions{0.0, 1.0};
-  for (const auto& region : scene.regions()) {
-    for (const Edge& edge : edges_of(region->outline())) {
+  for (int id : scene.region_ids()) {
+    for (const Edge& edge : edges_of(scene.region(id).outline())) {
       for (const Crossing& crossing : meeting_points(Edge(segment.start, segment.end), edge))
         fractions.push_back(crossing.fraction_a);
       if (distance(segment, edge.start) <= tolerance) fractions.push_back(closest_fraction(segment, edge.start));
@@ -38,7 +38,7 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
           "), which is outside the body; end the crack on the body's boundary or inside");
   require(!with_elements.empty(), "crack ", crack, " passes (", middle.x(), ", ", middle.y(), "), which is in region ",
           other, ", a ", p.scene.region(other).adjective(),
-          " region; in scheme paper cracks can only lie in peridynamic regions, choose scheme symmetric");
+          " region; the chosen scheme has cracks in peridynamic regions only, scheme symmetric has them in both");
   require(with_elements.size() == 1, "crack ", crack, " runs along the interface of the regions ",
           with_elements.front(), " and ", with_elements.back(), " at (", middle.x(), ", ", middle.y(),
           "); it has to lie inside of one of them");
@@ -46,6 +46,7 @@ int region_of_piece(const Preparation& p, int crack, const Point& middle) {
 }
 
 int region_of_crack(const Preparation& p, int crack, const std::vector<Point>& points) {
+  if (points.empty()) return 0;  // removed
   int found = -1;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const Segment segment{points[k], points[k + 1]};

@@ -14,9 +14,10 @@ namespace {
 
 // An arc above an edge of a lattice leaves a gap, or overlaps: what was meant is an interface, and those are straight.
 void require_straight_interfaces(const Scene& scene, double tolerance) {
-  for (int id = 1; id <= scene.region_count(); ++id) {
+  const std::vector<int> ids = scene.region_ids();
+  for (int id : ids) {
     for (const auto& [number, edge] : scene.region(id).outline().curved) {
-      for (int other = 1; other <= scene.region_count(); ++other) {
+      for (int other : ids) {
         if (!scene.region(other).node_grid()) continue;
         const Outline& lattice = scene.region(other).outline();
         const auto touches = [&](const Point& p) { return locate(lattice, p, tolerance) == Location::on_boundary; };

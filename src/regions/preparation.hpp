@@ -22,7 +22,7 @@ struct Preparation {
   const Scheme& scheme;
   const Arrangement& arrangement;
   double tolerance;                                     // distance below which places are the same
-  const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by id - 1
+  const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
   const std::vector<int>& crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
 };
 

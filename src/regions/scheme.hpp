@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "regions/region.hpp"
+#include "scene/options.hpp"
 
 namespace bempd::regions {
 
@@ -25,5 +28,27 @@ class Scheme {
 
 // The one that the option `scheme` names.
 std::unique_ptr<Scheme> make_scheme(const scene::Options& options);
+
+// The options that it alone has, all of which shape its operators.
+const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options);
+
+// Legal words of the option `scheme`.
+std::vector<std::string> scheme_names();
+
+// What there is to know of a scheme, the symmetric one aside: the word that chooses it, what it is in the option's
+// sentence, how to make it, and the options that it alone has.
+struct SchemeEntry {
+  const char* name;
+  const char* summary;
+  std::unique_ptr<Scheme> (*make)(const scene::Options& options);
+  std::vector<scene::OptionDescription> options;
+};
+
+// Adds a scheme, from an object of static duration in its own files: nothing else names it, and a build without the
+// files is one without the scheme.
+class SchemeRegistration {
+ public:
+  explicit SchemeRegistration(SchemeEntry entry);
+};
 
 }  // namespace bempd::regions

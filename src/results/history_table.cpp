@@ -6,11 +6,12 @@
 
 namespace bempd::results {
 
-void write_history(const std::string& path, const fracture::EvolutionState* state, std::size_t support_count) {
+void write_history(const std::string& path, const fracture::EvolutionState* state, const std::vector<char>& there) {
   std::vector<std::string> columns{"event",         "load_factor",          "total_broken_bonds",
                                    "stretch_ratio", "stored_energy",        "released_energy",
                                    "work",          "energy_balance_error", "residual"};
-  for (std::size_t s = 1; s <= support_count; ++s) {
+  for (std::size_t s = 1; s <= there.size(); ++s) {
+    if (!there[s - 1]) continue;
     columns.push_back(text("reaction_x_", s));
     columns.push_back(text("reaction_y_", s));
   }
@@ -21,8 +22,12 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
     std::vector<output::CsvValue> row{h.event,         h.load_factor,          h.total_broken_bonds,
                                       h.stretch_ratio, h.stored_energy,        h.released_energy,
                                       h.work,          h.energy_balance_error, h.residual};
-    for (std::size_t r = 2 * support_count * i; r < 2 * support_count * (i + 1); ++r)
-      row.emplace_back(state->reactions[r]);
+    for (std::size_t s = 0; s < there.size(); ++s) {
+      if (!there[s]) continue;
+      const std::size_t at = 2 * (there.size() * i + s);
+      row.emplace_back(state->reactions[at]);
+      row.emplace_back(state->reactions[at + 1]);
+    }
     table.add_row(row);
   }
   writing([&] { table.save(output::path_from_utf8(path)); });

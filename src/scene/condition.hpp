@@ -31,10 +31,11 @@ struct SampledValues {
 
 // A support or a load. Components: 1 x, 2 y, 3 both.
 struct Condition {
-  std::shared_ptr<const Place> place;
-  int components;
+  std::shared_ptr<const Place> place;  // null: it was removed
+  int components = 0;
   std::variant<SampledValues, BoundaryFunction> values;
 
+  bool removed() const { return place == nullptr; }
   BoundaryValue value(const Point& where, double fraction_of_part) const;
   // The same with components that it does not act on at zero.
   BoundaryValue acting_value(const Point& where, double fraction_of_part) const;

@@ -11,14 +11,19 @@ namespace bempd::scene {
 
 namespace {
 
-OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
-                                bool whole) {
-  return {name, summary, "-", false, whole, value, minimum, maximum, "", ""};
+std::multimap<OptionPlace, OptionGroup::Describe>& groups() {
+  static std::multimap<OptionPlace, OptionGroup::Describe> all;
+  return all;
 }
 
-OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text) {
-  return {name, summary, "-", true, false, 0, 0, 0, choices, default_text};
-}
+const OptionGroup general(OptionPlace::general, [] {
+  return std::vector<OptionDescription>{
+      text_option("accuracy",
+                  "Defaults of bem.quadrature_tolerance and stepping.tie_band: draft, 1e-6 for the first; standard, "
+                  "their own; fine, 1e-15 and 0. A value set by hand stands, before or after.",
+                  "draft | standard | fine", "standard"),
+      number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true)};
+});
 
 // Defaults that the option `accuracy` moves. A lattice's horizon is not among them: it is part of the material.
 struct PresetValue {
@@ -75,81 +80,31 @@ const OptionDescription& describe(std::string_view name) {
   fail(Failure::argument, "there is no option '", name, "'; near names are ", near_names(name));
 }
 
-std::vector<OptionDescription> discretization_options() {
-  return {
-      text_option("accuracy",
-                  "Defaults of bem.quadrature_tolerance and stepping.tie_band: draft, 1e-6 for the first; standard, "
-                  "their own; fine, 1e-15 and 0. A value set by hand stands, before or after.",
-                  "draft | standard | fine", "standard"),
-      text_option(
-          "scheme",
-          "Discretization: symmetric Galerkin boundary elements with exactly consistent bonds, or collocation with "
-          "uncorrected bonds as Yang and Liu 2021 have it.",
-          "symmetric | paper", "symmetric"),
-      text_option("critical_stretch",
-                  "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "
-                  "2021, Eq. 15 (plane stress only).",
-                  "exact | printed", "exact"),
-      text_option("paper.lattice",
-                  "Material points of scheme paper: cell_centred with points of their own on interfaces, or nodal.",
-                  "cell_centred | nodal", "cell_centred"),
-      text_option(
-          "paper.interface",
-          "What scheme paper balances at interfaces: nodal_force, tractions times the lengths of nodes against bond "
-          "forces, or traction, t = -b dx at every node (Eq. 27).",
-          "nodal_force | traction", "nodal_force"),
-      text_option("paper.corner_tractions", "Tractions at a corner of a boundary element region in scheme paper.",
-                  "two | one", "two"),
-      number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true),
-      number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4, 2, 8,
-                    true),
-      number_option("bem.quadrature_tolerance",
-                    "Relative error of the boundary integrals of a pair of elements; a looser one is faster.", 1e-14,
-                    1e-15, 1e-3, false),
-      text_option("bem.grading",
-                  "Boundary elements near places where stress is singular: auto, smaller and smaller towards "
-                  "re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(); none. Scheme paper "
-                  "has none.",
-                  "auto | none", "auto"),
-  };
-}
-
-std::vector<OptionDescription> stepping_options() {
-  return {
-      text_option(
-          "stepping.mode",
-          "How bonds break: event, the most stretched first at the load factor they reach, until none is "
-          "overstretched; paper, fixed increments with one solution each in which every overstretched bond breaks.",
-          "event | paper", "event"),
-      number_option(
-          "stepping.increment",
-          "Increment of the load factor in the stepping mode paper; its multiples and the ends of steps count.", 1,
-          1e-300, 1e300, false),
-      number_option("stepping.tie_band",
-                    "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.", 1e-3,
-                    0, 0.5, false),
-      text_option(
-          "stepping.solver",
-          "How events are computed in scheme symmetric: window, ahead of time in a small part of the body around "
-          "what breaks, with a proof for each that the whole body breaks in the same way; plain, one by one with "
-          "a solution of the whole body each.",
-          "plain | window", "window"),
-      number_option("stepping.window_length",
-                    "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose, as "
-                    "it always does for the first window at initial cracks.",
-                    0, 0, 1e4, false),
-      number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0, 1e9,
-                    true),
-      number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),
-  };
-}
-
 }  // namespace
+
+OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
+                                bool whole) {
+  return {name, summary, "-", false, whole, value, minimum, maximum, "", "", false};
+}
+
+OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text) {
+  return {name, summary, "-", true, false, 0, 0, 0, choices, default_text, false};
+}
+
+OptionDescription shaping(OptionDescription option) {
+  option.shapes_operators = true;
+  return option;
+}
+
+OptionGroup::OptionGroup(OptionPlace place, Describe describe) { groups().emplace(place, describe); }
 
 const std::vector<OptionDescription>& option_descriptions() {
   static const std::vector<OptionDescription> all = [] {
-    std::vector<OptionDescription> options = discretization_options();
-    for (const OptionDescription& option : stepping_options()) options.push_back(option);
+    std::vector<OptionDescription> options;
+    for (const auto& [place, describe] : groups()) {
+      const std::vector<OptionDescription> more = describe();
+      options.insert(options.end(), more.begin(), more.end());
+    }
     return options;
   }();
   return all;

@@ -16,6 +16,24 @@ struct OptionDescription {
   double default_value, minimum, maximum;
   const char* choices;  // of a text option, separated by " | "
   const char* default_text;
+  bool shapes_operators = false;  // a state only fits scenes that agree in it
+};
+
+OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
+                                bool whole);
+OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
+// The same option, as one that shapes operators.
+OptionDescription shaping(OptionDescription option);
+
+// In the order in which they are listed.
+enum class OptionPlace { general, schemes, lattices, boundaries, stepping };
+
+// Options that belong together, described next to what reads them. Objects of static duration: all are there before
+// main() begins, and the first question for an option asks them for their descriptions.
+class OptionGroup {
+ public:
+  using Describe = std::vector<OptionDescription> (*)();
+  OptionGroup(OptionPlace place, Describe describe);
 };
 
 const std::vector<OptionDescription>& option_descriptions();

@@ -1,5 +1,7 @@
 #include "scene/scene.hpp"
 
+#include <limits>
+
 #include "error.hpp"
 #include "scene/outline_rules.hpp"
 
@@ -18,6 +20,7 @@ int Scene::add_material(const Material& material) {
 
 int Scene::add_region(std::unique_ptr<Region> region) {
   material(region->material());
+  require_no_overlap(*region);
   regions_.push_back(std::move(region));
   return static_cast<int>(regions_.size());
 }
@@ -29,6 +32,7 @@ int Scene::add_crack(const std::vector<Point>& points) {
     require(points[i] != points[i + 1], "points ", i + 1, " and ", i + 2,
             " of the crack are the same; give distinct points");
   }
+  require_possible_crack(points);
   cracks_.push_back({points});
   return static_cast<int>(cracks_.size());
 }
@@ -42,7 +46,15 @@ const Material& Scene::material(int id) const {
 const Region& Scene::region(int id) const {
   require(id >= 1 && id <= static_cast<int>(regions_.size()), "region ", id, " does not exist; ",
           regions_.empty() ? text("add a region first") : text("ids run from 1 to ", regions_.size()));
+  require(regions_[id - 1] != nullptr, "region ", id, " was removed");
   return *regions_[id - 1];
+}
+
+std::vector<int> Scene::region_ids() const {
+  std::vector<int> ids;
+  for (int id = 1; id <= region_count(); ++id)
+    if (regions_[id - 1]) ids.push_back(id);
+  return ids;
 }
 
 Region& Scene::mutable_region(int id) {
@@ -50,9 +62,24 @@ Region& Scene::mutable_region(int id) {
   return *regions_[id - 1];
 }
 
+int Scene::crack_nearest(const Point& place) const {
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const std::vector<Point>& points = cracks_[c].points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double away = distance(Segment{points[i], points[i + 1]}, place);
+      if (away >= least) continue;
+      least = away;
+      nearest = static_cast<int>(c) + 1;
+    }
+  }
+  return nearest;
+}
+
 Box Scene::bounding_box() const {
   Box box;
-  for (const auto& region : regions_) box.extend(bempd::bounding_box(region->outline()));
+  for (int id : region_ids()) box.extend(bempd::bounding_box(region(id).outline()));
   return box;
 }
 

@@ -10,10 +10,11 @@
 namespace bempd::scene {
 
 struct Crack {
-  std::vector<Point> points;
+  std::vector<Point> points;  // none: it was removed
 };
 
-// The scene as the host described it. Ids are positions in these vectors plus 1.
+// The scene as the host described it. Ids are positions in these vectors plus 1; what is removed leaves its place
+// empty, so that the ids of the others stay.
 class Scene {
  public:
   int add_material(const Material& material);
@@ -32,16 +33,26 @@ class Scene {
   int add_load(Condition condition);
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
 
+  // Throws Error (argument) while supports or loads are on the region.
+  void remove_region(int id);
+  void remove_crack(int id);
+  void remove_support(int id);
+  void remove_load(int id);
+
   const Material& material(int id) const;
   const Region& region(int id) const;
-  int region_count() const { return static_cast<int>(regions_.size()); }
-  const std::vector<std::unique_ptr<Region>>& regions() const { return regions_; }
+  int region_count() const { return static_cast<int>(regions_.size()); }  // with removed ones
+  std::vector<int> region_ids() const;                                    // of those there are
   const Material& material_of(int region_id) const { return material(region(region_id).material()); }
+  const Crack& crack(int id) const;
   const std::vector<Crack>& cracks() const { return cracks_; }
   const std::vector<Condition>& supports() const { return supports_; }
   const std::vector<Condition>& loads() const { return loads_; }
   Condition& support(int id);
   Condition& load(int id);
+
+  // Id of the initial crack nearest to a place; 0 if there are none.
+  int crack_nearest(const Point& place) const;
 
   // Size of the whole scene.
   Box bounding_box() const;
@@ -50,6 +61,9 @@ class Scene {
   Region& mutable_region(int id);
   Region& region_with_edge(int id, int edge, const char* purpose);
   void check_condition(const Condition& condition, bool is_support) const;
+  // What no later call can mend (scene_checks.cpp); the rest is found when the scene is prepared.
+  void require_no_overlap(const Region& added) const;
+  void require_possible_crack(const std::vector<Point>& points) const;
 
   std::vector<Material> materials_;
   std::vector<std::unique_ptr<Region>> regions_;

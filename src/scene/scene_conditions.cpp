@@ -25,11 +25,13 @@ int Scene::add_load(Condition condition) {
 Condition& Scene::support(int id) {
   require(id >= 1 && id <= static_cast<int>(supports_.size()), "support ", id, " does not exist; there are ",
           supports_.size());
+  require(!supports_[id - 1].removed(), "support ", id, " was removed");
   return supports_[id - 1];
 }
 
 Condition& Scene::load(int id) {
   require(id >= 1 && id <= static_cast<int>(loads_.size()), "load ", id, " does not exist; there are ", loads_.size());
+  require(!loads_[id - 1].removed(), "load ", id, " was removed");
   return loads_[id - 1];
 }
 

@@ -70,6 +70,7 @@ program fortran_runs
   call indices_count_from_one()
   call pressure_in_a_crack_has_its_factor_and_opening()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
+  call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
   call models_are_freed_and_created_again()
   call finish_checks()
@@ -232,9 +233,9 @@ contains
     call model%set_option("pd.horizon_ratio ", 5._dp)
     call model%get_option("pd.horizon_ratio", number)
     call check(abs(number - 5) <= 0, "a number option is read back")
-    call model%set_option("scheme", "paper")
-    call model%get_option("scheme", word)
-    call check(word == "paper", "a text option is read back")
+    call model%set_option("critical_stretch", "printed")
+    call model%get_option("critical_stretch", word)
+    call check(word == "printed", "a text option is read back")
     call bempd_get_options(options)
     texts = 0
     do k = 1, size(options)
@@ -332,6 +333,31 @@ contains
     call model%reaction(1, force)
     call check(abs(force(1) + 20) < 1e-9_dp, "a load with new values acts from the next step on")
   end subroutine reactions_and_evaluation_agree_with_a_uniform_bar
+
+  subroutine what_is_removed_leaves_no_trace()
+    type(bempd_model) :: model
+    real(c_double) :: force(2)
+    integer :: region, crack, support, load, stat
+
+    call make_square(model)
+    call model%add_bem_region(1, reshape([5._dp, 0._dp, 6._dp, 0._dp, 6._dp, 1._dp, 5._dp, 1._dp], [2, 4]), .5_dp, &
+      region=region)
+    call model%fix_edge(region, 4, BEMPD_BOTH, support=support)
+    call model%remove_region(region, stat)
+    call check(stat == BEMPD_ERROR_ARGUMENT, "a region that bears a support stays")
+    call model%remove_support(support)
+    call model%add_crack(reshape([.5_dp, 0._dp, .5_dp, .5_dp], [2, 2]), crack=crack)
+    call model%remove_crack(crack)
+    call model%remove_region(region)
+    call model%add_traction(1, 2, BEMPD_X, constant=[1e3_dp], load=load)
+    call model%remove_load(load)
+    call model%add_traction(1, 2, BEMPD_X, constant=[10._dp])
+    call model%step(1._dp)
+    call model%reaction(1, force)
+    call check(abs(force(1) + 10) < 1e-9_dp, "only the last traction acts")
+    call model%remove_load(load + 1, stat)
+    call check(stat == BEMPD_ERROR_ORDER, "a prepared model keeps what it has")
+  end subroutine what_is_removed_leaves_no_trace
 
   subroutine history_and_statistics_belong_together()
     type(bempd_model) :: model

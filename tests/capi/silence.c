@@ -25,10 +25,24 @@ static long bytes_written(void (*run)(void)) {
   return size;
 }
 
-static void run_with_scheme(bempd_model* model, const char* scheme) {
-  CHECK_OK(model, bempd_set_option_text(model, "scheme", scheme));
-  CHECK_OK(model, bempd_step_to_next_event(model, 100.0, NULL));
+/** With the scheme of that number; 0 if there are not so many. */
+static int run_with_scheme(bempd_model* model, int number) {
+  char words[64] = "", *scheme;
+  int64_t index, count = 0;
+  CHECK_OK(NULL, bempd_option_count(&count));
+  for (index = 0; index < count; ++index) {
+    bempd_option_info info;
+    CHECK_OK(NULL, bempd_option_info_init(&info, sizeof info));
+    CHECK_OK(NULL, bempd_option_describe(index, &info));
+    if (strcmp(info.name, "scheme") == 0) snprintf(words, sizeof words, "%s", info.choices);
+  }
+  for (scheme = strtok(words, " |"); scheme != NULL && number > 0; --number) scheme = strtok(NULL, " |");
+  if (scheme != NULL) {
+    CHECK_OK(model, bempd_set_option_text(model, "scheme", scheme));
+    CHECK_OK(model, bempd_step_to_next_event(model, 100.0, NULL));
+  }
   bempd_model_free(model);
+  return scheme != NULL;
 }
 
 /** A region of boundary elements beside the lattice that breaks. */
@@ -53,9 +67,10 @@ static bempd_model* regions_with_a_held_interface(void) {
 }
 
 static void run_all(void) {
-  run_with_scheme(regions_that_share_nothing(), "symmetric");
-  run_with_scheme(regions_that_share_nothing(), "paper");
-  run_with_scheme(regions_with_a_held_interface(), "symmetric");
+  int scheme = 0;
+  while (run_with_scheme(regions_that_share_nothing(), scheme)) ++scheme;
+  CHECK(scheme > 0);
+  CHECK(run_with_scheme(regions_with_a_held_interface(), 0));
 }
 
 int main(void) {

@@ -142,4 +142,19 @@ inline std::vector<bool> fixed_rigid_motions(const BoundaryMesh& mesh) {
   return fixed;
 }
 
+// Solves K u = f with the given values where `fixed`; K need not be symmetric.
+inline Eigen::VectorXd solve_unsymmetric(const Eigen::MatrixXd& k, const Eigen::VectorXd& f,
+                                         const std::vector<bool>& fixed, const Eigen::VectorXd& values) {
+  Eigen::MatrixXd matrix = k;
+  Eigen::VectorXd right = f;
+  const double diagonal = k.diagonal().maxCoeff();
+  for (int i = 0; i < f.size(); ++i) {
+    if (!fixed[i]) continue;
+    matrix.row(i).setZero();
+    matrix(i, i) = diagonal;
+    right[i] = diagonal * values[i];
+  }
+  return dense::solve(matrix, right);
+}
+
 }  // namespace bempd::bem_test

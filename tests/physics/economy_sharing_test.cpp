@@ -4,6 +4,7 @@
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/discretization.hpp"
 #include "regions/lattice/lattice_region.hpp"
+#include "regions/scheme.hpp"
 
 namespace {
 
@@ -28,7 +29,7 @@ const bem::BoundaryOperator* operator_of(const Discretization& d, int index) {
 Material stiff(double young) { return {{young, 1.0 / 3, PlaneState::stress, 0.1}}; }
 
 TEST(Sharing, lattices_of_equal_cells_horizon_and_material_have_one_network) {
-  for (const char* scheme : {"symmetric", "paper"}) {
+  for (const std::string& scheme : scheme_names()) {
     Scene scene;
     const int id = scene.add_material(stiff(3e9)), other = scene.add_material(stiff(4e9));
     add_lattice_region(scene, id, rectangle(0.1, 0.2, 1, 0.6), 0.1, 3);
@@ -48,7 +49,7 @@ TEST(Sharing, lattices_of_equal_cells_horizon_and_material_have_one_network) {
 }
 
 TEST(Sharing, boundaries_of_equal_mesh_and_material_have_one_operator) {
-  for (const char* scheme : {"symmetric", "paper"}) {
+  for (const std::string& scheme : scheme_names()) {
     Scene scene;
     const int id = scene.add_material(stiff(3e9)), other = scene.add_material(stiff(4e9));
     add_boundary_region(scene, id, rectangle(0.1, 0.2, 1, 0.6), 0.2);

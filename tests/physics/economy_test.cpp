@@ -168,7 +168,7 @@ Row row_of_blocks(int count, const char* scheme, bool turned) {
 }
 
 TEST(Economy, equal_regions_share_one_boundary_operator) {
-  for (const char* scheme : {"symmetric", "paper"}) {
+  for (const char* scheme : all_schemes()) {
     const Row one = row_of_blocks(1, scheme, false), four = row_of_blocks(4, scheme, false),
               numbered_anew = row_of_blocks(4, scheme, true);
     std::printf("%s: %lld evaluations for one block, %lld for four, %lld for four in two numberings\n", scheme,

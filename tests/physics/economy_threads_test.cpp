@@ -89,7 +89,7 @@ TEST(Threads, do_not_change_a_bit_of_a_plate_torn_in_two) {
 }
 
 TEST(Threads, do_not_change_a_bit_of_round_bodies) {
-  for (const char* scheme : {"symmetric", "paper"})
+  for (const char* scheme : all_schemes())
     expect_same_bits(scheme, [scheme](int threads) { return round_bodies(threads, scheme); });
 }
 

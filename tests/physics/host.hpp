@@ -51,6 +51,26 @@ inline double report(const char* what, double value, double reference, const cha
   return value - reference;
 }
 
+// Legal words of a text option, as this build of the library has them.
+inline std::vector<const char*> choices_of(const std::string& option) {
+  static std::vector<std::unique_ptr<std::string>> words;
+  std::vector<const char*> choices;
+  int64_t count = 0;
+  bempd_option_count(&count);
+  for (int64_t k = 0; k < count; ++k) {
+    bempd_option_info info{};
+    info.struct_size = sizeof info;
+    if (bempd_option_describe(k, &info) != BEMPD_OK || option != info.name) continue;
+    const std::string all = std::string(info.choices) + " | ";
+    for (std::size_t from = 0, to; (to = all.find(" | ", from)) != std::string::npos; from = to + 3) {
+      words.push_back(std::make_unique<std::string>(all.substr(from, to - from)));
+      choices.push_back(words.back()->c_str());
+    }
+  }
+  return choices;
+}
+inline std::vector<const char*> all_schemes() { return choices_of("scheme"); }
+
 struct Bonds {
   std::vector<std::array<int32_t, 2>> points;
   std::vector<int32_t> states;

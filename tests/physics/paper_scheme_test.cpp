@@ -175,6 +175,15 @@ TEST(PaperScheme, loads_on_a_lattice_edge_act_on_its_outermost_layer) {
   }
 }
 
+TEST(PaperScheme, elements_of_a_clamped_edge_are_as_long_as_others) {
+  Model model;
+  choose(model, "scheme", "paper");
+  const int32_t region = model.bem(model.add(material(young, 0.3)), rectangle(0, 0, 10, 8), 2);
+  model.fix(region, 4, BEMPD_BOTH);
+  model.prepare();
+  EXPECT_EQ(model.statistics().boundary_elements, 18);
+}
+
 TEST(PaperScheme, refuses_what_it_does_not_cover) {
   const auto sentence = [](Model& model) {
     EXPECT_EQ(bempd_prepare(model.get()), BEMPD_ERROR_ARGUMENT);

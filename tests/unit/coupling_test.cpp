@@ -2,100 +2,15 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "coupling/rigid_motion.hpp"
-#include "coupling/unsymmetric_solution.hpp"
 #include "dense.hpp"
 #include "error.hpp"
+#include "unit/coupling_chain.hpp"
 
 namespace {
 
 using namespace bempd;
 using namespace bempd::coupling;
-
-// Nodes 0 1 2 carry a dense operator, nodes 2 3 4 bonds; node 2 is shared.
-struct Chain {
-  static constexpr int nodes = 5;
-  DenseOperator op{{0, 1, 2}, {}};
-  BondSet bonds;
-  std::vector<char> prescribed = std::vector<char>(2 * nodes, 0);
-
-  Chain() {
-    const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(6, 6, [](Eigen::Index i, Eigen::Index j) {
-      return std::sin(static_cast<double>(3 * i * j + i * i + 7 * j + 1));
-    });
-    op.stiffness = std::make_shared<const Eigen::MatrixXd>(a * a.transpose() + Eigen::MatrixXd::Identity(6, 6));
-    bond(2, 3, 1, 0, 3.0);
-    bond(2, 3, 0.6, 0.8, 2.0);
-    bond(3, 4, 1, 0, 5.0);
-    bond(3, 4, 0, 1, 4.0);
-    bond(2, 4, 0.8, -0.6, 1.5);
-    prescribed[0] = prescribed[9] = 1;
-  }
-  void bond(int i, int j, double c, double s, double k) {
-    bonds.first.push_back(i);
-    bonds.second.push_back(j);
-    bonds.cosine.push_back(c);
-    bonds.sine.push_back(s);
-    bonds.length.push_back(1);
-    bonds.stiffness.push_back(k);
-  }
-  Eigen::MatrixXd full(const std::vector<char>& intact) const {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(10, 10);
-    matrix.topLeftCorner(6, 6) = *op.stiffness;
-    for (std::size_t b = 0; b < bonds.size(); ++b) {
-      if (!intact[b]) continue;
-      Eigen::VectorXd d = Eigen::VectorXd::Zero(10);
-      d.segment<2>(2 * bonds.first[b]) = Eigen::Vector2d(-bonds.cosine[b], -bonds.sine[b]);
-      d.segment<2>(2 * bonds.second[b]) = Eigen::Vector2d(bonds.cosine[b], bonds.sine[b]);
-      matrix += bonds.stiffness[b] * d * d.transpose();
-    }
-    return matrix;
-  }
-};
-
-Affine expected_solution(const Chain& chain, const std::vector<char>& intact, const Affine& force,
-                         const Affine& given) {
-  const Eigen::MatrixXd k = chain.full(intact);
-  std::vector<int> free;
-  for (int dof = 0; dof < 10; ++dof) {
-    if (!chain.prescribed[dof]) free.push_back(dof);
-  }
-  Affine u = given;
-  const Affine rhs = force - k * given;
-  const Affine solved = dense::solve(k(free, free), rhs(free, Eigen::all));
-  for (std::size_t i = 0; i < free.size(); ++i) u.row(free[i]) = solved.row(static_cast<Eigen::Index>(i));
-  return u;
-}
-
-// An operator that is not symmetric; the factor is left stale by the break.
-TEST(EquilibriumSystem, unsymmetric_operators_are_solved_also_after_breaks) {
-  Chain chain;
-  chain.op.method = &unsymmetric_solution();
-  const Eigen::MatrixXd skew = Eigen::MatrixXd::NullaryExpr(
-      6, 6, [](Eigen::Index i, Eigen::Index j) { return 0.3 * std::sin(static_cast<double>(5 * i + 11 * j)); });
-  chain.op.stiffness = std::make_shared<const Eigen::MatrixXd>(*chain.op.stiffness + skew);
-  EquilibriumSystem system(Chain::nodes, {chain.op}, chain.bonds, chain.prescribed);
-  EXPECT_FALSE(system.is_symmetric());
-  Affine force = Affine::Zero(10, 2), given = Affine::Zero(10, 2);
-  for (int dof = 0; dof < 10; ++dof) force.row(dof) << std::cos(dof), std::sin(2 * dof);
-  given.row(0) << 0.1, 0.2;
-  given.row(9) << -0.3, 0.05;
-  system.set_load(force, given);
-  const auto expected = [&] {
-    const Eigen::MatrixXd k = chain.full(system.intact());
-    const std::vector<int> free{1, 2, 3, 4, 5, 6, 7, 8};
-    Affine u = given;
-    const Affine rhs = force - k * given;
-    const Affine solved = dense::solve(k(free, free), rhs(free, Eigen::all));
-    for (std::size_t i = 0; i < free.size(); ++i) u.row(free[i]) = solved.row(static_cast<Eigen::Index>(i));
-    return u;
-  };
-  EXPECT_LE((system.solve() - expected()).cwiseAbs().maxCoeff(), 1e-10);
-  const int broken[] = {0, 3};
-  system.mark_broken(broken);
-  system.commit_break(broken, {});
-  EXPECT_LE((system.solve() - expected()).cwiseAbs().maxCoeff(), 1e-10);
-  EXPECT_EQ(system.counters().sparse_factorizations, 1) << "the stale factor still preconditions";
-}
+using namespace bempd::test;
 
 // Node 3 follows nodes 1 and 2 of the operator: the reduced matrix is T^T K T.
 TEST(EquilibriumSystem, tied_nodes_follow_their_masters_also_after_breaks) {

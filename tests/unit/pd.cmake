@@ -1,5 +1,4 @@
 bempd_add_engine_test(pd_lattice_test pd_lattice_test.cpp)
 bempd_add_engine_test(pd_network_test pd_network_test.cpp)
-bempd_add_engine_test(pd_uncorrected_network_test pd_uncorrected_network_test.cpp)
 bempd_add_engine_test(pd_crack_test pd_crack_test.cpp)
 bempd_add_engine_test(pd_fields_test pd_fields_test.cpp)

@@ -13,6 +13,7 @@
 #include "regions/lattice/lattice_description.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/whole_region.hpp"
+#include "regions/scheme.hpp"
 
 namespace {
 
@@ -167,10 +168,12 @@ TEST(BodyForce, of_a_lattice_sums_up_to_the_weight_and_errors_fall_with_the_squa
 }
 
 // Its points are the centres of cells, or corners that all stand for whole cells: the weight is right in either case.
-TEST(BodyForce, of_the_lattices_of_the_scheme_paper_sums_up_to_the_weight) {
-  double reaction = 0;
-  lattice_error("paper", 0.1, &reaction);
-  EXPECT_LT(reaction, 1e-12);
+TEST(BodyForce, of_the_lattices_of_every_scheme_sums_up_to_the_weight) {
+  for (const std::string& scheme : regions::scheme_names()) {
+    double reaction = 0;
+    lattice_error(scheme.c_str(), 0.1, &reaction);
+    EXPECT_LT(reaction, 1e-12) << scheme;
+  }
 }
 
 // A plate of which the lower half is boundary elements and the upper half a lattice: the weight passes the interface.

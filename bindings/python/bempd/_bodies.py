@@ -22,7 +22,7 @@ class Drawable(Protocol):
     """What pictures need of a model, so that models can import pictures and not the other way round too."""
 
     @property
-    def region_count(self) -> int: ...
+    def region_ids(self) -> list[int]: ...
 
     @property
     def load_factor(self) -> float: ...
@@ -66,7 +66,7 @@ class Body:
 def bodies(model: Drawable, resolution: int) -> list[Body]:
     """All regions; `resolution` is the number of places across a BEM region at which its interior is evaluated."""
     made = []
-    for region in range(1, model.region_count + 1):
+    for region in model.region_ids:
         elements = model.elements(region)
         make = lattice_body if elements.shape[1] == 4 else boundary_body
         made.append(make(model, region, elements, resolution))

@@ -80,6 +80,8 @@ bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, int32_t edg
     double element_length, double grading);
 bempd_status bempd_add_crack(bempd_model *model, int64_t point_count, const double *points,
     int32_t *crack);
+bempd_status bempd_remove_region(bempd_model *model, int32_t region);
+bempd_status bempd_remove_crack(bempd_model *model, int32_t crack);
 bempd_status bempd_region_count(const bempd_model *model, int32_t *count);
 bempd_status bempd_edge_count(const bempd_model *model, int32_t region, int32_t *count);
 typedef enum bempd_component {
@@ -118,6 +120,8 @@ bempd_status bempd_set_load_values(bempd_model *model, int32_t load, int64_t val
     const double *constant, const double *proportional);
 bempd_status bempd_set_support_values(bempd_model *model, int32_t support, int64_t value_count,
     const double *constant, const double *proportional);
+bempd_status bempd_remove_support(bempd_model *model, int32_t support);
+bempd_status bempd_remove_load(bempd_model *model, int32_t load);
 typedef int32_t (*bempd_progress_function)(double load_factor, int64_t events, int64_t broken_bonds,
     void *user);
 typedef void (*bempd_log_function)(int32_t level, const char *message, void *user);
@@ -543,7 +547,8 @@ material points. It may end on a region's boundary. In a BEM region (scheme symm
 boundary elements, which are divided by themselves around its tips: it stands still, and bempd_tip()
 tells how much it is loaded. There it may start or end at a free edge, a hole or another crack, and
 cracks may cross. One crack lies in peridynamic regions or in one BEM region, and ends before
-interfaces of BEM regions.
+interfaces of BEM regions. A crack beside all regions there are is refused at once, everything else
+when the model is prepared.
 
 model [in]: the model
 point_count [in]: number of points, >= 2
@@ -551,8 +556,23 @@ points [in]: shape [point_count][2] [m]
 crack [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_remove_region": """\
+Remove a region before the model is prepared; its id is not given again. Supports and loads on its
+edges are removed first.
+
+model [in]: the model
+region [in]: id of a region
+return: status
+since: 0.3""",
+    "bempd_remove_crack": """\
+Remove an initial crack before the model is prepared; its id is not given again.
+
+model [in]: the model
+crack [in]: id of a crack
+return: status
+since: 0.3""",
     "bempd_region_count": """\
-Number of regions.
+Largest id of a region: the number of regions, with those that were removed.
 
 model [in]: the model
 count [out]: their number
@@ -729,6 +749,20 @@ constant [in]: shape [value_count], constant part [m]; NULL for 0
 proportional [in]: shape [value_count], part multiplied by the load factor [m]; NULL for 0
 return: status
 since: 0.1""",
+    "bempd_remove_support": """\
+Remove a support before the model is prepared; its id is not given again.
+
+model [in]: the model
+support [in]: id of a support
+return: status
+since: 0.3""",
+    "bempd_remove_load": """\
+Remove a load before the model is prepared; its id is not given again.
+
+model [in]: the model
+load [in]: id of a load
+return: status
+since: 0.3""",
     "bempd_progress_function": """\
 Progress of a step, called after every event.
 
@@ -808,8 +842,11 @@ struct_size [in]: sizeof(bempd_step_report) as the caller was compiled: older pr
 return: status
 since: 0.1""",
     "bempd_prepare": """\
-Check the scene and build its operators. The first step does it if you do not. From then on nothing
-can be added; loads and supports can still change their values.
+Check the scene and build its operators. The first step or result does it if you do not. From then
+on nothing can be added or removed; loads and supports can still change their values.
+
+A call that fails or is cancelled leaves a model that was not prepared as it was: correct the scene
+and call again. So does a first equilibrium that cannot be found, also after this call.
 
 model [in]: the model
 return: status

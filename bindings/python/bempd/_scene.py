@@ -10,7 +10,7 @@ from . import _arguments as arguments
 from ._handle import Handle
 from ._library import ffi, lib, new_struct
 from .callbacks import BoundaryFunction, boundary_callback
-from .errors import OrderError
+from .errors import ArgumentError, OrderError
 
 COMPONENTS = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y, "both": lib.BEMPD_BOTH}
 ONE_COMPONENT = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y}
@@ -107,10 +107,37 @@ class Scene:
         polyline = arguments.point_array("add_crack: points", points)
         return self._added("bempd_add_crack", len(polyline), arguments.doubles(polyline))
 
+    def remove_region(self, region: int) -> None:
+        """Remove a region that bears no support or load, before the model is prepared; other ids stay."""
+        self._open().call("bempd_remove_region", region)
+
+    def remove_crack(self, crack: int) -> None:
+        """Remove an initial crack before the model is prepared; other ids stay."""
+        self._open().call("bempd_remove_crack", crack)
+
+    def remove_support(self, support: int) -> None:
+        """Remove a support before the model is prepared; other ids stay."""
+        self._open().call("bempd_remove_support", support)
+
+    def remove_load(self, load: int) -> None:
+        """Remove a load before the model is prepared; other ids stay."""
+        self._open().call("bempd_remove_load", load)
+
     @property
     def region_count(self) -> int:
-        """Number of regions."""
+        """Largest id of a region: their number, with those that were removed."""
         return self._added("bempd_region_count")
+
+    @property
+    def region_ids(self) -> list[int]:
+        """Ids of the regions there are."""
+        return [region for region in range(1, self.region_count + 1) if self._has_region(region)]
+
+    def _has_region(self, region: int) -> bool:
+        try:
+            return self.edge_count(region) > 0
+        except ArgumentError:
+            return False
 
     def edge_count(self, region: int) -> int:
         """Number of edges of a region with its holes."""

@@ -142,7 +142,8 @@ bool Lookahead::foresee(double from, const BodyState& start) {
 // Just before the first of the events computed together.
 double Lookahead::largest_force_before(double load_factor, const BodyState& start) const {
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
-  return std::max(start.largest_force, force.lpNorm<Eigen::Infinity>());
+  return std::max(
+      {start.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, load_factor)});
 }
 
 bool Lookahead::perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen) {
@@ -196,7 +197,8 @@ void Lookahead::check_whole_body() {
   whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
   ForeseenEvent& last = events_.back();
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, last.event.load_factor));
-  last.largest_force = std::max(last.largest_force, force.lpNorm<Eigen::Infinity>());
+  last.largest_force = std::max(
+      {last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, last.event.load_factor)});
   residual_ = fracture::residual(system_, force, last.event.load_factor, last.largest_force);
   if (residual_ <= WindowSettings::acceptable_residual) return;
   keep_first(0);

@@ -92,6 +92,7 @@ Outcome WindowEvents::perform() {
   outcome.stored_energy = foreseen.after.at(event.load_factor);
   outcome.unit_energy = foreseen.after.unit();
   outcome.residual = lookahead_.residual();
+  outcome.energy_scale = energy_scale_of_supports(body_.system(), event.load_factor);
   outcome.reactions = foreseen.reactions;
   state.load_factor = event.load_factor;
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);

@@ -36,6 +36,7 @@ std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
   breaks.push_back(p.scene.region(region).edge(edge).joint());
   for (const std::vector<Condition>* conditions : {&p.scene.supports(), &p.scene.loads()}) {
     for (const Condition& condition : *conditions) {
+      if (condition.removed()) continue;
       for (double fraction : condition.place->breaks_on(p.scene, region, edge, p.tolerance)) {
         // At a grid the elements follow its nodes.
         if (border_of(p.scene, contact_at(p.arrangement, region, edge, fraction)) != Border::grid)
@@ -116,7 +117,7 @@ Held held_on(const Scene& scene, int region, const PanelSource& source) {
   const double middle = 0.5 * (source.from + source.to);
   int components = 0;
   for (const Condition& support : scene.supports())
-    if (support.place->covers(region, source.edge, middle)) components |= support.components;
+    if (!support.removed() && support.place->covers(region, source.edge, middle)) components |= support.components;
   constexpr int both = 3;
   return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
 }

@@ -36,7 +36,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   BoundaryPanels panels = mesh_edges(preparation, rules, id(), cracks_ ? cracks_->mouths() : std::vector<Point>());
   refine_at_cracks(preparation, id(), cracks_.get(), panels);
   panels_ = std::move(panels.sources);
-  mesh_ = mesh_boundary(panels.loops, corner_tractions());
+  mesh_ = make_mesh(panels.loops);
   if (cracks_) cracks_->mesh(mesh_);
 }
 
@@ -92,7 +92,8 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(contributions.registry);
   // The operator of a region before that differs by a translation only.
-  for (const auto& other : std::span(preparation.regions).first(static_cast<std::size_t>(id()) - 1)) {
+  for (const auto& other : preparation.regions) {
+    if (other.get() == this) break;
     if (typeid(*other) != typeid(*this)) continue;
     const auto& alike = static_cast<const BoundaryRegion&>(*other);
     if (cracks_ || alike.cracks_) continue;

@@ -63,7 +63,7 @@ class BoundaryRegion : public Region {
 
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
-  virtual CornerTractions corner_tractions() const { return CornerTractions::two; }
+  virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
   // The method that solves systems with the region's stiffness in them.
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;

@@ -73,7 +73,8 @@ double LatticeRegion::critical_stretch(const Preparation& preparation) const {
 
 // The network of a region before that differs by a translation or the spacing only, or one of its own.
 void LatticeRegion::take_network(const Preparation& preparation, std::vector<std::string>& warnings) {
-  for (const auto& other : std::span(preparation.regions).first(static_cast<std::size_t>(id()) - 1)) {
+  for (const auto& other : preparation.regions) {
+    if (other.get() == this) break;
     if (typeid(*other) != typeid(*this)) continue;
     const auto& lattice = static_cast<const LatticeRegion&>(*other);
     if (is_alike(lattice)) network_ = lattice.network_;

@@ -5,11 +5,7 @@
 
 namespace bempd::regions {
 
-void CrackFaces::check(const scene::Scene& scene) const {
-  const int count = static_cast<int>(scene.cracks().size());
-  require(crack_ >= 1 && crack_ <= count, "crack ", crack_, " does not exist; ",
-          count == 0 ? std::string("add a crack first") : text("ids run from 1 to ", count));
-}
+void CrackFaces::check(const scene::Scene& scene) const { scene.crack(crack_); }
 
 std::vector<PlacedNode> CrackFaces::held_nodes(const scene::Scene&, const Discretization&, int support) const {
   fail(Failure::argument, "support ", support + 1, " holds the faces of crack ", crack_,

@@ -11,6 +11,7 @@ class CrackFaces final : public scene::Place {
   explicit CrackFaces(int crack) : crack_(crack) {}
 
   void check(const scene::Scene& scene) const override;
+  bool needs_crack(int crack) const override { return crack == crack_; }
   void identify(Hash& hash) const override {
     hash.add(std::string_view("crack faces"));
     hash.add(crack_);

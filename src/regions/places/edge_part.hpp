@@ -10,6 +10,7 @@ class EdgePart final : public scene::Place {
   EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
 
   void check(const scene::Scene& scene) const override;
+  bool needs(int region) const override { return region == region_; }
   void identify(Hash& hash) const override {
     hash.add(std::string_view("edge part"));
     hash.add(region_), hash.add(edge_), hash.add(from_), hash.add(to_);

@@ -4,11 +4,16 @@
 
 #include "error.hpp"
 #include "regions/boundary_conditions.hpp"
+#include "scene/scene.hpp"
 
 namespace bempd::regions {
 
-void SinglePoint::check(const scene::Scene&) const {
+void SinglePoint::check(const scene::Scene& scene) const {
   require(where_.allFinite(), "the place is (", where_.x(), ", ", where_.y(), "); coordinates must be finite numbers");
+  const Box body = scene.bounding_box();
+  require(body.isEmpty() || body.exteriorDistance(where_) <= 10 * geometric_tolerance(body), "there is no node or ",
+          "material point at (", where_.x(), ", ", where_.y(), "): the body reaches from (", body.min().x(), ", ",
+          body.min().y(), ") to (", body.max().x(), ", ", body.max().y(), "); add its regions first");
 }
 
 std::vector<double> SinglePoint::breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const {

@@ -10,6 +10,7 @@ class WholeRegion final : public scene::Place {
   explicit WholeRegion(int region) : region_(region) {}
 
   void check(const scene::Scene& scene) const override;
+  bool needs(int region) const override { return region == region_; }
   void identify(Hash& hash) const override {
     hash.add(std::string_view("whole region"));
     hash.add(region_);

@@ -437,7 +437,8 @@ extern "C" {
     /// symmetric) it gets boundary elements, which are divided by themselves around its tips: it
     /// stands still, and bempd_tip() tells how much it is loaded. There it may start or end at a
     /// free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic
-    /// regions or in one BEM region, and ends before interfaces of BEM regions.
+    /// regions or in one BEM region, and ends before interfaces of BEM regions. A crack beside all
+    /// regions there are is refused at once, everything else when the model is prepared.
     ///
     /// * model \[in\]: the model
     /// * point_count \[in\]: number of points, \>= 2
@@ -453,7 +454,26 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Number of regions.
+    /// Remove a region before the model is prepared; its id is not given again. Supports and loads
+    /// on its edges are removed first.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_region(model: *mut bempd_model, region: i32) -> bempd_status;
+}
+extern "C" {
+    /// Remove an initial crack before the model is prepared; its id is not given again.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_crack(model: *mut bempd_model, crack: i32) -> bempd_status;
+}
+extern "C" {
+    /// Largest id of a region: the number of regions, with those that were removed.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: their number
@@ -765,6 +785,24 @@ extern "C" {
         proportional: *const f64,
     ) -> bempd_status;
 }
+extern "C" {
+    /// Remove a support before the model is prepared; its id is not given again.
+    ///
+    /// * model \[in\]: the model
+    /// * support \[in\]: id of a support
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_support(model: *mut bempd_model, support: i32) -> bempd_status;
+}
+extern "C" {
+    /// Remove a load before the model is prepared; its id is not given again.
+    ///
+    /// * model \[in\]: the model
+    /// * load \[in\]: id of a load
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_remove_load(model: *mut bempd_model, load: i32) -> bempd_status;
+}
 /// Progress of a step, called after every event.
 ///
 /// * load_factor \[in\]: where the run stands \[-\]
@@ -899,8 +937,13 @@ extern "C" {
         -> bempd_status;
 }
 extern "C" {
-    /// Check the scene and build its operators. The first step does it if you do not. From then on
-    /// nothing can be added; loads and supports can still change their values.
+    /// Check the scene and build its operators. The first step or result does it if you do not.
+    /// From then on nothing can be added or removed; loads and supports can still change their
+    /// values.
+    ///
+    /// A call that fails or is cancelled leaves a model that was not prepared as it was: correct
+    /// the scene and call again. So does a first equilibrium that cannot be found, also after this
+    /// call.
     ///
     /// * model \[in\]: the model
     /// * return: status

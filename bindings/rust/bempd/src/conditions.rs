@@ -166,4 +166,13 @@ impl Model {
     pub fn set_support_values(&mut self, support: SupportId, values: Values<'_>) -> Result<()> {
         self.handle.set_support_values(support.0, &values)
     }
+    /// Removes a support before the model is prepared; other ids stay.
+    pub fn remove_support(&mut self, support: SupportId) -> Result<()> {
+        self.handle.remove_support(support.0)
+    }
+
+    /// Removes a load before the model is prepared; other ids stay.
+    pub fn remove_load(&mut self, load: LoadId) -> Result<()> {
+        self.handle.remove_load(load.0)
+    }
 }

@@ -108,7 +108,17 @@ impl Model {
         self.handle.add_crack(line).map(CrackId)
     }
 
-    /// Number of regions.
+    /// Removes a region that bears no support or load, before the model is prepared; other ids stay.
+    pub fn remove_region(&mut self, region: RegionId) -> Result<()> {
+        self.handle.remove_region(region.0)
+    }
+
+    /// Removes an initial crack before the model is prepared; other ids stay.
+    pub fn remove_crack(&mut self, crack: CrackId) -> Result<()> {
+        self.handle.remove_crack(crack.0)
+    }
+
+    /// Number of regions, with those that were removed.
     pub fn region_count(&self) -> Result<usize> {
         self.handle.region_count().map(|count| count as usize)
     }

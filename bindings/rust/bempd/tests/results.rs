@@ -2,7 +2,7 @@
 
 mod common;
 
-use bempd::{BondState, Component, Elements, Field, Material, Model, OptionKind, StopReason, Values};
+use bempd::{BondState, Component, Elements, Error, Field, Material, Model, OptionKind, StopReason, Values};
 use common::{plate, rectangle};
 
 #[test]
@@ -225,4 +225,27 @@ fn files_are_written() {
 fn the_library_says_what_it_is() {
     assert_eq!(bempd::version(), env!("CARGO_PKG_VERSION"));
     assert!(bempd::build_info().starts_with(&format!("bempd {}", bempd::version())));
+}
+
+#[test]
+fn what_is_removed_leaves_no_trace() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();
+    let spare = model.add_bem_region(material, &rectangle(9.0, 0.0, 12.0, 2.0), 0.5).unwrap();
+    let region = model.add_bem_region(material, &rectangle(0.0, 0.0, 4.0, 2.0), 0.5).unwrap();
+    let support = model.fix_edge(spare, 4, Component::X).unwrap();
+    assert!(matches!(model.remove_region(spare), Err(Error::Argument(_))));
+    model.remove_support(support).unwrap();
+    model.remove_region(spare).unwrap();
+    let crack = model.add_crack(&[[1.0, 0.0], [1.0, 1.0]]).unwrap();
+    model.remove_crack(crack).unwrap();
+    model.fix_edge(region, 4, Component::X).unwrap();
+    model.fix_point([0.0, 0.0], Component::Y).unwrap();
+    let load = model.add_traction(region, 2, .., Component::Y, Values::both(&[1.0], &[2.0])).unwrap();
+    model.remove_load(load).unwrap();
+    model.add_traction(region, 2, .., Component::X, Values::constant(&[5.0])).unwrap();
+    model.step(1.0).unwrap();
+    let stress = model.evaluate(&[[3.0, 1.0]]).unwrap().stress[0];
+    assert!((stress[0] - 5.0).abs() < 1e-8, "{stress:?}");
+    assert!(matches!(model.remove_load(load), Err(Error::Order(_))));
 }

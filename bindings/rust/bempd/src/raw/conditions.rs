@@ -133,4 +133,11 @@ impl Handle {
         let Arrays { count, constant, proportional } = Arrays::of(values)?;
         self.call(|model| unsafe { sys::bempd_set_support_values(model, support, count, constant, proportional) })
     }
+    pub(crate) fn remove_support(&mut self, support: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_remove_support(model, support) })
+    }
+
+    pub(crate) fn remove_load(&mut self, load: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_remove_load(model, load) })
+    }
 }

@@ -61,6 +61,14 @@ impl Handle {
         self.output(|model, crack| unsafe { sys::bempd_add_crack(model, count, line, crack) })
     }
 
+    pub(crate) fn remove_region(&mut self, region: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_remove_region(model, region) })
+    }
+
+    pub(crate) fn remove_crack(&mut self, crack: i32) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_remove_crack(model, crack) })
+    }
+
     pub(crate) fn region_count(&self) -> Result<i32> {
         self.output(|model, count| unsafe { sys::bempd_region_count(model, count) })
     }

@@ -1,0 +1,121 @@
+#include "fracture/free_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+using coupling::EquilibriumSystem;
+
+// Bodies with a hundred initial cracks have needed ten.
+constexpr int most_holds = 64;
+
+// Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
+constexpr double free_motion_resistance = 1e-13;
+
+// A motion that lengthens a term, or bends a body, by more than this share of its largest displacement is merely soft:
+// a slender strip of length L and width h shows h / L^2 and 1.
+constexpr double free_elongation = 1e-9, free_bending = 1e-6;
+
+// Nodes that a free motion moves by less than this share of its largest displacement stay where they are.
+constexpr double moved_share = 1e-6;
+
+// Nodes of a dense body that a motion of the sparse system tells about.
+std::vector<int> visible_nodes(const EquilibriumSystem& system, const std::vector<int>& body) {
+  const auto is_visible = [&](int dof) { return system.is_unknown(dof) || system.is_prescribed(dof); };
+  std::vector<int> nodes;
+  for (int node : body) {
+    if (is_visible(2 * node) && is_visible(2 * node + 1)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+// The largest deviation of the nodes' motion from the rigid one that is nearest in the mean square.
+double bending(const std::vector<Point>& positions, const std::vector<int>& nodes, const Eigen::VectorXd& motion) {
+  if (nodes.size() < 2) return 0;
+  Point centre = Point::Zero();
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (int node : nodes) {
+    centre += positions[node] / static_cast<double>(nodes.size());
+    mean += motion.segment<2>(2 * node) / static_cast<double>(nodes.size());
+  }
+  double turned = 0, inertia = 0;
+  const auto lever = [&](int node) {
+    return Eigen::Vector2d(centre.y() - positions[node].y(), positions[node].x() - centre.x());
+  };
+  for (int node : nodes) {
+    turned += lever(node).dot(motion.segment<2>(2 * node) - mean);
+    inertia += lever(node).squaredNorm();
+  }
+  double largest = 0;
+  for (int node : nodes) {
+    const Eigen::Vector2d rigid = mean + turned / inertia * lever(node);
+    largest = std::max(largest, (motion.segment<2>(2 * node) - rigid).norm());
+  }
+  return largest;
+}
+
+bool is_free(const EquilibriumSystem& system, const std::vector<Point>& positions, const coupling::SoftMotion& soft) {
+  if (soft.resistance > free_motion_resistance) return false;
+  for (std::size_t t = 0; t < system.terms().size(); ++t) {
+    if (system.present_stiffness()[t] == 0) continue;
+    if (std::abs(system.terms().elongation(t, soft.motion.data())) > free_elongation) return false;
+  }
+  return std::all_of(system.dense_bodies().begin(), system.dense_bodies().end(), [&](const std::vector<int>& body) {
+    return bending(positions, visible_nodes(system, body), soft.motion) <= free_bending;
+  });
+}
+
+// Nodes with loads that nothing balances where they can move like this.
+std::vector<int> pushed_nodes(const EquilibriumSystem& system, const Eigen::VectorXd& motion) {
+  std::vector<char> moves(system.node_count(), 0);
+  const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
+  for (int node = 0; node < system.node_count(); ++node) moves[node] = is_moved(node) ? 1 : 0;
+  // A body that cannot break moves as a whole.
+  for (const std::vector<int>& body : system.dense_bodies()) {
+    if (std::none_of(body.begin(), body.end(), is_moved)) continue;
+    for (int node : body) moves[node] = 1;
+  }
+  std::vector<int> loaded;
+  for (int node = 0; node < system.node_count(); ++node) {
+    if (moves[node] && !system.force().middleRows<2>(2 * node).isZero(0)) loaded.push_back(node);
+  }
+  return loaded;
+}
+
+}  // namespace
+
+HeldMotions solve_and_hold(LoadedBody& body, std::span<const int> broken, const Eigen::VectorXd& before,
+                           const std::function<bool()>& looks_free) {
+  EquilibriumSystem& system = body.system();
+  HeldMotions held;
+  for (int hold = 0;; ++hold) {
+    bool free_motion = false;
+    try {
+      body.solve();
+      free_motion = looks_free();
+    } catch (const Error& error) {
+      if (error.failure() != Failure::unsolvable || hold == most_holds) throw;
+      free_motion = true;
+    }
+    if (!free_motion && system.resists_all_motions(broken)) return held;
+    const coupling::SoftMotion soft = system.softest_motion();
+    if (!free_motion && !is_free(system, body.positions(), soft)) return held;
+    if (hold == most_holds) fail(Failure::unsolvable, "cracks leave parts that move freely, and holding them fails");
+    const coupling::HoldingSpring spring = body.freed_parts().against(soft.motion, before);
+    held.nodes.push_back(spring.node);
+    system.commit_break({}, {&spring, 1});
+    system.forget_factor();
+    const std::vector<int> pushed = pushed_nodes(system, soft.motion);
+    if (pushed.empty()) continue;
+    body.drop_loads(pushed);
+    held.loads_lost = true;
+    ++held.fragments;
+  }
+}
+
+}  // namespace bempd::fracture

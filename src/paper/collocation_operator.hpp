@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "bem/boundary_operator.hpp"
+#include "elasticity/plane_elasticity.hpp"
+#include "geometry/boundary_mesh.hpp"
+
+namespace bempd::paper {
+
+// A mesh with the displacement nodes as traction nodes: one traction at a corner, that cannot jump there.
+BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh);
+
+// Collocation boundary element operator of one elastic body with quadratic elements: Somigliana's identity H u = G t at
+// as many points as there are traction nodes, solved for the tractions t = K_B u, K_B = G^-1 H (Yang and Liu, Int. J.
+// Solids Struct. 2021, Eqs. 4 and 7), and their consistent nodal forces  h M K_B u. Points are the nodes; where a node
+// has two tractions, one point inside each of its elements. The stiffness is not symmetric, and its symmetric part is
+// no approximation: it loses the constant strains.
+class CollocationOperator final : public bem::BoundaryOperator {
+ public:
+  CollocationOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity,
+                      const bem::AssemblyOptions& options = {});
+
+  const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
+  Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
+  std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
+
+  // K_B [Pa/m], rows 2 * traction_node + component, columns 2 * node + component.
+  const Eigen::MatrixXd& traction_matrix() const { return traction_matrix_; }
+
+ private:
+  Eigen::MatrixXd traction_matrix_, stiffness_;
+  std::int64_t kernel_evaluations_ = 0;
+};
+
+}  // namespace bempd::paper

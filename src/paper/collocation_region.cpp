@@ -1,0 +1,78 @@
+#include "paper/collocation_region.hpp"
+
+#include "error.hpp"
+
+namespace bempd::paper {
+
+using namespace regions;
+
+BoundaryMesh CollocationRegion::make_mesh(const std::vector<std::vector<Panel>>& loops) const {
+  const BoundaryMesh mesh = mesh_boundary(loops);
+  return rules_.one_traction_at_corners ? with_one_traction_at_corners(mesh) : mesh;
+}
+
+std::shared_ptr<const bem::BoundaryOperator> CollocationRegion::make_operator(
+    const bem::AssemblyOptions& assembly) const {
+  require(!elasticity().incompressible(), "region ", id(),
+          " is incompressible (Poisson's ratio 1/2 in plane strain); scheme paper cannot solve that, choose scheme "
+          "symmetric");
+  return std::make_shared<const CollocationOperator>(boundary_mesh(), elasticity(), assembly);
+}
+
+Eigen::MatrixXd CollocationRegion::own_stiffness(const Preparation& preparation) const {
+  const auto& collocation = static_cast<const CollocationOperator&>(*boundary_operator());
+  return rules_.pointwise_traction ? pointwise_stiffness(preparation.scene, collocation)
+                                   : balanced_stiffness(collocation);
+}
+
+// Nodal forces of the scheme `paper`: consistent with the elements, but at lattice interfaces. There every node takes
+// its traction times the length between the middles of its neighbours (half of that at the ends of the interface): the
+// traction t that balances the point's body force, t = -b dx (Yang and Liu 2021, Eq. 26), as a force. Consistent forces
+// would alternate between 2/3 and 4/3 of that from node to node.
+Eigen::MatrixXd CollocationRegion::balanced_stiffness(const CollocationOperator& collocation) const {
+  Eigen::MatrixXd stiffness = collocation.stiffness();
+  Eigen::Matrix3d consistent, lumped = Eigen::Vector3d(0.25, 0.5, 0.25).asDiagonal();
+  consistent << 4, 2, -1, 2, 16, 2, -1, 2, 4;
+  const Eigen::Matrix3d change = lumped - consistent / 30;
+  for (const BoundaryElement& element : boundary_mesh().elements) {
+    if (panels()[element.panel].border != Border::grid) continue;
+    const double length = (boundary_mesh().nodes[element.nodes[2]] - boundary_mesh().nodes[element.nodes[0]]).norm();
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        stiffness.middleRows<2>(2 * element.nodes[a]) +=
+            elasticity().thickness * length * change(a, b) *
+            collocation.traction_matrix().middleRows<2>(2 * element.traction_nodes[b]);
+      }
+    }
+  }
+  return stiffness;
+}
+
+// The equations as printed (Eqs. 23 and 27), every row times a length: t = -b dx at the nodes of lattice interfaces, dx
+// being the lattice spacing also at their ends, and t as given at the others (the sum where there are two).
+Eigen::MatrixXd CollocationRegion::pointwise_stiffness(const scene::Scene& scene,
+                                                       const CollocationOperator& collocation) const {
+  const Eigen::MatrixXd& tractions = collocation.traction_matrix();
+  Eigen::MatrixXd stiffness =
+      Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(boundary_mesh().nodes.size()), tractions.cols());
+  for (const bool at_interface : {false, true}) {
+    for (const BoundaryElement& element : boundary_mesh().elements) {
+      const PanelSource& panel = panels()[element.panel];
+      if ((panel.border == Border::grid) != at_interface) continue;
+      const double length =
+          Arc{boundary_mesh().nodes[element.nodes[0]], boundary_mesh().nodes[element.nodes[2]], element.sweep}.length();
+      for (int a = 0; a < 3; ++a) {
+        auto rows = stiffness.middleRows<2>(2 * element.nodes[a]);
+        const auto traction = tractions.middleRows<2>(2 * element.traction_nodes[a]);
+        if (at_interface) {
+          rows = elasticity().thickness * scene.region(panel.other_region).node_grid()->spacing * traction;
+        } else {
+          rows += elasticity().thickness * length * (a == 1 ? 4.0 : 1.0) / 6 * traction;
+        }
+      }
+    }
+  }
+  return stiffness;
+}
+
+}  // namespace bempd::paper

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "paper/collocation_operator.hpp"
+#include "paper/unsymmetric_solution.hpp"
+#include "regions/boundary/boundary_region.hpp"
+
+namespace bempd::paper {
+
+struct CollocationRules {
+  // Interface rows are t = -b dx of every node and its point (Yang and Liu 2021, Eqs. 26, 27); else the balance of
+  // nodal forces.
+  bool pointwise_traction = false;
+  bool one_traction_at_corners = false;  // else one of each edge
+};
+
+// A boundary element region of the scheme `paper`: collocation, every node on an interface a material point.
+class CollocationRegion final : public regions::BoundaryRegion {
+ public:
+  CollocationRegion(int id, const regions::BoundaryDescription& described, const scene::Material& material,
+                    const CollocationRules& rules)
+      : BoundaryRegion(id, described, material), rules_(rules) {}
+
+  bool has_crack_elements() const override { return false; }
+
+ protected:
+  regions::MeshingRules meshing_rules(const regions::Preparation&) const override { return {true, false}; }
+  BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override;
+  std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const override;
+  const coupling::SolutionMethod& solution_method() const override { return unsymmetric_solution(); }
+  Eigen::MatrixXd own_stiffness(const regions::Preparation& preparation) const override;
+
+ private:
+  Eigen::MatrixXd balanced_stiffness(const CollocationOperator& collocation) const;
+  Eigen::MatrixXd pointwise_stiffness(const scene::Scene& scene, const CollocationOperator& collocation) const;
+
+  CollocationRules rules_;
+};
+
+}  // namespace bempd::paper

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "linalg/krylov.hpp"
+
+namespace bempd::paper {
+
+// Iterative refinement x <- x + M^-1 (b - A x) by a factor M of A, until the residual has the wanted inf-norm relative
+// to b or a step gains less than a factor of two. `apply(x, y)` sets y = A x; `solve(r)` overwrites r by M^-1 r. `x`
+// brings the initial guess and takes the best solution found.
+//
+// GMRES with a factor that has missed changes, as preconditioner, costs more than the fresh factor that a failure here
+// asks for: on the published centre crack 6.4 s instead of 4.8 s, event by event 15 s instead of 7.6 s; 8.3 s with that
+// of Eigen's unsupported modules, which applies the factor once more to every right-hand side.
+template <class Apply, class Solve>
+linalg::KrylovResult refine(const Apply& apply, const Solve& solve, const Eigen::VectorXd& b, Eigen::VectorXd& x,
+                            double tolerance, int max_iterations) {
+  const auto sweep = [&](double, int steps_left, Eigen::VectorXd& trial, Eigen::VectorXd& r, int& iterations) {
+    if (steps_left <= 0) return linalg::detail::Sweep{linalg::detail::SweepEnd::iteration_limit};
+    solve(r);
+    trial += r;
+    ++iterations;
+    return linalg::detail::Sweep{linalg::detail::SweepEnd::finished};
+  };
+  return linalg::detail::iterate_with_refinement(apply, sweep, b, x, tolerance, max_iterations);
+}
+
+}  // namespace bempd::paper

@@ -1,0 +1,65 @@
+#include <umfpack.h>
+
+#include <Eigen/UmfPackSupport>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "paper/row_scaled_lu.hpp"
+#include "paper/sparse_lu.hpp"
+
+namespace bempd::paper {
+
+namespace {
+
+// UMFPACK counts the memory of a factor in the integers it is given, so 32 bits would limit the factor, not the matrix.
+using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
+static_assert(sizeof(SuiteSparse_long) == 8);
+
+class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
+ public:
+  Umfpack() {
+    m_control[UMFPACK_IRSTEP] = 0;
+    m_control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
+    // Never METIS, which reseeds the process-wide random generator and swaps signal handlers.
+    m_control[UMFPACK_ORDERING] = UMFPACK_ORDERING_AMD;
+  }
+
+  void analyzePattern(const LongMatrix& matrix) {
+    UmfPackLU::analyzePattern(matrix);
+    check();
+  }
+  void factorize(const LongMatrix& matrix) {
+    UmfPackLU::factorize(matrix);
+    check();
+  }
+
+  Eigen::VectorXd pivots() const {
+    Eigen::VectorXd diagonal(cols()), by_column(cols());
+    Eigen::VectorX<SuiteSparse_long> column(cols());
+    SuiteSparse_long reciprocal = 0;
+    umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column.data(),
+                           diagonal.data(), &reciprocal, nullptr, m_numeric);
+    by_column(column) = diagonal;
+    return by_column;
+  }
+
+  std::int64_t entries() const {
+    SuiteSparse_long lower = 0, upper = 0, rows = 0, columns = 0, pivots = 0;
+    umfpack_dl_get_lunz(&lower, &upper, &rows, &columns, &pivots, m_numeric);
+    return lower + upper - rows;  // L has ones on its diagonal
+  }
+
+ private:
+  // A negative code is an error, a positive one a warning.
+  void check() const {
+    if (m_fact_errorCode == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+    if (m_fact_errorCode < 0) throw std::runtime_error("UMFPACK: error " + std::to_string(m_fact_errorCode));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<linalg::SparseFactorization> make_sparse_lu() { return std::make_unique<RowScaledLU<Umfpack>>(); }
+
+}  // namespace bempd::paper

@@ -1,0 +1,78 @@
+#include "paper/unsymmetric_solution.hpp"
+
+#include <Eigen/LU>
+#include <utility>
+
+#include "paper/low_rank_update.hpp"
+#include "paper/refinement.hpp"
+#include "paper/sparse_lu.hpp"
+
+namespace bempd::paper {
+
+using namespace coupling;
+
+namespace {
+
+// A factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly. One that has
+// missed changes hardly ever gets there in this many refinements.
+constexpr int most_updates = 120;
+constexpr int most_refinements = 4;
+
+// Reciprocal condition below which a solution carries no digit.
+constexpr double singular_condition = 1e-16;
+
+class UnsymmetricElimination final : public Elimination {
+ public:
+  UnsymmetricElimination(Stiffness stiffness, std::vector<DofKind> kind)
+      : Elimination(std::move(stiffness), std::move(kind)) {
+    if (private_.empty()) return;
+    lu_.compute((*stiffness_)(private_, private_));
+    if (!(lu_.rcond() > singular_condition)) fail_singular();
+    if (shared_.empty()) return;
+    transfer_ = lu_.solve((*stiffness_)(private_, shared_));
+    schur_.noalias() -= (*stiffness_)(shared_, private_) * transfer_;
+  }
+
+  Affine solve_private(const Affine& force) const override { return lu_.solve(force); }
+  double reciprocal_condition() const override { return private_.empty() ? 1 : lu_.rcond(); }
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;  // of the private block
+};
+
+class UnsymmetricSolver final : public SystemSolver {
+ public:
+  linalg::SparseFactorization& factorization() override { return *lu_; }
+
+  linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
+                               Eigen::VectorXd& x) const override {
+    const auto solve = [this](Eigen::VectorXd& r) { lu_->solve_in_place(r); };
+    return refine(apply, solve, rhs, x, tolerance, most_refinements);
+  }
+
+  Eigen::VectorXd multiply(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& x) const override {
+    return matrix * x;
+  }
+
+ private:
+  std::unique_ptr<linalg::SparseFactorization> lu_ = with_low_rank_updates(make_sparse_lu(), most_updates);
+};
+
+class UnsymmetricSolution final : public SolutionMethod {
+ public:
+  bool needs_symmetry() const override { return false; }
+  std::shared_ptr<const Elimination> eliminate(Elimination::Stiffness stiffness,
+                                               std::vector<DofKind> kind) const override {
+    return std::make_shared<const UnsymmetricElimination>(std::move(stiffness), std::move(kind));
+  }
+  std::unique_ptr<SystemSolver> make_solver() const override { return std::make_unique<UnsymmetricSolver>(); }
+};
+
+}  // namespace
+
+const SolutionMethod& unsymmetric_solution() {
+  static const UnsymmetricSolution method;
+  return method;
+}
+
+}  // namespace bempd::paper

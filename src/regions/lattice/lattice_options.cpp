@@ -1,0 +1,20 @@
+#include "scene/options.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+const scene::OptionGroup group(scene::OptionPlace::lattices, [] {
+  return std::vector<scene::OptionDescription>{
+      scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
+                           2, 8, true),
+      scene::shaping(scene::text_option(
+          "critical_stretch",
+          "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "
+          "2021, Eq. 15 (plane stress only).",
+          "exact | printed", "exact"))};
+});
+
+}  // namespace
+
+}  // namespace bempd::regions

@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include "error.hpp"
+#include "geometry/arrangement.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::scene {
+
+namespace {
+
+// Whether a hole in the one could hold the other.
+bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
+  const std::vector<Point>& vertices = inner.loops.front();
+  return std::all_of(vertices.begin(), vertices.end(), [&](const Point& vertex) {
+    return locate(Outline{{outer.loops.front()}, {}}, vertex, tolerance) != Location::outside;
+  });
+}
+
+}  // namespace
+
+// Edges with elements may still become arcs, and holes be cut: only what stays as it is counts.
+void Scene::require_no_overlap(const Region& added) const {
+  if (added.has_elements()) return;
+  const Box own = bempd::bounding_box(added.outline());
+  for (int id : region_ids()) {
+    const Outline& other = region(id).outline();
+    const Box box = bempd::bounding_box(other);
+    if (region(id).has_elements() || !box.intersects(own)) continue;
+    const double tolerance = geometric_tolerance(own.merged(box));
+    if (lies_inside(added.outline(), other, tolerance) || lies_inside(other, added.outline(), tolerance)) continue;
+    const auto overlap = arrange({other, added.outline()}).overlap;
+    if (!overlap) continue;
+    require(false, "the region overlaps region ", id, " near (", overlap->where.x(), ", ", overlap->where.y(),
+            "); regions may only share boundaries");
+  }
+}
+
+// Which material points there are is a matter of the option `scheme` too, which may still change.
+void Scene::require_possible_crack(const std::vector<Point>& points) const {
+  if (region_ids().empty()) return;
+  Box crack;
+  for (const Point& p : points) crack.extend(p);
+  const Box body = bounding_box();
+  require(crack.intersects(body), "the crack lies outside the body, which reaches from (", body.min().x(), ", ",
+          body.min().y(), ") to (", body.max().x(), ", ", body.max().y(), "); add its regions first");
+}
+
+}  // namespace bempd::scene

@@ -1,0 +1,7 @@
+bempd_add_engine_test(paper_collocation_test paper_collocation_test.cpp)
+bempd_add_engine_test(paper_network_test paper_network_test.cpp)
+bempd_add_engine_test(paper_lu_test paper_lu_test.cpp)
+bempd_add_engine_test(paper_low_rank_test paper_low_rank_test.cpp)
+bempd_add_engine_test(paper_refinement_test paper_refinement_test.cpp)
+bempd_add_engine_test(paper_layer_forces_test paper_layer_forces_test.cpp)
+bempd_add_engine_test(paper_unsymmetric_test paper_unsymmetric_test.cpp)
