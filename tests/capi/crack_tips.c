@@ -150,6 +150,60 @@ static void snapshots_show_the_openings(void) {
   bempd_model_free(model);
 }
 
+/** A plate of two regions whose interface passes the crack at a tenth of its length: both sides divide their elements
+ *  there, and the factors are those of one region. */
+static void another_region_beside_the_crack(void) {
+  double factors[2];
+  for (int split = 0; split < 2; ++split) {
+    const double crack[] = {-0.5, 0, 0.5, 0};
+    const double low[] = {-1, -3, 1, -3, 1, 0.1, -1, 0.1}, high[] = {-1, 0.1, 1, 0.1, 1, 3, -1, 3};
+    const double whole[] = {-1, -3, 1, -3, 1, 3, -1, 3}, up = 1, down = -1;
+    bempd_model* model = new_model();
+    const int32_t material = add_sound_material(model);
+    CHECK_OK(model, bempd_add_bem_region(model, material, 4, split ? low : whole, 0.25, NULL));
+    if (split) CHECK_OK(model, bempd_add_bem_region(model, material, 4, high, 0.25, NULL));
+    CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+    CHECK_OK(model, bempd_fix_point(model, -1, -3, BEMPD_BOTH, NULL));
+    CHECK_OK(model, bempd_fix_point(model, 1, -3, BEMPD_Y, NULL));
+    CHECK_OK(model, bempd_add_traction(model, split ? 2 : 1, 3, 0, 1, BEMPD_Y, 1, NULL, &up, NULL));
+    CHECK_OK(model, bempd_add_traction(model, 1, 1, 0, 1, BEMPD_Y, 1, NULL, &down, NULL));
+    CHECK_OK(model, bempd_step(model, 1.0, NULL));
+    factors[split] = tip_of(model, 1).stress_intensity_1;
+    bempd_model_free(model);
+  }
+  CHECK_CLOSE(factors[1], factors[0], 3e-4 * factors[0]);
+}
+
+/** A cracked BEM region and a lattice in one scene. */
+static void a_lattice_beside_the_cracked_region(void) {
+  const double crack[] = {5, 0, 5, 3};
+  coupled_plate plate = coupled_plate_build(NULL);
+  int64_t count = 0;
+  CHECK_OK(plate.model, bempd_add_crack(plate.model, 2, crack, NULL));
+  CHECK_OK(plate.model, bempd_tip_count(plate.model, &count));
+  CHECK(count == 1);
+  CHECK_OK(plate.model, bempd_step(plate.model, 1e-3, NULL));
+  CHECK(tip_of(plate.model, 0).crack == 2 && tip_of(plate.model, 0).stress_intensity_1 > 0);
+  CHECK_FAILS(plate.model, BEMPD_ERROR_ARGUMENT, "peridynamic", bempd_grow_cracks(plate.model, 1, NULL));
+  bempd_model_free(plate.model);
+}
+
+static void a_crack_with_loads_cannot_be_removed(void) {
+  const double crack[] = {-0.5, 0, 0.5, 0}, one = 1;
+  bempd_model* model = cracked_plate(2, crack, 0);
+  int32_t load = 0;
+  int64_t count = 7;
+  CHECK_OK(model, bempd_add_crack_traction(model, 1, BEMPD_PRESSURE, 1, &one, NULL, &load));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "load 3", bempd_remove_crack(model, 1));
+  CHECK_OK(model, bempd_remove_load(model, load));
+  CHECK_OK(model, bempd_remove_crack(model, 1));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "removed",
+              bempd_add_crack_traction(model, 1, BEMPD_PRESSURE, 1, &one, NULL, NULL));
+  CHECK_OK(model, bempd_tip_count(model, &count));
+  CHECK(count == 0);
+  bempd_model_free(model);
+}
+
 static void cracks_of_1e_8_of_the_body_have_tips(void) {
   const double crack[] = {0.1 - 3e-8, 0.2, 0.1 + 3e-8, 0.2};
   bempd_model* model = cracked_plate(2, crack, 0);
@@ -289,6 +343,9 @@ int main(void) {
   faces_that_overlap_are_warned_of_once();
   values_beside_the_crack();
   snapshots_show_the_openings();
+  another_region_beside_the_crack();
+  a_lattice_beside_the_cracked_region();
+  a_crack_with_loads_cannot_be_removed();
   cracks_of_1e_8_of_the_body_have_tips();
   cracks_grow_until_they_cut_the_plate();
   growth_that_cannot_be();
