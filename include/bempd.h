@@ -61,7 +61,9 @@ typedef enum bempd_status {
   BEMPD_ERROR_ARGUMENT = -1,
   /** Called too early or too late in the order of a run. */
   BEMPD_ERROR_ORDER = -2,
-  /** The scene has no unique equilibrium: a mechanism, or a singular operator. */
+  /** The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
+   * error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
+   * never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning. */
   BEMPD_ERROR_UNSOLVABLE = -3,
   /** An iteration or the limit on events ended before the goal. */
   BEMPD_ERROR_CONVERGENCE = -4,
@@ -208,7 +210,9 @@ BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material
 
 /** @brief Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
  *
- * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges.
+ * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges. Peridynamic
+ * regions that touch along edges act as one, with bonds across, if spacing, horizon and the numbers of the material are
+ * the same (not in scheme "paper"); others only share the points of the common edge.
  * @param[in] model the model @param[in] material id of a material with the Poisson's ratio of bond-based peridynamics
  * @param[in] vertex_count number of vertices, >= 4
  * @param[in] vertices shape [vertex_count][2], counter-clockwise, edges parallel to the axes [m]
@@ -266,11 +270,13 @@ BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, i
 /** @brief Add an initial crack, a polyline.
  *
  * In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material points.
- * It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
- * themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end
- * at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM
- * region, and ends before interfaces of BEM regions. A crack
- * beside all regions there are is refused at once, everything else when the model is prepared.
+ * The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there; the load at
+ * which it grows depends on where the tip lies between points: best half way between two columns or rows. It may end on
+ * a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by themselves
+ * around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end at a free
+ * edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM region, and
+ * ends before interfaces of BEM regions. A crack beside all regions there are is refused at once, everything else when
+ * the model is prepared.
  * @param[in] model the model @param[in] point_count number of points, >= 2
  * @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);
@@ -366,6 +372,18 @@ BEMPD_API bempd_status bempd_add_traction(bempd_model* model, int32_t region, in
 BEMPD_API bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int32_t edge, double from,
                                                    double to, bempd_boundary_function function, void* user,
                                                    int32_t* load);
+
+/** @brief Add a pressure on a part of an edge that is not an interface: a traction against the outward normal, on
+ * curved edges too. bempd_set_load_values() gives it new values.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part as a fraction of the edge [-] @param[in] to end of the part [-]
+ * @param[in] value_count 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
+ * @param[in] constant shape [value_count], constant part, positive presses [Pa]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+ * @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_pressure(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                          int64_t value_count, const double* constant, const double* proportional,
+                                          int32_t* load);
 
 /** @brief Add a force on the node or material point at a place.
  * @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
@@ -476,7 +494,8 @@ typedef struct bempd_step_report {
   double work;                 /**< work of loads and supports since the beginning [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-];
                                   not small in scheme paper, whose stiffness is unsymmetric */
-  double residual;       /**< largest unbalanced force at the end over the largest internal nodal force so far [-] */
+  double residual; /**< largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5
+                      of the largest stiffness times the displacement of what holds the body if that is larger [-] */
   double seconds_total;  /**< wall time of this step [s] */
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */
@@ -594,6 +613,10 @@ BEMPD_API bempd_status bempd_view_field(bempd_model* model, int32_t region, int3
                                         int64_t* count, int32_t* components, int64_t* generation);
 
 /** @brief Number of bonds of a PD region, with broken and cut ones. Prepares the model.
+ *
+ * They join two of its own material points. Where regions act as one, a bond whose ends two of them share counts for
+ * the first, and bonds from inside one to inside another are listed by neither: bempd_statistics counts them, and
+ * damage and stress of the points at both ends.
  * @param[in] model the model @param[in] region id of a PD region @param[out] count number of bonds @return status
  * @since 0.1 */
 BEMPD_API bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count);
@@ -606,9 +629,15 @@ BEMPD_API bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int6
                                         int32_t* states);
 
 /** @brief Force that a support exerts on the body at the present load factor. Where supports share a node's component
- * the first one counts it. @param[in] model the model @param[in] support id of a support
+ * the first one counts it: add the support first whose edge is to have the corner.
+ * @param[in] model the model @param[in] support id of a support
  * @param[out] force shape [2], resultant [N] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force);
+
+/** @brief Moment about a point of the forces that a support exerts on the body, counted as in bempd_reaction().
+ * @param[in] model the model @param[in] support id of a support @param[in] x the point [m] @param[in] y [m]
+ * @param[out] moment positive counter-clockwise [N m] @return status @since 0.3 */
+BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment);
 
 /** @brief Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
  * between material points in PD regions. @param[in] model the model @param[in] count number of places

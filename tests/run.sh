@@ -1,35 +1,62 @@
 #!/usr/bin/env bash
 # Builds and tests everything; installs missing Debian packages first.
-#   tests/run.sh        with and without the scheme paper, both sparse backends, then the sanitizers in a host that fetches
-#                       the library
+#   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
 #   tests/run.sh quick  the default backend only
+#   tests/run.sh long   all of it, the library without the scheme paper, then unit tests under the sanitizers, threads, clang, and searches of an hour and more
+#                       (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, and BEMPD_SCENES, 20000, shorten or lengthen them)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 case "${1:-all}" in
-  all) stages=(ci ci-symmetric ci-eigen fetch-sanitize) ;;
+  all) stages=(ci ci-eigen fetch-sanitize) ;;
   quick) stages=(ci) ;;
-  *) echo "usage: tests/run.sh [quick]" >&2; exit 2 ;;
+  long) stages=(ci scenes backends ci-symmetric ci-eigen fetch-sanitize sanitize tsan clang fuzz) ;;
+  *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
 esac
 
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ pkg-config libeigen3-dev libsuitesparse-dev libopenblas-dev \
   libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio abigail-tools clang-format \
+  clang libclang-rt-14-dev \
   python3-pycparser bindgen rustfmt cargo rustc gfortran valgrind dpkg-dev file \
   python3-cffi python3-pytest python3-pil mypy python3-pip python3-setuptools python3-wheel python3-venv
 
 jobs=$(nproc)
+fuzz_seconds=${BEMPD_FUZZ_SECONDS:-1800}
+scenes=${BEMPD_SCENES:-20000}
 summary=()
 failed=0
 
 # The presets in CMakePresets.json, here and in the host's folder, say what each stage is.
 run_presets() { cmake --preset "$1" && cmake --build --preset "$1" -j "$jobs" && ctest --preset "$1" -j "$jobs"; }
+
+# Python with the library of a build directory.
+with_library() { PYTHONPATH="$root/bindings/python" BEMPD_LIBRARY="$root/build/$1/src/capi/libbempd.so" "${@:2}"; }
+
+# Each from the corpus and from what earlier searches added to it; what they find stays in build/fuzz.
+search_by_fuzzing() {
+  local target work
+  for target in calls state; do
+    work=build/fuzz/$target
+    mkdir -p "$work/corpus" "$work/findings"
+    OPENBLAS_NUM_THREADS=1 build/sanitize/tests/fuzz/fuzz_$target -max_total_time="$fuzz_seconds" -timeout=120 \
+      -rss_limit_mb=3000 -print_final_stats=1 -artifact_prefix="$work/findings/" "$work/corpus" \
+      "tests/fuzz/corpus/$target" || return 1
+  done
+}
+
 run_stage() {
   case "$1" in
     ci) run_presets ci && cmake --build --preset ci --target format-check ;;
     fetch-sanitize) (cd tests/package/consumer && run_presets fetch-sanitize) ;;
+    scenes) with_library ci python3 tests/differential/random_scenes.py --count "$scenes" &&
+      with_library ci python3 tests/differential/properties.py --count "$((scenes / 20))" ;;
+    backends) cmake --preset ci -B build/eigen -D BEMPD_LINALG=eigen && cmake --build build/eigen -j "$jobs" --target bempd &&
+      python3 tests/differential/backends.py build/ci/src/capi/libbempd.so build/eigen/src/capi/libbempd.so \
+        --count "$((scenes / 20))" ;;
+    fuzz) search_by_fuzzing ;;
     *) run_presets "$1" ;;
   esac
 }

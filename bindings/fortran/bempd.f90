@@ -43,11 +43,13 @@ module bempd
     procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
-    procedure :: add_traction, add_traction_function, add_point_force, add_crack_traction, set_load_values
-    procedure :: set_support_values, tips, crack_opening, grow_cracks
+    procedure :: add_traction, add_traction_function, add_pressure, add_point_force
+    procedure :: set_load_values, set_support_values
+    procedure :: add_crack_traction, tips, crack_opening, grow_cracks
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
-    procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate
+    procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds
+    procedure :: reaction, reaction_moment, evaluate
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
   end type bempd_model
@@ -76,9 +78,11 @@ module bempd
     set_edge_arc, set_edges_smooth, set_edge_mesh, &
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
-    prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_point_force, set_load_values, &
+    prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
+    set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
-    load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, evaluate, get_statistics, &
+    load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, reaction_moment, evaluate, &
+    get_statistics, &
     history, add_crack_traction, tips, crack_opening, grow_cracks, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
@@ -290,6 +294,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_traction
+    module subroutine add_pressure(self, region, edge, constant, proportional, from, to, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in), optional :: constant(:), proportional(:), from, to
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_pressure
     module subroutine add_traction_function(self, region, edge, function, user, from, to, load, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, edge
@@ -452,6 +464,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine reaction
+    module subroutine reaction_moment(self, support, x, y, moment, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(in) :: x, y
+      real(c_double), intent(out) :: moment
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine reaction_moment
     module subroutine evaluate(self, points, displacement, stress, regions, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: points(:, :)

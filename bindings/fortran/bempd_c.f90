@@ -19,7 +19,9 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_ERROR_ARGUMENT = -1
   !> Called too early or too late in the order of a run.
   integer(c_int), parameter :: BEMPD_ERROR_ORDER = -2
-  !> The scene has no unique equilibrium: a mechanism, or a singular operator.
+  !> The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
+  !> error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
+  !> never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning.
   integer(c_int), parameter :: BEMPD_ERROR_UNSOLVABLE = -3
   !> An iteration or the limit on events ended before the goal.
   integer(c_int), parameter :: BEMPD_ERROR_CONVERGENCE = -4
@@ -205,7 +207,8 @@ module bempd_c
     !> |work - stored - released| over the largest work so far, worst of all events [-]; not small in scheme paper,
     !> whose stiffness is unsymmetric
     real(c_double) :: energy_balance_error
-    !> largest unbalanced force at the end over the largest internal nodal force so far [-]
+    !> largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5 of the largest
+    !> stiffness times the displacement of what holds the body if that is larger [-]
     real(c_double) :: residual
     !> wall time of this step [s]
     real(c_double) :: seconds_total
@@ -622,6 +625,8 @@ module bempd_c
     !> Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
     !>
     !> Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges.
+    !> Peridynamic regions that touch along edges act as one, with bonds across, if spacing, horizon and the numbers of
+    !> the material are the same (not in scheme "paper"); others only share the points of the common edge.
     !>
     !> model [in]: the model
     !> material [in]: id of a material with the Poisson's ratio of bond-based peridynamics
@@ -754,11 +759,13 @@ module bempd_c
     !> Add an initial crack, a polyline.
     !>
     !> In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material
-    !> points. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which
-    !> are divided by themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it
-    !> may start or end at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic
-    !> regions or in one BEM region, and ends before interfaces of BEM regions. A crack beside all regions there are is
-    !> refused at once, everything else when the model is prepared.
+    !> points. The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there;
+    !> the load at which it grows depends on where the tip lies between points: best half way between two columns or
+    !> rows. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are
+    !> divided by themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may
+    !> start or end at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions
+    !> or in one BEM region, and ends before interfaces of BEM regions. A crack beside all regions there are is refused
+    !> at once, everything else when the model is prepared.
     !>
     !> model [in]: the model
     !> point_count [in]: number of points, >= 2
@@ -1005,6 +1012,35 @@ module bempd_c
       type(c_ptr), value :: load
       integer(c_int) :: bempd_add_traction_function
     end function bempd_add_traction_function
+
+    !> Add a pressure on a part of an edge that is not an interface: a traction against the outward normal, on curved
+    !> edges too. bempd_set_load_values() gives it new values.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> from [in]: start of the part as a fraction of the edge [-]
+    !> to [in]: end of the part [-]
+    !> value_count [in]: 1: uniform; 2: linear from start to end; n: values at n equally spaced places, linear between
+    !> constant [in]: shape [value_count], constant part, positive presses [Pa]; NULL for 0
+    !> proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_pressure(model, region, edge, from, to, value_count, constant, proportional, load) &
+        bind(c, name="bempd_add_pressure")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: from
+      real(c_double), value :: to
+      integer(c_int64_t), value :: value_count
+      type(c_ptr), value :: constant
+      type(c_ptr), value :: proportional
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_pressure
+    end function bempd_add_pressure
 
     !> Add a force on the node or material point at a place.
     !>
@@ -1382,6 +1418,10 @@ module bempd_c
 
     !> Number of bonds of a PD region, with broken and cut ones. Prepares the model.
     !>
+    !> They join two of its own material points. Where regions act as one, a bond whose ends two of them share counts
+    !> for the first, and bonds from inside one to inside another are listed by neither: bempd_statistics counts them,
+    !> and damage and stress of the points at both ends.
+    !>
     !> model [in]: the model
     !> region [in]: id of a PD region
     !> count [out]: number of bonds
@@ -1415,7 +1455,7 @@ module bempd_c
     end function bempd_copy_bonds
 
     !> Force that a support exerts on the body at the present load factor. Where supports share a node's component the
-    !> first one counts it.
+    !> first one counts it: add the support first whose edge is to have the corner.
     !>
     !> model [in]: the model
     !> support [in]: id of a support
@@ -1429,6 +1469,25 @@ module bempd_c
       real(c_double), intent(inout) :: force(2)
       integer(c_int) :: bempd_reaction
     end function bempd_reaction
+
+    !> Moment about a point of the forces that a support exerts on the body, counted as in bempd_reaction().
+    !>
+    !> model [in]: the model
+    !> support [in]: id of a support
+    !> x [in]: the point [m]
+    !> y [in]: [m]
+    !> moment [out]: positive counter-clockwise [N m]
+    !> return: status
+    !> since: 0.3
+    function bempd_reaction_moment(model, support, x, y, moment) bind(c, name="bempd_reaction_moment")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      real(c_double), value :: x
+      real(c_double), value :: y
+      real(c_double), intent(inout) :: moment
+      integer(c_int) :: bempd_reaction_moment
+    end function bempd_reaction_moment
 
     !> Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
     !> between material points in PD regions.

@@ -74,6 +74,11 @@ contains
     call finish(self, bempd_reaction(self%handle, support, force), stat, errmsg)
   end procedure reaction
 
+  module procedure reaction_moment
+    moment = 0
+    call finish(self, bempd_reaction_moment(self%handle, support, x, y, moment), stat, errmsg)
+  end procedure reaction_moment
+
   module procedure get_statistics
     integer(c_int) :: status
 

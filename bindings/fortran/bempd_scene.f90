@@ -192,6 +192,18 @@ contains
     call give(new, load)
   end procedure add_traction
 
+  module procedure add_pressure
+    type(value_parts), target :: parts
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_values(self, "bempd_add_pressure", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_add_pressure(self%handle, region, edge, value_or(from, 0.0_c_double), value_or(to, &
+        1.0_c_double), parts%count, c_loc(parts%constant), c_loc(parts%proportional), c_loc(new)), stat, errmsg)
+    end if
+    call give(new, load)
+  end procedure add_pressure
+
   module procedure add_traction_function
     integer(c_int32_t), target :: new
 

@@ -4,6 +4,7 @@
 #include "capi/guard.hpp"
 #include "regions/places/crack_faces.hpp"
 #include "regions/places/edge_part.hpp"
+#include "regions/places/pressed_edge.hpp"
 #include "regions/places/single_point.hpp"
 
 using namespace bempd;
@@ -125,6 +126,15 @@ bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int
                                          bempd_boundary_function function, void* user, int32_t* load) {
   return add_load(model, __func__, load, [&] {
     return Condition{on_edge(region, edge, from, to), BEMPD_BOTH, remember(function, user)};
+  });
+}
+
+bempd_status bempd_add_pressure(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                int64_t value_count, const double* constant, const double* proportional,
+                                int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{std::make_shared<const regions::PressedEdge>(region, edge, from, to), BEMPD_X,
+                     samples(value_count, constant, proportional)};
   });
 }
 

@@ -73,7 +73,7 @@ bempd_status without_model(const char* function, const Body& body) noexcept {
 // What a failed call has prepared is given up again, so that the scene can be corrected.
 template <class Body>
 void run(model::Model& engine, const Body& body) {
-  const bool was_prepared = engine.is_prepared();
+  const bool was_prepared = engine.prepared_or_null() != nullptr;
   try {
     body(engine);
   } catch (const Error& error) {

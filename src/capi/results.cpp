@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "capi/guard.hpp"
 
@@ -96,7 +97,7 @@ bempd_status bempd_bond_count(bempd_model* model, int32_t region, int64_t* count
 
 bempd_status bempd_copy_bonds(bempd_model* model, int32_t region, int64_t capacity, int32_t* points, int32_t* states) {
   return with_model(model, __func__, [&](model::Model& m) {
-    const auto& bonds = m.bonds(region);
+    const auto bonds = m.bonds(region);
     require_capacity(capacity, static_cast<std::int64_t>(bonds.size()), "bonds");
     const std::vector<regions::BondState> known = m.bond_states(region);
     for (std::size_t b = 0; b < bonds.size(); ++b) {
@@ -115,6 +116,13 @@ bempd_status bempd_reaction(bempd_model* model, int32_t support, double* force) 
     const Eigen::Vector2d reaction = m.reaction(support);
     force[0] = reaction.x();
     force[1] = reaction.y();
+  });
+}
+
+bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
+    out(moment, "moment") = m.reaction_moment(support, Point(x, y));
   });
 }
 
@@ -145,7 +153,7 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       s.boundary_nodes = r.boundary_nodes;
       s.boundary_elements = r.boundary_elements;
       s.material_points = r.material_points;
-      s.bonds = static_cast<int64_t>(p->system->bonds().size());
+      s.bonds = static_cast<int64_t>(p->system->terms().size());
       s.cut_bonds = static_cast<int64_t>(p->cut_bonds.size());
       s.broken_bonds = p->evolution->progress().broken_bonds;
       s.sparse_unknowns = c.sparse_unknowns;

@@ -72,4 +72,15 @@ double CondensedOperator::energy(const Eigen::VectorXd& displacement, double loa
   return 0.5 * own.dot(elimination_->stiffness() * own);
 }
 
+double CondensedOperator::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
+  if (rest_.rows() == 0) return 0;
+  return -rest_.col(1).dot(elimination_->stiffness() * elastic(displacement, load_factor));
+}
+
+double CondensedOperator::unit_energy(const Eigen::VectorXd& proportional) const {
+  Eigen::VectorXd own = proportional(all_);
+  if (rest_.rows() > 0) own -= rest_.col(1);
+  return 0.5 * own.dot(elimination_->stiffness() * own);
+}
+
 }  // namespace bempd::coupling

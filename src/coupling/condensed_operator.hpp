@@ -38,8 +38,11 @@ class CondensedOperator {
   // force += stiffness * (displacement - rest), on all of the operator's nodes.
   void add_internal_force(const Eigen::VectorXd& displacement, double load_factor, Eigen::VectorXd& force) const;
 
-  // Half of what these forces do on (displacement - rest).
+  // Half of what these forces do on (displacement - rest), its derivative by the load factor alone, and the energy of
+  // the proportional parts.
   double energy(const Eigen::VectorXd& displacement, double load_factor) const;
+  double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
+  double unit_energy(const Eigen::VectorXd& proportional) const;
 
  private:
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest

@@ -31,16 +31,24 @@ void EquilibriumSystem::mark(std::span<const StageChange> changes) {
 
 void EquilibriumSystem::enter(const StageChange& change) {
   mark({&change, 1});
+  present_stiffness_[change.term] = stiffness_after(change);
+}
+
+double EquilibriumSystem::stiffness_after(const StageChange& change) const {
   const TermLaw& law = terms_.law_of(static_cast<std::size_t>(change.term));
-  present_stiffness_[change.term] = law.stiffness_share(change.stage) * terms_.stiffness[change.term];
+  return law.stiffness_share(change.stage) * terms_.stiffness[change.term];
+}
+
+std::vector<int> EquilibriumSystem::gone_with(std::span<const StageChange> changes) const {
+  std::vector<int> gone;
+  for (const StageChange& c : changes) {
+    if (c.stage >= terms_.law_of(static_cast<std::size_t>(c.term)).gone()) gone.push_back(c.term);
+  }
+  return gone;
 }
 
 void EquilibriumSystem::set_stages(std::span<const StageChange> changes) {
   for (const StageChange& c : changes) enter(c);
-}
-
-void EquilibriumSystem::set_parted(std::span<const int> terms, bool parted) {
-  for (int t : terms) enter({t, parted ? terms_.law_of(static_cast<std::size_t>(t)).gone() : 0});
 }
 
 void EquilibriumSystem::add_pulls(int term, double size, int column,

@@ -31,6 +31,30 @@ double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double loa
   return sum;
 }
 
+double EquilibriumSystem::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
+  double sum = 0;
+  const double* u = displacement.data();
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (!intact_[t]) continue;
+    sum += terms_.constant(t, 1) * terms_.elongation(t, u) -
+           present_stiffness_[t] * terms_.elastic_elongation(t, u, load_factor) * terms_.rest(t, 1);
+  }
+  for (const CondensedOperator& op : operators_) sum += op.energy_slope(displacement, load_factor);
+  return sum;
+}
+
+double EquilibriumSystem::unit_energy(const Eigen::VectorXd& proportional) const {
+  if (!has_offsets()) return 0.5 * proportional.dot(internal_force(proportional));
+  double sum = 0;
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    if (!intact_[t]) continue;
+    const double elastic = terms_.elastic_elongation_part(t, proportional.data(), 1);
+    sum += 0.5 * present_stiffness_[t] * elastic * elastic;
+  }
+  for (const CondensedOperator& op : operators_) sum += op.unit_energy(proportional);
+  return sum;
+}
+
 Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const {
   const Eigen::VectorXd displacement = displacement_of(unknowns);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);

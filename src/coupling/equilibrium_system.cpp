@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "coupling/coupling_graph.hpp"
@@ -20,7 +21,14 @@ const SolutionMethod& least_demanding(const std::vector<DenseOperator>& operator
   return *method;
 }
 
-double largest_stiffness_of(int node_count, const std::vector<DenseOperator>& operators, const Terms& terms) {
+// Parts whose stiffness differs by more lose digits: what is rounding in the stiff part is a force in the soft one.
+constexpr double ordinary_stiffness_ratio = 1e-6;
+
+struct StiffnessRange {
+  double smallest = 0, largest = 0;  // of single degrees of freedom in the softest and the stiffest part
+};
+
+StiffnessRange stiffness_range(int node_count, const std::vector<DenseOperator>& operators, const Terms& terms) {
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(2 * node_count);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     terms.for_each_entry(t, [&](int node, double x, double y) {
@@ -36,7 +44,14 @@ double largest_stiffness_of(int node_count, const std::vector<DenseOperator>& op
       }
     }
   }
-  return diagonal.size() > 0 ? diagonal.maxCoeff() : 0;
+  StiffnessRange range{std::numeric_limits<double>::infinity(), diagonal.size() > 0 ? diagonal.maxCoeff() : 0};
+  for (double k : diagonal) {
+    if (k > 0) range.smallest = std::min(range.smallest, k);
+  }
+  for (const DenseOperator& op : operators) {
+    range.smallest = std::min(range.smallest, op.stiffness->diagonal().maxCoeff());
+  }
+  return range;
 }
 
 }  // namespace
@@ -63,7 +78,9 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       operators_have_rest_[part] = operators_have_rest_[part] || !op.rest.col(part).isZero(0);
     }
   }
-  largest_stiffness_ = largest_stiffness_of(node_count, operators, terms_);
+  const StiffnessRange range = stiffness_range(node_count, operators, terms_);
+  largest_stiffness_ = range.largest;
+  stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;
   pending_ = std::move(operators);
 }
 
@@ -106,6 +123,7 @@ void EquilibriumSystem::condense() {
     counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, operators_.back().reciprocal_condition());
   }
   pending_.clear();
+  if (stiffness_ratio_ < ordinary_stiffness_ratio) counters_.reciprocal_condition *= stiffness_ratio_;
   condensed_ = Condensed::operators;
 }
 

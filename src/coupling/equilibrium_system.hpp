@@ -56,7 +56,6 @@ class EquilibriumSystem {
 
   int node_count() const { return node_count_; }
   const Terms& terms() const { return terms_; }
-  const Terms& bonds() const { return terms_; }
   bool is_prescribed(int dof) const { return unknowns_.kind[dof] == DofKind::prescribed; }
   bool is_unknown(int dof) const { return unknowns_.is_unknown(dof); }
   bool in_dense_body(int node) const { return in_body_[node] != 0; }
@@ -68,6 +67,8 @@ class EquilibriumSystem {
   const std::vector<char>& intact() const { return intact_; }
   // Stiffness of every term in its stage.
   const std::vector<double>& present_stiffness() const { return present_stiffness_; }
+  // Whether terms or operators have forces without displacements.
+  bool has_offsets() const { return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1]; }
   // What a term becomes where it reaches the critical elongation of its stage.
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(stages_[term])};
@@ -76,6 +77,9 @@ class EquilibriumSystem {
   double critical_share(int term) const {
     return terms_.law_of(static_cast<std::size_t>(term)).critical_share(stages_[term]);
   }
+  double stiffness_after(const StageChange& change) const;
+  // Those of some terms that are gone with their changes.
+  std::vector<int> gone_with(std::span<const StageChange> changes) const;
   const std::vector<HoldingSpring>& springs() const { return springs_; }
 
   // Forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
@@ -93,12 +97,11 @@ class EquilibriumSystem {
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
-  // The same for terms that are gone at once, and back in their first stage.
+  // The same for terms that are gone at once.
   void mark_broken(std::span<const int> terms) { mark(all_gone(terms)); }
   void commit_break(std::span<const int> terms, std::span<const HoldingSpring> springs) {
     commit(all_gone(terms), springs);
   }
-  void set_parted(std::span<const int> terms, bool parted);
 
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
@@ -115,6 +118,9 @@ class EquilibriumSystem {
   // Condenses and factorizes unless that is done. Throws Error (unsolvable). The method needs symmetry.
   ReducedSystem reduce();
 
+  // Of the operators, which forces and energies need; once.
+  void condense();
+
   // False if some motion may have lost its resistance with these terms, without showing in their elongations under the
   // present load; softest_motion() tells.
   bool resists_all_motions(std::span<const int> broken);
@@ -127,8 +133,12 @@ class EquilibriumSystem {
   // masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
 
-  // Energy of operators and terms at the same.
+  // Energy of operators and terms at the same, and its derivative by the load factor alone: what rest elongations, rest
+  // displacements and constant forces do that grow with it.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
+  double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Strain energy of the proportional parts of displacements and rest elongations.
+  double unit_energy(const Eigen::VectorXd& proportional) const;
 
   // Largest stiffness of a single degree of freedom, with all terms in their first stage.
   double largest_stiffness() const { return largest_stiffness_; }
@@ -143,7 +153,6 @@ class EquilibriumSystem {
   enum class Condensed : char { nothing, operators, operators_and_load };
 
   void collect_bodies(const std::vector<DenseOperator>& operators);
-  void condense();
   void condense_load();
   void factorize();
   bool has_load(int part) const;
@@ -162,7 +171,7 @@ class EquilibriumSystem {
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
   int node_count_;
-  double largest_stiffness_ = 0;
+  double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
   bool operators_have_rest_[2] = {false, false};  // in its two parts
   std::vector<DenseOperator> pending_;            // until condensed

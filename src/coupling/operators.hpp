@@ -23,8 +23,6 @@ struct DenseOperator {
   Affine rest = Affine(0, 2);
 };
 
-using BondSet = Terms;
-
 // A spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium
 // it carries no force; `anchor` is the displacement along the direction at which it was attached [m].
 struct HoldingSpring {

@@ -21,4 +21,11 @@ const TermLaw& TermLaw::brittle() {
   return law;
 }
 
+std::vector<int> terms_of(std::span<const StageChange> changes) {
+  std::vector<int> terms;
+  terms.reserve(changes.size());
+  for (const StageChange& c : changes) terms.push_back(c.term);
+  return terms;
+}
+
 }  // namespace bempd::coupling

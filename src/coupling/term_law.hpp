@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace bempd::coupling {
@@ -11,6 +12,7 @@ class TermLaw {
  public:
   struct Stage {
     double stiffness_share, critical_share;
+    bool operator==(const Stage&) const = default;
   };
 
   // Throws Error (argument) if there is no stage, or a share is not positive and finite.
@@ -19,6 +21,9 @@ class TermLaw {
   // Breaks at its critical elongation.
   static const TermLaw& brittle();
 
+  bool operator==(const TermLaw&) const = default;
+
+  const std::vector<Stage>& stages() const { return stages_; }
   int gone() const { return static_cast<int>(stages_.size()); }
   double stiffness_share(int stage) const { return stage < gone() ? stages_[stage].stiffness_share : 0; }
   double critical_share(int stage) const {
@@ -34,5 +39,7 @@ class TermLaw {
 struct StageChange {
   int term, stage;
 };
+
+std::vector<int> terms_of(std::span<const StageChange> changes);
 
 }  // namespace bempd::coupling

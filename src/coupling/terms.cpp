@@ -1,7 +1,6 @@
 #include "coupling/terms.hpp"
 
 #include <cassert>
-#include <utility>
 
 namespace bempd::coupling {
 
@@ -50,8 +49,10 @@ void Terms::set_constant_force(int term, double constant, double proportional) {
   set(constant_force, term, constant, proportional);
 }
 
-int Terms::add_law(TermLaw its_law) {
-  laws.push_back(std::move(its_law));
+int Terms::add_law(const TermLaw& its_law) {
+  const auto same = std::find(laws.begin(), laws.end(), its_law);
+  if (same != laws.end()) return static_cast<int>(same - laws.begin());
+  laws.push_back(its_law);
   assert(laws.size() <= 256);
   return static_cast<int>(laws.size()) - 1;
 }
@@ -62,25 +63,38 @@ void Terms::set_law(int term, int its_law) {
   law[place] = static_cast<std::uint8_t>(its_law);
 }
 
-void Terms::critical_shares(const Affine& displacement, const std::vector<double>& critical_stretch,
+void Terms::set_scale(std::size_t term, double critical_stretch, CriticalScales& scales) const {
+  const double scale = 1 / (length[term] * critical_stretch);
+  scales.per_elongation[term] = scale;
+  scales.cosine[term] = cosine[term] * scale;
+  scales.sine[term] = sine[term] * scale;
+}
+
+CriticalScales Terms::critical_scales(const std::vector<double>& critical_stretch) const {
+  CriticalScales scales{std::vector<double>(size()), std::vector<double>(size()), std::vector<double>(size())};
+  for (std::size_t t = 0; t < size(); ++t) set_scale(t, critical_stretch[t], scales);
+  return scales;
+}
+
+void Terms::critical_shares(const Affine& displacement, const CriticalScales& scales,
                             std::vector<double>& constant_part, std::vector<double>& proportional_part) const {
   const double* at_zero = displacement.col(0).data();
   const double* slope = displacement.col(1).data();
   for (std::size_t t = 0; t < size(); ++t) {
-    const double scale = per_critical(t, critical_stretch[t]);
-    constant_part[t] = bond_elongation(t, at_zero) * scale;
-    proportional_part[t] = bond_elongation(t, slope) * scale;
+    const int i = 2 * first[t], j = 2 * second[t];
+    const double c = scales.cosine[t], s = scales.sine[t];
+    constant_part[t] = along(c, s, at_zero[j] - at_zero[i], at_zero[j + 1] - at_zero[i + 1]);
+    proportional_part[t] = along(c, s, slope[j] - slope[i], slope[j + 1] - slope[i + 1]);
   }
   for (std::size_t k = 0; k < wide.term.size(); ++k) {
-    const auto t = static_cast<std::size_t>(wide.term[k]);
-    const double scale = per_critical(t, critical_stretch[t]);
-    constant_part[t] = wide_elongation(k, at_zero) * scale;
-    proportional_part[t] = wide_elongation(k, slope) * scale;
+    const int t = wide.term[k];
+    constant_part[t] = wide_elongation(k, at_zero) * scales.per_elongation[t];
+    proportional_part[t] = wide_elongation(k, slope) * scales.per_elongation[t];
   }
   for (int part = 0; part < 2; ++part) {
     std::vector<double>& shares = part == 0 ? constant_part : proportional_part;
     for (std::size_t t = 0; t < rest_elongation[part].size(); ++t) {
-      shares[t] -= rest_elongation[part][t] * per_critical(t, critical_stretch[t]);
+      shares[t] -= rest_elongation[part][t] * scales.per_elongation[t];
     }
   }
 }

@@ -13,6 +13,20 @@
 
 namespace bempd::coupling {
 
+// A difference (x, y) of displacements along a direction, which may be scaled: all elongations of bonds come from here.
+// The difference may be one of numbers or of arrays of them.
+template <class X, class Y>
+auto along(double cosine, double sine, const X& x, const Y& y) {
+  return cosine * x + sine * y;
+}
+
+// What makes shares of their critical values of the elastic elongations of terms, and the directions of bonds so
+// scaled, along which a difference of displacements is such a share at once.
+struct CriticalScales {
+  std::vector<double> per_elongation;  // [1/m]
+  std::vector<double> cosine, sine;
+};
+
 // How strongly the displacement of a node takes part in a term.
 struct TermEntry {
   int node;
@@ -63,7 +77,7 @@ struct Terms {
   void set_rest_elongation(int term, double constant, double proportional = 0);
   void set_constant_force(int term, double constant, double proportional = 0);
 
-  int add_law(TermLaw its_law);  // returns its index
+  int add_law(const TermLaw& its_law);  // returns its index, that of an equal one if there is one
   void set_law(int term, int its_law);
   const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
 
@@ -119,15 +133,13 @@ struct Terms {
     return 0.5 * present_stiffness * elastic * elastic + force * elongation(term, displacement);
   }
 
-  // What makes a share of the critical stretch of an elastic elongation, and the direction of a bond so scaled.
-  double per_critical(std::size_t term, double critical_stretch) const { return 1 / (length[term] * critical_stretch); }
-  Eigen::Vector2d scaled_direction(std::size_t term, double scale) const {
-    return {cosine[term] * scale, sine[term] * scale};
-  }
+  // An infinite critical stretch makes 0 of every elongation.
+  CriticalScales critical_scales(const std::vector<double>& critical_stretch) const;
+  void set_scale(std::size_t term, double critical_stretch, CriticalScales& scales) const;
 
   // Elastic elongations of all terms as shares of their critical ones, the two parts of a displacement apart.
-  void critical_shares(const Affine& displacement, const std::vector<double>& critical_stretch,
-                       std::vector<double>& constant_part, std::vector<double>& proportional_part) const;
+  void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
+                       std::vector<double>& proportional_part) const;
 
   // force += stiffness (c.u) c, without rest elongations and constant forces, on all nodes.
   void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
@@ -146,7 +158,7 @@ struct Terms {
   double bond_elongation(std::size_t bond, const double* displacement) const {
     const double* a = displacement + 2 * first[bond];
     const double* b = displacement + 2 * second[bond];
-    return cosine[bond] * (b[0] - a[0]) + sine[bond] * (b[1] - a[1]);
+    return along(cosine[bond], sine[bond], b[0] - a[0], b[1] - a[1]);
   }
   double wide_elongation(std::size_t place, const double* displacement) const {
     double sum = 0;

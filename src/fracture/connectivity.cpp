@@ -63,7 +63,7 @@ bool Connectivity::are_joined(int node, int other) const {
   return false;
 }
 
-std::vector<int> Connectivity::intact_bonds_at(int node) const {
+std::vector<int> Connectivity::intact_terms_at(int node) const {
   std::vector<int> result;
   for (int t : terms_at_.of(node)) {
     if (system_.intact()[t]) result.push_back(t);
@@ -71,11 +71,11 @@ std::vector<int> Connectivity::intact_bonds_at(int node) const {
   return result;
 }
 
-bool Connectivity::still_joined(const std::vector<int>& removed_bonds) const {
+bool Connectivity::still_joined(const std::vector<int>& removed) const {
   const coupling::Terms& terms = system_.terms();
   const auto neighbours = [&](int node) {
     std::vector<int> result;
-    for (int t : intact_bonds_at(node)) {
+    for (int t : intact_terms_at(node)) {
       terms.for_each_node(static_cast<std::size_t>(t), [&](int other) {
         if (other != node) result.push_back(other);
       });
@@ -87,7 +87,7 @@ bool Connectivity::still_joined(const std::vector<int>& removed_bonds) const {
     return std::any_of(right.begin(), right.end(),
                        [&](int n) { return std::find(left.begin(), left.end(), n) != left.end(); });
   };
-  for (int t : removed_bonds) {
+  for (int t : removed) {
     bool joined = true;
     terms.for_each_node(static_cast<std::size_t>(t), [&](int node) {
       if (node != terms.first[t]) joined = joined && are_close(terms.first[t], node);

@@ -7,7 +7,7 @@
 
 namespace bempd::fracture {
 
-// Which nodes hang together through intact bonds and bodies that cannot break.
+// Which nodes hang together through intact terms and bodies that cannot break.
 class Connectivity {
  public:
   explicit Connectivity(const coupling::EquilibriumSystem& system);
@@ -15,15 +15,14 @@ class Connectivity {
   // Pieces of the body: lists of nodes, each in ascending order, in the order of their first nodes.
   std::vector<std::vector<int>> pieces() const;
 
-  // True if both ends of each bond share an intact neighbour or a rigidly connected body, so that without these bonds
-  // the pieces are still the same. False means: unknown.
-  bool still_joined(const std::vector<int>& removed_bonds) const;
+  // True if all nodes of each term share an intact neighbour, so that without these terms the pieces are still the
+  // same. False means: unknown.
+  bool still_joined(const std::vector<int>& removed) const;
 
-  // True if a path of intact bonds and bodies that cannot break leads from one node to the other.
+  // True if a path of intact terms and bodies that cannot break leads from one node to the other.
   bool are_joined(int node, int other) const;
 
-  // Intact bonds at a node.
-  std::vector<int> intact_bonds_at(int node) const;
+  std::vector<int> intact_terms_at(int node) const;
 
  private:
   const coupling::EquilibriumSystem& system_;

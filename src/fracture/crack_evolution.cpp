@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error.hpp"
 
@@ -10,6 +11,12 @@ namespace bempd::fracture {
 using coupling::Affine;
 
 namespace {
+
+// Energies that no number can hold are told as the largest one, and Model warns of them.
+double in_range(double energy) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::isnan(energy) ? largest : std::clamp(energy, -largest, largest);
+}
 
 void require_balance(double residual, double energy_balance_error) {
   if (residual > most_residual) {
@@ -29,7 +36,9 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
                                std::vector<std::vector<int>> reaction_dofs)
     : system_(system),
       body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), state_),
-      sources_(body_, cut) {}
+      sources_(body_, cut) {
+  state_.work = body_.energy_at_rest();
+}
 
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
   sources_.settle();
@@ -44,7 +53,7 @@ void CrackEvolution::find_equilibrium() {
     require_balance(body_.residual(), 0);
     held_ = std::move(found.held);
     state_.fragments += found.fragments;
-    state_.work += found.work;
+    state_.work = in_range(state_.work + found.work);
   } catch (...) {
     static_cast<BodyState&>(state_) = std::move(before);
     sources_.forget();
@@ -98,7 +107,7 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
     if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
   }
   sources_.bring_up_to_date();
-  state_.work += body_.move_to(target);
+  state_.work = in_range(state_.work + body_.move_to(target));
   end_step();
   return state_.separated ? StopReason::separated : StopReason::load_factor;
 }
@@ -112,12 +121,12 @@ void CrackEvolution::return_to(const Start& start) {
 
 void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   state_.work += outcome.work_before;
-  state_.work += outcome.work;
-  state_.released_energy += outcome.released_energy;
+  state_.work = in_range(state_.work + outcome.work);
+  state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
   ++state_.events;
-  state_.broken_bonds += static_cast<std::int64_t>(event.breaking.size());
+  state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
-  if (is_separated(outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
+  if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
   HistoryEntry line;
   line.event = state_.events;
   line.stretch_ratio = event.ratio;
@@ -138,12 +147,18 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   HistoryEntry line = known;
   line.total_broken_bonds = state_.broken_bonds;
   line.load_factor = state_.load_factor;
+  line.stored_energy = in_range(line.stored_energy);
   line.released_energy = state_.released_energy;
   line.work = state_.work;
   state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
   const double scale = std::max(state_.largest_work, energy_scale);
   const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);
   line.energy_balance_error = scale > 0 ? difference / scale : difference;
+  if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // of energies that are lost
+  if (!Eigen::Map<const Eigen::VectorXd>(reactions.data(), static_cast<Eigen::Index>(reactions.size())).allFinite() ||
+      !std::isfinite(line.load_factor) || !std::isfinite(line.stretch_ratio) || !std::isfinite(line.residual)) {
+    fail_out_of_range();
+  }
   require_balance(line.residual, system_.is_symmetric() ? line.energy_balance_error : 0);
   state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, line.energy_balance_error);
   state_.residual = line.residual;

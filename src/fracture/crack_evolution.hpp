@@ -52,13 +52,13 @@ class CrackEvolution {
   // From here on the run is the same, bit for bit, as one restored from a copy of the present state.
   void synchronize();
 
-  double stretch(std::size_t bond) {
-    sources_.bring_up_to_date();
-    return body_.ratios().stretch(bond, state_.load_factor);
-  }
   Eigen::Vector2d reaction(std::size_t support) {
     sources_.bring_up_to_date();
     return body_.reaction(support);
+  }
+  double reaction_moment(std::size_t support, const Point& about) {
+    sources_.bring_up_to_date();
+    return body_.reaction_moment(support, about);
   }
   double seconds_search() { return body_.seconds_search(); }
 

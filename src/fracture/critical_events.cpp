@@ -17,34 +17,27 @@ constexpr double tie_rounding = 1e-9;
 
 double tie_limit(double band) { return (1 - band) * (1 - tie_rounding); }
 
-RatioDirections::RatioDirections(const coupling::BondSet& bonds, const std::vector<double>& critical_stretch)
-    : cosine(bonds.size()), sine(bonds.size()) {
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const double scale = 1 / (bonds.length[b] * critical_stretch[b]);
-    cosine[b] = bonds.cosine[b] * scale;
-    sine[b] = bonds.sine[b] * scale;
-  }
+StretchRatios::StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch)
+    : AffineRatios{std::vector<double>(terms.size(), 0.0), std::vector<double>(terms.size(), 0.0)},
+      terms_(terms),
+      critical_stretch_(std::move(critical_stretch)),
+      scales_(terms.critical_scales(critical_stretch_)) {
+  const coupling::TermLaw& brittle = coupling::TermLaw::brittle();
+  if (std::all_of(terms.laws.begin(), terms.laws.end(), [&](const auto& law) { return law == brittle; })) return;
+  stages_.assign(terms.size(), 0);
+  for (std::size_t t = 0; t < terms.size(); ++t) terms_.set_scale(t, this->critical_stretch(t, 0), scales_);
 }
 
-StretchRatios::StretchRatios(const coupling::BondSet& bonds, std::vector<double> critical_stretch)
-    : AffineRatios{std::vector<double>(bonds.size(), 0.0), std::vector<double>(bonds.size(), 0.0)},
-      bonds_(bonds),
-      critical_stretch_(std::move(critical_stretch)),
-      directions_(bonds, critical_stretch_) {}
+void StretchRatios::enter(const std::vector<std::uint8_t>& stages) {
+  for (std::size_t t = 0; t < stages_.size(); ++t) {
+    if (stages_[t] == stages[t]) continue;
+    stages_[t] = stages[t];
+    terms_.set_scale(t, critical_stretch(t, stages[t]), scales_);
+  }
+}
 
 void StretchRatios::update(const coupling::Affine& displacement) {
-  const double* at_zero = displacement.col(0).data();
-  const double* slope = displacement.col(1).data();
-  for (std::size_t b = 0; b < bonds_.size(); ++b) {
-    const int i = 2 * bonds_.first[b], j = 2 * bonds_.second[b];
-    const double c = directions_.cosine[b], s = directions_.sine[b];
-    constant[b] = c * (at_zero[j] - at_zero[i]) + s * (at_zero[j + 1] - at_zero[i + 1]);
-    proportional[b] = c * (slope[j] - slope[i]) + s * (slope[j + 1] - slope[i + 1]);
-  }
-}
-
-double StretchRatios::stretch(std::size_t bond, double load_factor) const {
-  return at(bond, load_factor) * critical_stretch_[bond];
+  terms_.critical_shares(displacement, scales_, constant, proportional);
 }
 
 std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, double from, double to) const {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "coupling/operators.hpp"
+#include "coupling/terms.hpp"
 
 namespace bempd::fracture {
 
@@ -36,29 +37,27 @@ struct AffineRatios {
 // mirrored bonds differ.
 double tie_limit(double band);
 
-// What a bond's stretch ratio is made of: the product of these with the difference of its ends' displacements.
-struct RatioDirections {
-  std::vector<double> cosine, sine;  // of the bond, over its length and its critical stretch
-
-  RatioDirections(const coupling::BondSet& bonds, const std::vector<double>& critical_stretch);
-};
-
-// The ratios of all bonds of a system.
+// The ratios of all terms of a system: elastic elongations over the critical ones of the terms' stages.
 class StretchRatios : public AffineRatios {
  public:
-  // An infinite critical stretch marks a bond that cannot break.
-  StretchRatios(const coupling::BondSet& bonds, std::vector<double> critical_stretch);
+  // All terms are in their first stage. An infinite critical stretch marks a term that cannot break.
+  StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch);
 
+  void enter(const std::vector<std::uint8_t>& stages);  // of all terms; the ratios follow with the next update
   void update(const coupling::Affine& displacement);
 
-  double stretch(std::size_t bond, double load_factor) const;
-  const RatioDirections& directions() const { return directions_; }
-  const coupling::BondSet& bonds() const { return bonds_; }
+  const coupling::CriticalScales& scales() const { return scales_; }
+  const coupling::Terms& terms() const { return terms_; }
+  // Of a term in one of its stages; infinite where it is gone.
+  double critical_stretch(std::size_t term, int stage) const {
+    return critical_stretch_[term] * terms_.law_of(term).critical_share(stage);
+  }
 
  private:
-  const coupling::BondSet& bonds_;
+  const coupling::Terms& terms_;
   std::vector<double> critical_stretch_;
-  RatioDirections directions_;
+  std::vector<std::uint8_t> stages_;  // empty if no critical value depends on them
+  coupling::CriticalScales scales_;
 };
 
 }  // namespace bempd::fracture

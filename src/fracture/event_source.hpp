@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/term_law.hpp"
 #include "fracture/stepping_options.hpp"
 
 namespace bempd::fracture {
@@ -10,14 +11,16 @@ namespace bempd::fracture {
 // Terms that reach their critical value together, at one load factor.
 struct Event {
   double load_factor = 0;
-  double ratio = 0;           // largest stretch over critical stretch
-  std::vector<int> breaking;  // terms, ascending; not told where the event lies beyond the target
+  double ratio = 0;  // largest stretch over critical stretch
+  // Of these terms, ascending; not told where the event lies beyond the target.
+  std::vector<coupling::StageChange> changes;
 };
 
 // What an event did.
 struct Outcome {
-  double work_before = 0;  // of the loads on the way to the event
-  double work = 0;         // of the event itself
+  std::int64_t broken = 0;  // terms that are gone
+  double work_before = 0;   // of the loads on the way to the event
+  double work = 0;          // of the event itself
   double released_energy = 0;
   double stored_energy = 0;  // after it
   double unit_energy = 0;    // of the proportional load alone, after it

@@ -32,7 +32,7 @@ struct BodyState {
   coupling::Affine displacement;       // 2 * node + component
   Eigen::VectorXd total_displacement;  // at load_factor
   Eigen::VectorXd total_force;         // internal nodal forces at load_factor
-  std::vector<char> intact;            // per bond
+  std::vector<std::uint8_t> stages;    // of every term in its law
   std::vector<coupling::HoldingSpring> springs;
   std::vector<char> unloaded;  // nodes whose loads have gone with a piece that came free
 };

@@ -14,7 +14,7 @@ using coupling::HeldDirection;
 using coupling::HoldingSpring;
 using coupling::RigidMotion;
 
-// Bonds on one line up to this share of their stiffness do not resist a motion across it.
+// Terms that pull on one line up to this share of their stiffness do not resist a motion across it.
 constexpr double collinearity_tolerance = 1e-10;
 
 // Forces whose work on a free motion is a smaller share of their size are in equilibrium without support.
@@ -25,7 +25,7 @@ constexpr double balance_tolerance = 1e-9;
 FreedPartFinder::FreedPartFinder(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
     : system_(system), positions_(positions), connectivity_(system) {
   double largest = 0;
-  for (double k : system.bonds().stiffness) largest = std::max(largest, k);
+  for (double k : system.terms().stiffness) largest = std::max(largest, k);
   spring_stiffness_ = largest;
 }
 
@@ -40,33 +40,35 @@ FreedParts FreedPartFinder::all_pieces(const Eigen::VectorXd& displacement) cons
   return found;
 }
 
-FreedParts FreedPartFinder::after_break(const std::vector<int>& removed_bonds,
-                                        const Eigen::VectorXd& displacement) const {
+FreedParts FreedPartFinder::after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const {
   FreedParts found;
   std::vector<int> ends;
-  for (int b : removed_bonds) {
-    ends.push_back(system_.bonds().first[b]);
-    ends.push_back(system_.bonds().second[b]);
+  for (int t : removed) {
+    system_.terms().for_each_node(static_cast<std::size_t>(t), [&](int node) { ends.push_back(node); });
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   for (int node : ends) hold_loose_point(node, displacement, found);
-  if (connectivity_.still_joined(removed_bonds)) return found;
+  if (connectivity_.still_joined(removed)) return found;
   for (const auto& nodes : connectivity_.pieces()) hold_piece(nodes, displacement, found);
   return found;
 }
 
-bool FreedPartFinder::frees_nothing(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const {
+bool FreedPartFinder::frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const {
   FreedParts found;
-  for (int b : removed_bonds) {
-    for (int node : {system_.bonds().first[b], system_.bonds().second[b]}) hold_loose_point(node, displacement, found);
+  const coupling::Terms& terms = system_.terms();
+  for (int t : removed) {
+    terms.for_each_node(static_cast<std::size_t>(t), [&](int node) { hold_loose_point(node, displacement, found); });
   }
   const auto is_nothing = [&] { return found.springs.empty() && found.nodes_with_lost_loads.empty(); };
   if (!is_nothing()) return false;
-  if (connectivity_.still_joined(removed_bonds)) return true;
-  const bool joined = std::all_of(removed_bonds.begin(), removed_bonds.end(), [&](int b) {
-    return connectivity_.are_joined(system_.bonds().first[b], system_.bonds().second[b]);
-  });
+  if (connectivity_.still_joined(removed)) return true;
+  bool joined = true;
+  for (int t : removed) {
+    terms.for_each_node(static_cast<std::size_t>(t), [&](int node) {
+      joined = joined && (node == terms.first[t] || connectivity_.are_joined(terms.first[t], node));
+    });
+  }
   if (joined) return true;
   for (const auto& nodes : connectivity_.pieces()) hold_piece(nodes, displacement, found);
   return is_nothing() && found.fragments == 0;
@@ -79,8 +81,11 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
     const Eigen::Vector2d direction(c, s);
     resistance += k * direction * direction.transpose();
   };
-  const coupling::BondSet& bonds = system_.bonds();
-  for (int b : connectivity_.intact_bonds_at(node)) add(bonds.cosine[b], bonds.sine[b], bonds.stiffness[b]);
+  for (int t : connectivity_.intact_terms_at(node)) {
+    system_.terms().for_each_entry(static_cast<std::size_t>(t), [&](int at, double x, double y) {
+      if (at == node) add(x, y, system_.present_stiffness()[t]);
+    });
+  }
   if (resistance.isZero(0)) return;  // a piece of its own
   if (system_.is_prescribed(2 * node)) add(1, 0, spring_stiffness_);
   if (system_.is_prescribed(2 * node + 1)) add(0, 1, spring_stiffness_);

@@ -10,14 +10,14 @@
 
 namespace bempd::fracture {
 
-// What has to be held so that equilibrium stays unique after bonds have gone.
+// What has to be held so that equilibrium stays unique after terms have gone.
 struct FreedParts {
   std::vector<coupling::HoldingSpring> springs;
   std::vector<int> nodes_with_lost_loads;  // their loads push a free part for which there is no equilibrium
   std::int64_t fragments = 0;              // pieces that have come free of all supports
 };
 
-// Finds parts that can move freely: pieces cut off from supports, and points whose remaining bonds lie on one line.
+// Finds parts that can move freely: pieces cut off from supports, and points whose remaining terms pull on one line.
 // They are held where they are by springs that carry no force.
 class FreedPartFinder {
  public:
@@ -27,11 +27,11 @@ class FreedPartFinder {
   // anchors new springs.
   FreedParts all_pieces(const Eigen::VectorXd& displacement) const;
 
-  // After these bonds were taken out of the system's intact bonds.
-  FreedParts after_break(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
+  // After these terms are gone from the system's intact ones.
+  FreedParts after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
   // True if after_break() would find nothing; mostly without a look at the whole body.
-  bool frees_nothing(const std::vector<int>& removed_bonds, const Eigen::VectorXd& displacement) const;
+  bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
   // A spring against the largest component of a motion that met no resistance.
   coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "error.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
 
@@ -14,18 +15,35 @@ namespace {
 // Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
 constexpr double separated_energy_ratio = 1e-10;
 
+// What next to nothing resists at all: the energy of moving supports against the largest stiffness, up to rounding.
+constexpr double energy_rounding = 1e-14;
+
 // Forces and energies are not measured by less than this share of what moving supports would make of the largest
 // stiffness: where they move a body without stress all forces are rounding, of some 1e-14 of that. Ordinary scenes lie
 // above: a strip under tension at 1 / (number of elements along it).
 constexpr double scale_without_stress = 1e-5;
+
+// How far supports, and springs that hold what came free, have moved the body.
+double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
+  double largest = coupling::evaluate(system.prescribed(), load_factor).lpNorm<Eigen::Infinity>();
+  for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
+  return largest;
+}
 
 }  // namespace
 
 using coupling::Affine;
 using coupling::evaluate;
 
-bool is_separated(double unit_energy, double first_unit_energy) {
-  return unit_energy < separated_energy_ratio * first_unit_energy;
+bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
+  const double moved = system.prescribed().col(1).lpNorm<Eigen::Infinity>();
+  const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
+  return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
+}
+
+void fail_out_of_range() {
+  fail(Failure::unsolvable,
+       "displacements or forces are beyond the range of numbers; choose other units or smaller loads");
 }
 
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
@@ -40,13 +58,11 @@ double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd
 }
 
 double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  const Eigen::VectorXd moved = evaluate(system.prescribed(), load_factor);
-  return scale_without_stress * system.largest_stiffness() * moved.lpNorm<Eigen::Infinity>();
+  return scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
 }
 
 double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  const Eigen::VectorXd moved = evaluate(system.prescribed(), load_factor);
-  return force_scale_of_supports(system, load_factor) * moved.lpNorm<Eigen::Infinity>();
+  return force_scale_of_supports(system, load_factor) * moved_by_holds(system, load_factor);
 }
 
 LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
@@ -55,7 +71,7 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
     : system_(system),
       positions_(positions),
       freed_parts_(system, positions),
-      ratios_(system.bonds(), std::move(critical_stretch)),
+      ratios_(system.terms(), std::move(critical_stretch)),
       reaction_dofs_(std::move(reaction_dofs)),
       state_(state) {
   const Eigen::Index dofs = 2 * system.node_count();
@@ -65,8 +81,16 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
   system_.place_nodes(positions);
   system_.mark_broken(cut);
   system_.commit_break(cut, {});
-  state_.intact = system_.intact();
+  state_.stages = system_.stages();
   state_.springs = system_.springs();
+  ratios_.enter(state_.stages);
+  if (!system_.has_offsets()) return;
+  system_.condense();
+  state_.total_force = system_.internal_force(state_.total_displacement, state_.load_factor);
+}
+
+double LoadedBody::energy_at_rest() const {
+  return system_.has_offsets() ? system_.energy(Eigen::VectorXd::Zero(2 * system_.node_count()), 0) : 0;
 }
 
 void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
@@ -93,7 +117,7 @@ void LoadedBody::drop_loads(const std::vector<int>& nodes) {
 LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   const Eigen::VectorXd before = state_.total_displacement;
   FreedParts freed = freed_parts_.all_pieces(before);
-  system_.commit_break({}, freed.springs);
+  system_.commit({}, freed.springs);
   if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
   FirstEquilibrium result{0, freed.fragments, {}};
   for (const coupling::HoldingSpring& spring : freed.springs) result.held.push_back(spring.node);
@@ -126,20 +150,28 @@ void LoadedBody::solve() { state_.displacement = system_.solve(); }
 
 void LoadedBody::update_ratios() {
   const Stopwatch watch(seconds_search_);
+  ratios_.enter(system_.stages());
   ratios_.update(state_.displacement);
 }
 
 void LoadedBody::restore() {
-  system_.restore(state_.intact, state_.springs);
+  system_.restore(state_.stages, state_.springs);
   apply_load();
+  ratios_.enter(state_.stages);
   ratios_.update(state_.displacement);
 }
 
 double LoadedBody::absorb(double load_factor) {
   const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
-  const Eigen::VectorXd force = system_.internal_force(displacement);
+  const Eigen::VectorXd force = system_.internal_force(displacement, load_factor);
+  if (!displacement.allFinite() || !force.allFinite()) fail_out_of_range();
   // On the straight way between two states the trapezoid rule is exact. In equilibrium internal forces equal the loads.
-  const double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
+  double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
+  if (system_.has_offsets() && load_factor != state_.load_factor) {
+    const double before = system_.energy_slope(state_.total_displacement, state_.load_factor);
+    const double after = system_.energy_slope(displacement, load_factor);
+    work += 0.5 * (before + after) * (load_factor - state_.load_factor);
+  }
   state_.total_displacement = displacement;
   state_.total_force = force;
   state_.largest_force =
@@ -154,7 +186,7 @@ void LoadedBody::show(Affine displacement) {
   state_.displacement = std::move(displacement);
   update_ratios();
   state_.total_displacement = evaluate(state_.displacement, state_.load_factor);
-  state_.total_force = system_.internal_force(state_.total_displacement);
+  state_.total_force = system_.internal_force(state_.total_displacement, state_.load_factor);
 }
 
 std::optional<double> LoadedBody::next_break(double target) {
@@ -163,12 +195,12 @@ std::optional<double> LoadedBody::next_break(double target) {
   return ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
 }
 
-double LoadedBody::stored_energy() const { return 0.5 * state_.total_displacement.dot(state_.total_force); }
-
-double LoadedBody::unit_energy() const {
-  const Eigen::VectorXd unit = state_.displacement.col(1);
-  return 0.5 * unit.dot(system_.internal_force(unit));
+double LoadedBody::stored_energy() const {
+  if (system_.has_offsets()) return system_.energy(state_.total_displacement, state_.load_factor);
+  return 0.5 * state_.total_displacement.dot(state_.total_force);  // Clapeyron's theorem
 }
+
+double LoadedBody::unit_energy() const { return system_.unit_energy(state_.displacement.col(1)); }
 
 double LoadedBody::residual() const {
   return fracture::residual(system_, state_.total_force, state_.load_factor, state_.largest_force);
@@ -176,9 +208,20 @@ double LoadedBody::residual() const {
 
 Eigen::Vector2d LoadedBody::reaction(std::size_t support) const {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int dof : reaction_dofs_[support]) sum[dof % 2] += reaction_at(dof);
+  return sum;
+}
+
+double LoadedBody::reaction_at(int dof) const {
+  const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
+  return state_.total_force[dof] - load;
+}
+
+double LoadedBody::reaction_moment(std::size_t support, const Point& about) const {
+  double sum = 0;
   for (int dof : reaction_dofs_[support]) {
-    const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
-    sum[dof % 2] += state_.total_force[dof] - load;
+    const Point arm = positions_[static_cast<std::size_t>(dof / 2)] - about;
+    sum += reaction_at(dof) * (dof % 2 == 0 ? -arm.y() : arm.x());
   }
   return sum;
 }

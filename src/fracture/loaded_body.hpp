@@ -11,7 +11,9 @@
 namespace bempd::fracture {
 
 // True if nothing resists the proportional load any more, given its energy and that in the undamaged scene.
-bool is_separated(double unit_energy, double first_unit_energy);
+bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
+
+[[noreturn]] void fail_out_of_range();
 
 // Largest force at a free node that internal forces leave over, relative to the largest one met so far.
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
@@ -59,7 +61,10 @@ class LoadedBody {
   void update_ratios();  // to these displacements
   void restore();        // system and ratios to the state, which the caller has changed
 
-  double move_to(double load_factor);  // returns the work of the loads
+  // What terms and operators hold where nothing has moved yet; work that was done before.
+  double energy_at_rest() const;
+
+  double move_to(double load_factor);  // returns the work of the loads, and of what swells with them
   double absorb(double load_factor);   // the same, also where only the displacements have changed
   // Displacements and forces of this solution, at the present load factor, of which all sums are known.
   void show(coupling::Affine displacement);
@@ -72,9 +77,11 @@ class LoadedBody {
   double residual() const;
   bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet
   Eigen::Vector2d reaction(std::size_t support) const;
+  double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
 
  private:
+  double reaction_at(int dof) const;
   void apply_load();
 
   coupling::EquilibriumSystem& system_;

@@ -11,7 +11,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// A bond that lengthens by this factor when it breaks was the last resistance to some motion.
+// A term that lengthens by this factor when it goes was the last resistance to some motion.
 constexpr double runaway_elongation = 1e8;
 
 // An increment that has begun by less than this share of its size has not begun.
@@ -26,7 +26,7 @@ const Event* WholeBodyEvents::next(double target, const SteppingOptions& options
   if (!load_factor) return nullptr;
   event_ = {*load_factor, 0, {}};
   const bool upwards = target >= body_.state().load_factor;
-  if (upwards ? *load_factor <= target : *load_factor >= target) choose_bonds(options);
+  if (upwards ? *load_factor <= target : *load_factor >= target) choose_terms(options);
   return &event_;
 }
 
@@ -56,32 +56,55 @@ std::optional<double> WholeBodyEvents::next_increment(double target, double incr
   }
 }
 
-void WholeBodyEvents::choose_bonds(const SteppingOptions& options) {
+void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
   const Stopwatch watch(body_.seconds_search());
   const double f = event_.load_factor;
   const StretchRatios& ratios = body_.ratios();
-  event_.breaking = options.mode == SteppingMode::increments
-                        ? ratios.overstretched(system_.intact(), f)
-                        : ratios.most_stretched(system_.intact(), f, options.tie_band, options.max_breaks_per_solve);
-  for (int b : event_.breaking) event_.ratio = std::max(event_.ratio, ratios.at(b, f));
+  const std::vector<int> chosen =
+      options.mode == SteppingMode::increments
+          ? ratios.overstretched(system_.intact(), f)
+          : ratios.most_stretched(system_.intact(), f, options.tie_band, options.max_breaks_per_solve);
+  for (int t : chosen) {
+    event_.changes.push_back(system_.after_critical(t));
+    event_.ratio = std::max(event_.ratio, ratios.at(static_cast<std::size_t>(t), f));
+  }
 }
 
-bool WholeBodyEvents::runs_away(const std::vector<double>& elongation) {
-  const Eigen::VectorXd after = evaluate(body_.state().displacement, body_.state().load_factor);
-  for (std::size_t i = 0; i < elongation.size(); ++i) {
-    const double now = std::abs(system_.bonds().elongation(event_.breaking[i], after.data()));
-    if (!(now < runaway_elongation * std::abs(elongation[i]))) return true;
+bool WholeBodyEvents::runs_away() {
+  const double f = body_.state().load_factor;
+  const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
+  for (std::size_t i = 0; i < changing_.size(); ++i) {
+    const auto term = static_cast<std::size_t>(event_.changes[i].term);
+    const double now = std::abs(system_.terms().elastic_elongation(term, after.data(), f));
+    if (!(now < runaway_elongation * std::abs(changing_[i].elastic))) return true;
   }
   return false;
 }
 
-// Potential energy lost: k e^2 / (2 gamma) for a single bond, whose elongation grows from e to e / gamma.
-double WholeBodyEvents::released_energy(const std::vector<double>& elongation) const {
-  const coupling::BondSet& bonds = system_.bonds();
+WholeBodyEvents::Changing WholeBodyEvents::changing(const coupling::StageChange& change) const {
+  const coupling::Terms& terms = system_.terms();
+  const BodyState& state = body_.state();
+  const auto term = static_cast<std::size_t>(change.term);
+  const double* u = state.total_displacement.data();
+  const bool goes = !system_.gone_with({&change, 1}).empty();
+  return {system_.present_stiffness()[term] - system_.stiffness_after(change),
+          goes ? terms.constant(term, 0) + state.load_factor * terms.constant(term, 1) : 0, terms.elongation(term, u),
+          terms.elastic_elongation(term, u, state.load_factor)};
+}
+
+// Potential energy lost. It is a quadratic function of the displacements that is least in equilibrium: where a
+// stiffness k and a constant force q of a term are lost, whose elastic elongation grows from e to e' with its
+// elongation growing from c.u to c.u', it falls by k e e' / 2 + q (c.u + c.u') / 2.
+double WholeBodyEvents::released_energy() const {
+  const coupling::Terms& terms = system_.terms();
+  const BodyState& state = body_.state();
+  const double* u = state.total_displacement.data();
   double sum = 0;
-  for (std::size_t i = 0; i < elongation.size(); ++i) {
-    const double after = bonds.elongation(event_.breaking[i], body_.state().total_displacement.data());
-    sum += 0.5 * bonds.stiffness[event_.breaking[i]] * elongation[i] * after;
+  for (std::size_t i = 0; i < changing_.size(); ++i) {
+    const auto term = static_cast<std::size_t>(event_.changes[i].term);
+    const auto& [stiffness, force, elongation, elastic] = changing_[i];
+    sum += 0.5 * stiffness * elastic * terms.elastic_elongation(term, u, state.load_factor);
+    if (force != 0) sum += 0.5 * force * (elongation + terms.elongation(term, u));
   }
   return sum;
 }
@@ -90,30 +113,31 @@ Outcome WholeBodyEvents::perform() {
   Outcome outcome;
   BodyState& state = body_.state();
   outcome.work_before = body_.move_to(event_.load_factor);
-  const std::vector<int>& breaking = event_.breaking;
+  const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
-  std::vector<double> elongation;
+  const double stored_before = body_.stored_energy();
+  const std::vector<int> gone = system_.gone_with(changes);
   FreedParts freed;
   {
     const Stopwatch watch(body_.seconds_search());
-    for (int b : breaking) elongation.push_back(system_.bonds().elongation(b, before.data()));
-    system_.mark_broken(breaking);
-    freed = body_.freed_parts().after_break(breaking, before);
+    changing_.clear();
+    for (const coupling::StageChange& change : changes) changing_.push_back(changing(change));
+    outcome.broken = static_cast<std::int64_t>(gone.size());
+    system_.mark(changes);
+    freed = body_.freed_parts().after_break(gone, before);
   }
-  const double stored_before = body_.stored_energy();
-  system_.commit_break(breaking, freed.springs);
+  system_.commit(changes, freed.springs);
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
-  const HeldMotions held = solve_and_hold(body_, breaking, before, [&] { return runs_away(elongation); });
+  const HeldMotions held = solve_and_hold(body_, gone, before, [&] { return runs_away(); });
   outcome.fragments += held.fragments;
   const bool loads_lost = held.loads_lost || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
   outcome.stored_energy = body_.stored_energy();
   // Lost loads take their part along with the piece.
-  outcome.released_energy =
-      loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy(elongation);
-  state.intact = system_.intact();
+  outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy();
+  state.stages = system_.stages();
   state.springs = system_.springs();
   outcome.unit_energy = body_.unit_energy();
   outcome.residual = body_.residual();

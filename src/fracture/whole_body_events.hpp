@@ -8,7 +8,7 @@
 
 namespace bempd::fracture {
 
-// Events looked for among all bonds of the body and performed by a low-rank change and a solution of the whole system.
+// Events looked for among all terms of the body and performed by a low-rank change and a solution of the whole system.
 // What comes free is held. Where the body's displacements are those of its state this source can always go on.
 class WholeBodyEvents final : public EventSource {
  public:
@@ -19,16 +19,24 @@ class WholeBodyEvents final : public EventSource {
 
  private:
   std::optional<double> next_load_factor(double target, const SteppingOptions& options);
-  // End of the first increment, not beyond the target, at which a bond exceeds its critical stretch.
+  // End of the first increment, not beyond the target, at which a term exceeds its critical value.
   std::optional<double> next_increment(double target, double increment) const;
-  void choose_bonds(const SteppingOptions& options);
+  void choose_terms(const SteppingOptions& options);
 
-  bool runs_away(const std::vector<double>& elongation);
-  double released_energy(const std::vector<double>& elongation) const;
+  bool runs_away();
+  double released_energy() const;
+
+  // A term of the event as it was just before.
+  struct Changing {
+    double stiffness_lost, force_lost;  // force: the constant one
+    double elongation, elastic;         // elastic: beyond the rest elongation
+  };
+  Changing changing(const coupling::StageChange& change) const;
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
   Event event_;
+  std::vector<Changing> changing_;  // in the order of the event
 };
 
 }  // namespace bempd::fracture

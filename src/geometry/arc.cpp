@@ -88,7 +88,7 @@ double Arc::length() const {
 Point Arc::at(double fraction) const {
   if (straight()) return chord().at(fraction);
   // From the nearer end, so that both ends are met exactly.
-  const auto from = [this](const Point& origin, const Point& towards, double turning, double part) -> Point {
+  const auto from = [](const Point& origin, const Point& towards, double turning, double part) -> Point {
     const double ratio = std::sin(0.5 * part * turning) / std::sin(0.5 * turning);
     return origin + ratio * rotated(towards - origin, -0.5 * (1 - part) * turning);
   };

@@ -55,7 +55,7 @@ GrowthResult Model::grow_cracks(double length) {
   const std::vector<regions::TipValues> tips = this->tips();
   require(!tips.empty(),
           "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
-  require(prepared_->system->bonds().size() == 0,
+  require(prepared_->system->terms().size() == 0,
           "the scene has peridynamic regions, whose cracks grow by steps; cracks grow by lengths where all regions are "
           "BEM regions");
   GrowthResult result;

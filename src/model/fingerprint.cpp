@@ -19,6 +19,11 @@ void add(Hash& hash, const scene::Material& material) {
   hash.add(material.elasticity.thickness);
   hash.add(material.critical_stretch);
   hash.add(material.fracture_energy);
+  hash.add(material.bond_law.stages().size());
+  for (const auto& stage : material.bond_law.stages()) {
+    hash.add(stage.stiffness_share);
+    hash.add(stage.critical_share);
+  }
 }
 
 void add_place(Hash& hash, const scene::Condition& condition) {

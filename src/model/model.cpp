@@ -96,7 +96,7 @@ void Model::prepare() {
   prepared_ = std::move(p);
   ++generation_;
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
-  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->bonds().size(),
+  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->terms().size(),
               " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
   if (log_ && prepared_->system->counters().sparse_unknowns > unknowns_that_need_a_fast_blas) warn_of_blas();
 }

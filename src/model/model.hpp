@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,6 @@ class Model {
   void set_support_values(int support, scene::SampledValues values);
 
   void prepare();
-  bool is_prepared() const { return prepared_ != nullptr; }
   const PreparedScene& prepared();  // prepares if needed
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
@@ -91,7 +91,7 @@ class Model {
   // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
   const regions::Region& region(int id);
   // Its bonds; throws Error (argument) for a region that has none.
-  const std::vector<pd::Bond>& bonds(int region);
+  std::span<const pd::Bond> bonds(int region);
   std::vector<regions::BondState> bond_states(int region);
 
   // Fields of a region; computed once per generation.
@@ -99,6 +99,7 @@ class Model {
   regions::FieldSize field_size(int region, regions::Field field) { return this->region(region).field_size(field); }
 
   Eigen::Vector2d reaction(int support);
+  double reaction_moment(int support, const Point& about);
 
   // Values at places in the body; stress only if asked for.
   std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);

@@ -7,10 +7,27 @@ namespace bempd::model {
 using regions::Field;
 using regions::FieldValues;
 
+namespace {
+
+void require_numbers(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  if (values.allFinite()) return;
+  fail(Failure::unsolvable, "a result is beyond the range of numbers; choose other units or smaller loads");
+}
+
+}  // namespace
+
 Eigen::Vector2d Model::reaction(int support) {
   scene_.support(support);
   ensure_equilibrium();
-  return prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
+  const Eigen::Vector2d sum = prepared_->evolution->reaction(static_cast<std::size_t>(support - 1));
+  require_numbers(sum);
+  return sum;
+}
+
+double Model::reaction_moment(int support, const Point& about) {
+  scene_.support(support);
+  ensure_equilibrium();
+  return prepared_->evolution->reaction_moment(static_cast<std::size_t>(support - 1), about);
 }
 
 const regions::Region& Model::region(int id) {
@@ -19,33 +36,32 @@ const regions::Region& Model::region(int id) {
   return prepared_->discretization.region(id);
 }
 
-const std::vector<pd::Bond>& Model::bonds(int id) {
-  const std::vector<pd::Bond>* bonds = region(id).bonds();
-  require(bonds != nullptr, "region ", id, " is a ", scene_.region(id).adjective(),
+std::span<const pd::Bond> Model::bonds(int id) {
+  const auto bonds = region(id).bonds();
+  require(bonds.has_value(), "region ", id, " is a ", scene_.region(id).adjective(),
           " region and has no bonds; ask a peridynamic region");
   return *bonds;
 }
 
 std::vector<regions::BondState> Model::bond_states(int id) {
   bonds(id);
-  return results::bond_states(region(id), prepared_->evolution->progress().intact, prepared_->cut_bonds);
+  return results::bond_states(region(id), prepared_->system->intact(), prepared_->cut_bonds);
 }
 
 regions::Solution Model::solution() const {
   const fracture::EvolutionState& state = prepared_->evolution->state();
-  return {state.total_displacement,
-          prepared_->system->bonds(),
-          state.intact,
-          prepared_->conditions.body_forces(state.load_factor),
-          &state.displacement,
-          &prepared_->conditions.crack_loads,
-          state.load_factor};
+  return {state.total_displacement, prepared_->system->terms(), prepared_->system->intact(),
+          prepared_->conditions.body_forces(state.load_factor), &state.displacement,
+          &prepared_->conditions.crack_loads, state.load_factor};
 }
 
 const FieldValues& Model::field(int id, Field which) {
   region(id).field_size(which);
   ensure_equilibrium();
-  return fields_.of(region(id), which, solution(), generation_);
+  const FieldValues& field = fields_.of(region(id), which, solution(), generation_);
+  require_numbers(
+      Eigen::Map<const Eigen::VectorXd>(field.values.data(), static_cast<Eigen::Index>(field.values.size())));
+  return field;
 }
 
 results::FieldsOfScene Model::fields() {
@@ -57,6 +73,10 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
   results::PointValues found =
       results::evaluate(scene_, prepared_->discretization, solution(), fields(), places, with_stress);
   prepared_->interior_kernel_evaluations += found.kernel_evaluations;
+  for (const regions::PointValue& value : found.values) {
+    require_numbers(value.displacement);
+    require_numbers(value.stress);
+  }
   return std::move(found.values);
 }
 

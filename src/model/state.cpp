@@ -11,15 +11,21 @@ namespace {
 // A state whose numbers go together may still have been made for another body.
 void require_fit(const fracture::EvolutionState& state, const PreparedScene& scene) {
   const auto dofs = static_cast<Eigen::Index>(2 * scene.discretization.positions.size());
-  const std::size_t bonds = scene.system->bonds().size();
-  const auto broken = static_cast<std::int64_t>(std::count(state.intact.begin(), state.intact.end(), 0));
-  const auto cut = static_cast<std::int64_t>(scene.cut_bonds.size());
-  const auto has_cut_bond = [&](int bond) { return state.intact[static_cast<std::size_t>(bond)] != 0; };
-  require(state.total_displacement.size() == dofs && state.intact.size() == bonds &&
-              state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size() &&
-              std::none_of(scene.cut_bonds.begin(), scene.cut_bonds.end(), has_cut_bond) &&
-              broken == cut + state.broken_bonds,
-          "the state's arrays do not fit the scene that it names; its bytes were altered");
+  const coupling::Terms& terms = scene.system->terms();
+  const auto fits = [](bool good) {
+    require(good, "the state's arrays do not fit the scene that it names; its bytes were altered");
+  };
+  fits(state.total_displacement.size() == dofs && state.stages.size() == terms.size() &&
+       state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
+  const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
+  std::int64_t broken = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    fits(state.stages[t] <= terms.law_of(t).gone());
+    broken += is_gone(t) ? 1 : 0;
+  }
+  const std::vector<int>& cut = scene.cut_bonds;
+  fits(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
+       std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 2;
+constexpr std::uint32_t format_version = 3;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -119,7 +119,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.first_unit_energy), visit(e.released_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
-  visit(e.intact), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions);
+  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions);
 }
 
 void check_header(Reader& reader) {
@@ -160,7 +160,7 @@ void require_consistent(const fracture::EvolutionState& e) {
             e.total_force.allFinite(),
         "a displacement or a force is not a finite number");
   sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0, "a count is negative");
-  sound(are_flags(e.intact) && are_flags(e.unloaded), "a flag is neither 0 nor 1");
+  sound(are_flags(e.unloaded), "a flag is neither 0 nor 1");
   sound(std::all_of(e.springs.begin(), e.springs.end(), [&](const auto& spring) { return is_sound(spring, dofs); }),
         "a spring that holds a free piece is at no node or no spring");
   sound(std::all_of(e.history.begin(), e.history.end(), [](const auto& line) { return is_sound(line); }),

@@ -18,7 +18,7 @@ std::vector<char> UncorrectedLattice::shared_points(const Preparation& preparati
   return shared;
 }
 
-pd::Network UncorrectedLattice::make_network(int) const {
+pd::Network UncorrectedLattice::make_network(const pd::CellLattice&, int) const {
   std::vector<std::array<Point, 2>> faces;
   const Point shift = (outline().origin - origin()) / spacing();
   for (const auto& loop : outline().loops) {

@@ -9,9 +9,13 @@ class UncorrectedLattice : public regions::LatticeRegion {
  public:
   using regions::LatticeRegion::LatticeRegion;
 
+  // Published bodies have one lattice: two are coupled by the points they share.
+  bool acts_as_one_with(const LatticeRegion&) const override { return false; }
+  // Of its own points, whatever the cells.
+  pd::Network make_network(const pd::CellLattice& cells, int threads) const override;
+
  protected:
   std::vector<char> shared_points(const regions::Preparation& preparation) const override;
-  pd::Network make_network(int threads) const override;
   regions::FieldValues damage(const std::vector<char>& intact) const override;
 
  private:

@@ -27,10 +27,37 @@ CellLattice::CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops)
     upper_ = upper_.cwiseMax(corner);
   }
   mark_cells(loops);
+  number_corners();
+}
+
+void CellLattice::number_corners() {
   number_points([this](const Eigen::Vector2i& at) {
     return has_cell(at) || has_cell(at - Eigen::Vector2i(1, 0)) || has_cell(at - Eigen::Vector2i(0, 1)) ||
            has_cell(at - Eigen::Vector2i(1, 1));
   });
+}
+
+CellLattice CellLattice::union_of(const std::vector<Part>& parts) {
+  assert(!parts.empty());
+  CellLattice out;
+  out.lower_ = parts.front().lattice->lower() + parts.front().shift;
+  out.upper_ = parts.front().lattice->upper() + parts.front().shift;
+  for (const Part& part : parts) {
+    out.lower_ = out.lower_.cwiseMin(part.lattice->lower() + part.shift);
+    out.upper_ = out.upper_.cwiseMax(part.lattice->upper() + part.shift);
+  }
+  const Eigen::Vector2i size = out.upper_ - out.lower_;
+  out.cells_.assign(static_cast<std::size_t>(size.x()) * size.y(), 0);
+  for (const Part& part : parts) {
+    for (const Eigen::Vector2i& corner : part.lattice->points_) {
+      if (!part.lattice->has_cell(corner)) continue;
+      const Eigen::Vector2i at = corner + part.shift - out.lower_;
+      out.cells_[static_cast<std::size_t>(at.y()) * size.x() + at.x()] = 1;
+    }
+  }
+  out.cell_count_ = static_cast<int>(std::count(out.cells_.begin(), out.cells_.end(), 1));
+  out.number_corners();
+  return out;
 }
 
 CellLattice CellLattice::centres_of(const CellLattice& cells) {
@@ -95,6 +122,13 @@ int CellLattice::cells_around(int point) const {
   const Eigen::Vector2i& p = points_[point];
   return has_cell(p) + has_cell(p - Eigen::Vector2i(1, 0)) + has_cell(p - Eigen::Vector2i(0, 1)) +
          has_cell(p - Eigen::Vector2i(1, 1));
+}
+
+bool CellLattice::is_pinched(int point) const {
+  const Eigen::Vector2i& p = points_[point];
+  const bool rising = has_cell(p) && has_cell(p - Eigen::Vector2i(1, 1));
+  const bool falling = has_cell(p - Eigen::Vector2i(1, 0)) && has_cell(p - Eigen::Vector2i(0, 1));
+  return rising != falling && cells_around(point) == 2;
 }
 
 }  // namespace bempd::pd

@@ -19,6 +19,13 @@ class CellLattice {
   // neighbouring cells; where the other is one cell wide there are points without cells.
   static CellLattice centres_of(const CellLattice& cells);
 
+  // All cells of several lattices, each moved by a shift.
+  struct Part {
+    const CellLattice* lattice;
+    Eigen::Vector2i shift;
+  };
+  static CellLattice union_of(const std::vector<Part>& parts);
+
   int point_count() const { return static_cast<int>(points_.size()); }
   const Eigen::Vector2i& point(int i) const { return points_[i]; }
   // Index of the material point at a place, -1 where there is none.
@@ -35,6 +42,8 @@ class CellLattice {
 
   // How many of the four cells around a material point are present: 4 inside, 2 on a straight face, 1 or 3 at a corner.
   int cells_around(int point) const;
+  // Whether the cells around a material point are two that have only that corner in common.
+  bool is_pinched(int point) const;
 
  private:
   CellLattice() = default;
@@ -42,6 +51,7 @@ class CellLattice {
   // Numbers the places of the box that has(place) holds for.
   template <class Has>
   void number_points(const Has& has);
+  void number_corners();
 
   Eigen::Vector2i lower_, upper_;
   int cell_count_ = 0;

@@ -18,7 +18,7 @@ struct Discretization {
   Arrangement arrangement;
   std::vector<Point> positions;                  // of the scene's nodes
   std::vector<std::unique_ptr<Region>> regions;  // by ascending id
-  coupling::BondSet bonds;
+  coupling::Terms bonds;
   coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
   std::vector<double> critical_stretch;  // per bond
   std::vector<std::string> warnings;

@@ -41,7 +41,7 @@ struct CrackLoad {
 // A state of all nodes and bonds at one load factor.
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
-  const coupling::BondSet& bonds;
+  const coupling::Terms& bonds;
   const std::vector<char>& intact;  // per bond
   std::vector<Point> body_forces;   // [N/m^3], per region
   // What cracks with elements need beside: null without them.

@@ -6,6 +6,7 @@
 
 #include "coupling/operators.hpp"
 #include "geometry/arrangement.hpp"
+#include "pd/network.hpp"
 #include "regions/node_registry.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
@@ -29,9 +30,12 @@ struct Preparation {
 // What they add to.
 struct Contributions {
   NodeRegistry& registry;
-  coupling::BondSet& bonds;
+  coupling::Terms& bonds;
   std::vector<double>& critical_stretch;  // per bond
   std::vector<std::string>& warnings;
+
+  // Adds one between nodes of the scene, a step of the lattice apart.
+  void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, double limit, int law) const;
 };
 
 }  // namespace bempd::regions

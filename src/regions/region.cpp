@@ -4,6 +4,15 @@
 
 namespace bempd::regions {
 
+void Contributions::add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, double limit,
+                             int law) const {
+  const double length = step.norm();
+  const int term =
+      bonds.add_bond(between_nodes.first, between_nodes.second, step / length, spacing * length, between_nodes.stiffness);
+  if (law != 0) bonds.set_law(term, law);
+  critical_stretch.push_back(limit);
+}
+
 void Region::follow(const LeadingElements&, int leader, coupling::NodeTies&) const {
   throw std::logic_error(text("region ", id_, " cannot follow the elements of region ", leader));
 }

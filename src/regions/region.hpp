@@ -159,8 +159,9 @@ class Region {
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}
-  // Pairs of own nodes; null for a region without bonds. They are a row of the scene's bonds.
-  virtual const std::vector<pd::Bond>* bonds() const { return nullptr; }
+  // Pairs of own nodes, none for a region without bonds: a row of the scene's bonds. What else the scene has joins
+  // nodes that no region has both of.
+  virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
 
   // --- Results

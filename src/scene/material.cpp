@@ -8,6 +8,15 @@
 
 namespace bempd::scene {
 
+namespace {
+
+// Far enough from the ends of the number range for products and ratios of stiffnesses.
+constexpr double softest = 1e-200, stiffest = 1e200;
+
+bool is_in_range(double stiffness) { return stiffness >= softest && stiffness <= stiffest; }
+
+}  // namespace
+
 void Material::check() const {
   const PlaneElasticity& e = elasticity;
   require(std::isfinite(e.young_modulus) && e.young_modulus > 0, "young_modulus is ", e.young_modulus,
@@ -15,6 +24,9 @@ void Material::check() const {
   require(std::isfinite(e.poisson_ratio) && e.poisson_ratio > -1 && e.poisson_ratio <= 0.5, "poisson_ratio is ",
           e.poisson_ratio, "; it must be above -1 and at most 1/2");
   require(std::isfinite(e.thickness) && e.thickness > 0, "thickness is ", e.thickness, "; it must be > 0");
+  require(is_in_range(e.young_modulus) && is_in_range(e.young_modulus * e.thickness), "young_modulus is ",
+          e.young_modulus, " and thickness ", e.thickness, "; the modulus and its product with the thickness must lie ",
+          "between 1e-200 and 1e200; choose other units");
   require(std::isfinite(critical_stretch) && critical_stretch >= 0, "critical_stretch is ", critical_stretch,
           "; it must be > 0, or 0 for not given");
   require(std::isfinite(fracture_energy) && fracture_energy >= 0, "fracture_energy is ", fracture_energy,

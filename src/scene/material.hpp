@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/term_law.hpp"
 #include "elasticity/plane_elasticity.hpp"
 
 namespace bempd::scene {
@@ -8,6 +9,10 @@ struct Material {
   PlaneElasticity elasticity;
   double critical_stretch = 0;  // 0: not given
   double fracture_energy = 0;   // [J/m^2]; 0: not given
+  // What bonds go through from the critical stretch on.
+  coupling::TermLaw bond_law = coupling::TermLaw::brittle();
+
+  bool operator==(const Material&) const = default;
 
   // Throws Error (argument) for values that no material has.
   void check() const;

@@ -70,6 +70,7 @@ program fortran_runs
   call indices_count_from_one()
   call pressure_in_a_crack_has_its_factor_and_opening()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
+  call pressure_and_moments_balance()
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
   call models_are_freed_and_created_again()
@@ -312,6 +313,21 @@ contains
     call model%add_crack_traction(crack, 7, constant=[3.0_dp], stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ORDER, message, "bempd_add_crack_traction: ")
   end subroutine pressure_in_a_crack_has_its_factor_and_opening
+
+  subroutine pressure_and_moments_balance()
+    type(bempd_model) :: model
+    real(dp) :: force(2), moment
+
+    call make_square(model)
+    call model%add_pressure(1, 2, proportional=[-10._dp])
+    call model%step(1._dp)
+    call model%reaction(1, force)
+    call check(abs(force(1) + 10) < 1e-9_dp, "a negative pressure pulls")
+    call model%reaction_moment(1, 0._dp, 0._dp, moment)
+    call check(abs(moment - 5) < 1e-9_dp, "the support's force acts at half height")
+    call model%reaction_moment(1, 0._dp, .5_dp, moment)
+    call check(abs(moment) < 1e-9_dp, "it has no moment about its middle")
+  end subroutine pressure_and_moments_balance
 
   subroutine reactions_and_evaluation_agree_with_a_uniform_bar()
     type(bempd_model) :: model

@@ -1,7 +1,7 @@
 /* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
 #include "scenes.h"
 
-/* The layout of format version 2: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 3: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
@@ -9,7 +9,7 @@ enum {
   offset_events = offset_in_equilibrium + 2,
   offset_arrays = offset_events + 3 * 8 + 7 * 8
 };
-enum { displacement, total_displacement, total_force, intact, springs, unloaded, history, reactions, array_count };
+enum { displacement, total_displacement, total_force, stages, springs, unloaded, history, reactions, array_count };
 static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 72, 8};
 
 typedef struct bytes {
@@ -149,7 +149,7 @@ static void numbers_have_to_be_finite(bempd_model* model, const bytes* saved) {
 
 static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved) {
   int64_t k;
-  put_byte(model, saved, saved->begin[intact] + 8, 2, "a bond's flag");
+  put_byte(model, saved, saved->begin[stages] + 8, 2, "a stage after a bond's last one");
   put_byte(model, saved, saved->begin[unloaded] + 8, 255, "a node's flag");
   put_byte(model, saved, offset_in_equilibrium, 2, "in_equilibrium");
   put_byte(model, saved, offset_in_equilibrium + 1, 17, "separated");
@@ -157,8 +157,8 @@ static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved)
   put_count(model, saved, saved->begin[history] + 8, -1, "a negative event");
   /* As many broken bonds as are counted, and those cut at first among them. */
   put_count(model, saved, offset_events + 8, 1000, "the count of broken bonds");
-  for (k = 0; k < saved->count[intact]; ++k) {
-    const int64_t place = saved->begin[intact] + 8 + k;
+  for (k = 0; k < saved->count[stages]; ++k) {
+    const int64_t place = saved->begin[stages] + 8 + k;
     if (k % 7 == 0) put_byte(model, saved, place, saved->data[place] ? 0 : 1, "a bond broken or mended");
   }
 }

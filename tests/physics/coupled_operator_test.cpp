@@ -50,7 +50,7 @@ Eigen::MatrixXd assemble(const Discretization& d) {
     for (int node : op.nodes) dofs.insert(dofs.end(), {2 * node, 2 * node + 1});
     matrix(dofs, dofs) += *op.stiffness;
   }
-  const coupling::BondSet& bonds = d.bonds;
+  const coupling::Terms& bonds = d.bonds;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const std::vector<int> dofs{2 * bonds.first[b], 2 * bonds.first[b] + 1, 2 * bonds.second[b],
                                 2 * bonds.second[b] + 1};

@@ -6,41 +6,15 @@
 
 #include <claims.hpp>
 
-#include "westergaard.hpp"
+#include "griffith_plate.hpp"
 
 namespace {
 
 using namespace host;
 
-constexpr int cells_in_half_crack = 40;
-constexpr double half_crack = 1, dx = half_crack / cells_in_half_crack, toughness = 1;
-
 struct Strength {
   double first, largest;  // load at the first break, and the largest one while the crack grows by four spacings
 };
-
-// The tips lie midway between two columns of points.
-int32_t build(Model& model, int horizon_ratio) {
-  const double outer = 4 * half_crack, x = half_crack + 14.5 * dx, y = 8.5 * dx;
-  const CrackedPlane plane{half_crack};
-  bempd_material solid = material(CrackedPlane::young, CrackedPlane::poisson);
-  solid.fracture_energy = toughness;
-  const int32_t id = model.add(solid);
-  const int32_t plate = model.bem(id, rectangle(-outer, -outer, outer, outer), half_crack / 2);
-  const int32_t first_edge = model.hole(plate, rectangular_hole(-x, -y, x, y));
-  const int32_t lattice = model.pd(id, rectangle(-x, -y, x, y), dx, horizon_ratio);
-  for (int32_t edge = 0; edge < 4; ++edge) model.mesh(plate, first_edge + edge, 2 * dx, 1);
-  model.crack({{-half_crack, 0}, {half_crack, 0}});
-  const Vector normals[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-  for (int32_t edge = 1; edge <= 4; ++edge)
-    model.traction(plate, edge, [plane, n = normals[edge - 1]](double at_x, double at_y) {
-      const auto s = plane.stress(at_x, at_y);
-      return Vector{s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]};
-    });
-  model.fix_point({-outer, 0}, BEMPD_BOTH);
-  model.fix_point({outer, 0}, BEMPD_Y);
-  return lattice;
-}
 
 // How far broken bonds lie ahead of the initial tips, in spacings.
 double growth(Model& model, int32_t lattice, const std::vector<Vector>& places) {
@@ -59,7 +33,7 @@ Strength strength(int horizon_ratio) {
   const double pi = 3.14159265358979323846;
   const double griffith = std::sqrt(CrackedPlane::young * toughness / (pi * half_crack));
   Model model;
-  const int32_t lattice = build(model, horizon_ratio);
+  const int32_t lattice = build_griffith_plate(model, horizon_ratio);
   const auto places = model.vectors(lattice, BEMPD_POSITION);
   Strength found{0, 0};
   while (growth(model, lattice, places) < 4) {

@@ -1,11 +1,13 @@
 // A body whose bonds all want to be longer by the same share, and whose boundary element regions want to swell by it,
-// expands freely: the displacement is eps x and nothing carries a force, up to faces, holes and interfaces.
+// expands freely: the displacement is eps x and nothing carries a force, up to faces, holes and interfaces. Held at its
+// ends it cracks while it shrinks with the load factor, and its energies stay in balance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "coupling/equilibrium_system.hpp"
+#include "fracture/crack_evolution.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/discretization.hpp"
 #include "regions/lattice/lattice_description.hpp"
@@ -13,9 +15,9 @@
 namespace {
 
 using namespace bempd;
-using namespace bempd::regions;
-using scene::Material;
-using scene::Options;
+using regions::add_boundary_region;
+using regions::add_lattice_region;
+using regions::Discretization;
 using scene::Scene;
 
 constexpr double eps = 1e-3;
@@ -25,7 +27,7 @@ std::vector<Point> rectangle(double x0, double y0, double x1, double y1) {
 }
 
 int add_material(Scene& scene) {
-  Material material;
+  scene::Material material;
   material.elasticity = {30e9, bond_based_poisson_ratio(PlaneState::stress), PlaneState::stress, 0.02};
   return scene.add_material(material);
 }
@@ -73,6 +75,33 @@ Scene lattice_tied_to_a_boundary_region() {
   return scene;
 }
 
+// By a share at no load, and by one with the load factor.
+std::vector<coupling::DenseOperator> swell(Discretization& d, double constant, double proportional) {
+  for (std::size_t b = 0; b < d.bonds.size(); ++b) {
+    d.bonds.set_rest_elongation(static_cast<int>(b), constant * d.bonds.length[b], proportional * d.bonds.length[b]);
+  }
+  std::vector<coupling::DenseOperator> operators = d.dense_operators();
+  for (coupling::DenseOperator& op : operators) {
+    op.rest.setZero(2 * static_cast<Eigen::Index>(op.nodes.size()), 2);
+    for (std::size_t i = 0; i < op.nodes.size(); ++i) {
+      op.rest.block<2, 1>(2 * static_cast<Eigen::Index>(i), 0) = constant * d.positions[op.nodes[i]];
+      op.rest.block<2, 1>(2 * static_cast<Eigen::Index>(i), 1) = proportional * d.positions[op.nodes[i]];
+    }
+  }
+  return operators;
+}
+
+// Bonds across a vertical line between two heights.
+std::vector<int> across(const Discretization& d, double x, double low, double high) {
+  std::vector<int> found;
+  for (std::size_t b = 0; b < d.bonds.size(); ++b) {
+    const Point &a = d.positions[d.bonds.first[b]], &e = d.positions[d.bonds.second[b]];
+    const double middle = 0.5 * (a.y() + e.y());
+    if ((a.x() - x) * (e.x() - x) < 0 && middle > low && middle < high) found.push_back(static_cast<int>(b));
+  }
+  return found;
+}
+
 struct Case {
   const char* name;
   Scene (*scene)();
@@ -80,18 +109,11 @@ struct Case {
 
 class FreeExpansion : public testing::TestWithParam<Case> {
  protected:
-  FreeExpansion() : d(discretize(GetParam().scene(), Options())) {
+  FreeExpansion() : d(regions::discretize(GetParam().scene(), scene::Options())) {
     for (std::size_t b = 0; b < d.bonds.size(); ++b) {
-      d.bonds.set_rest_elongation(static_cast<int>(b), eps * d.bonds.length[b]);
       largest_force = std::max(largest_force, d.bonds.stiffness[b] * eps * d.bonds.length[b]);
     }
-    operators = d.dense_operators();
-    for (coupling::DenseOperator& op : operators) {
-      op.rest.setZero(2 * static_cast<Eigen::Index>(op.nodes.size()), 2);
-      for (std::size_t i = 0; i < op.nodes.size(); ++i) {
-        op.rest.block<2, 1>(2 * static_cast<Eigen::Index>(i), 0) = eps * d.positions[op.nodes[i]];
-      }
-    }
+    operators = swell(d, eps, 0);
     // Held where it may turn and move, on points of its lower edge.
     std::vector<char> held(2 * d.positions.size(), 0);
     int corner = 0, other = 0;
@@ -168,5 +190,86 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FreeExpansion,
                            std::replace(name.begin(), name.end(), ' ', '_');
                            return name;
                          });
+
+// A strip with an edge crack, both of whose ends are held along it, shrinks with the load factor until it has parted.
+struct Shrinkage {
+  const char* name;
+  double constant;        // share of lengths at no load
+  double constant_force;  // of bonds ahead of the crack, as a share of the force at which they break, at no load and
+  double growing_force;   // with the load factor
+  bool softens;
+};
+
+class Shrinking : public testing::TestWithParam<Shrinkage> {
+ protected:
+  static constexpr double critical = 1e-3;
+  static constexpr double parted = 10;  // load factor, with what is left shrinking freely
+
+  Shrinking() : d(regions::discretize(lattice_between_boundary_regions(), scene::Options())) {
+    const Shrinkage& given = GetParam();
+    std::vector<coupling::DenseOperator> operators = swell(d, given.constant, -0.1 * critical);
+    for (const int b : across(d, 9.5, 3, 5)) {
+      const double force = d.bonds.stiffness[b] * critical * d.bonds.length[b];
+      d.bonds.set_constant_force(b, given.constant_force * force, given.growing_force * force);
+    }
+    if (given.softens) {
+      const int law = d.bonds.add_law(coupling::TermLaw({{1, 1}, {0.5, 1.5}}));
+      for (std::size_t b = 0; b < d.bonds.size(); ++b) d.bonds.set_law(static_cast<int>(b), law);
+    }
+    const int dofs = 2 * static_cast<int>(d.positions.size());
+    std::vector<char> held(static_cast<std::size_t>(dofs), 0);
+    std::vector<int> pulled;
+    for (int n = 0; n < dofs / 2; ++n) {
+      const double x = d.positions[n].x();
+      if (x != 0 && x != 20) continue;
+      held[2 * n] = 1;
+      if (d.positions[n].y() == 0) held[2 * n + 1] = 1;
+      if (x == 20) pulled.push_back(2 * n);
+    }
+    system = std::make_unique<coupling::EquilibriumSystem>(dofs / 2, operators, d.bonds, held, d.ties);
+    evolution =
+        std::make_unique<fracture::CrackEvolution>(*system, d.positions, std::vector<double>(d.bonds.size(), critical),
+                                                   across(d, 9.5, -1, 2.1), std::vector<std::vector<int>>{pulled});
+    coupling::Affine prescribed = coupling::Affine::Zero(dofs, 2);
+    for (const int dof : pulled) prescribed.row(dof) << 1e-4, 2e-5;
+    evolution->set_load(coupling::Affine::Zero(dofs, 2), prescribed);
+  }
+
+  Discretization d;
+  std::unique_ptr<coupling::EquilibriumSystem> system;
+  std::unique_ptr<fracture::CrackEvolution> evolution;
+};
+
+TEST_P(Shrinking, cracks_with_its_energies_in_balance) {
+  evolution->advance(parted, fracture::Goal::load_factor, {}, {});
+  const fracture::EvolutionState state = evolution->state();
+  std::printf("%s: %lld events, %lld bonds, stored %.3g, released %.3g of %.3g, energy balance %.1e (reference: 0)\n",
+              GetParam().name, static_cast<long long>(state.events), static_cast<long long>(state.broken_bonds),
+              state.history.back().stored_energy, state.released_energy, state.largest_work,
+              state.worst_energy_balance_error);
+  EXPECT_GT(state.events, 20);
+  EXPECT_GT(state.released_energy, 0.9 * state.largest_work);
+  EXPECT_LE(state.worst_energy_balance_error, 1e-12);
+  for (const fracture::HistoryEntry& line : state.history) EXPECT_LE(line.residual, 1e-12);
+}
+
+TEST_P(Shrinking, goes_on_from_a_saved_state_and_back_to_it) {
+  for (int event = 0; event < 15; ++event) evolution->advance(1e6, fracture::Goal::next_event, {}, {});
+  evolution->synchronize();
+  const fracture::EvolutionState saved = evolution->state();
+  evolution->advance(parted, fracture::Goal::load_factor, {}, {});
+  const fracture::EvolutionState first = evolution->state();
+  evolution->restore(saved);
+  evolution->advance(parted, fracture::Goal::load_factor, {}, {});
+  EXPECT_EQ(evolution->state().work, first.work);
+  EXPECT_EQ(evolution->state().stages, first.stages);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, Shrinking,
+                         testing::Values(Shrinkage{"growing_with_the_load_factor", 0, 0, 0, false},
+                                         Shrinkage{"swollen_at_first", 2e-4, 0, 0, false},
+                                         Shrinkage{"with_forces_in_bonds", -1e-4, 0.1, -0.005, false},
+                                         Shrinkage{"softening", 1e-4, 0.1, 0, true}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

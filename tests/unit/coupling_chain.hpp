@@ -16,7 +16,7 @@ using namespace coupling;
 struct Chain {
   static constexpr int nodes = 5;
   DenseOperator op{{0, 1, 2}, {}};
-  BondSet bonds;
+  Terms bonds;
   std::vector<char> prescribed = std::vector<char>(2 * nodes, 0);
 
   Chain() {

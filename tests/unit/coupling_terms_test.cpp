@@ -124,7 +124,7 @@ TEST(Terms, shares_of_the_critical_elongation_are_those_of_single_terms) {
   const std::vector<double> critical{0.1, 0.2, 0.3, 0.4, 0.5, HUGE_VAL, 0.7, 0.8};
   std::vector<double> shares[2] = {std::vector<double>(count), std::vector<double>(count)};
   const Affine u = mixed.force;
-  mixed.terms.critical_shares(u, critical, shares[0], shares[1]);
+  mixed.terms.critical_shares(u, mixed.terms.critical_scales(critical), shares[0], shares[1]);
   for (std::size_t t = 0; t < count; ++t) {
     for (int part = 0; part < 2; ++part) {
       const double elastic = mixed.coefficients(t).dot(u.col(part)) - mixed.terms.rest(t, part);

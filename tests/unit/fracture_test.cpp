@@ -11,12 +11,12 @@ namespace {
 using namespace bempd;
 using namespace bempd::fracture;
 using coupling::Affine;
-using coupling::BondSet;
 using coupling::EquilibriumSystem;
+using coupling::Terms;
 
 // Nodes in a row, joined by bonds along x and, two apart, again.
-BondSet row_of_bonds(int nodes) {
-  BondSet bonds;
+Terms row_of_bonds(int nodes) {
+  Terms bonds;
   const auto add = [&](int i, int j) {
     bonds.first.push_back(i);
     bonds.second.push_back(j);
@@ -31,7 +31,7 @@ BondSet row_of_bonds(int nodes) {
 }
 
 TEST(StretchRatios, next_break_is_found_in_closed_form_both_ways) {
-  const BondSet bonds = row_of_bonds(3);
+  const Terms bonds = row_of_bonds(3);
   StretchRatios ratios(bonds, {0.1, 0.1, 0.1});
   Affine u = Affine::Zero(6, 2);
   u(2, 1) = 0.01;                  // node 1 moves with the load factor
@@ -48,7 +48,7 @@ TEST(StretchRatios, next_break_is_found_in_closed_form_both_ways) {
 }
 
 TEST(StretchRatios, bonds_without_critical_stretch_never_break) {
-  const BondSet bonds = row_of_bonds(3);
+  const Terms bonds = row_of_bonds(3);
   StretchRatios ratios(bonds, std::vector<double>(3, std::numeric_limits<double>::infinity()));
   Affine u = Affine::Zero(6, 2);
   u(4, 1) = 1;
@@ -57,7 +57,7 @@ TEST(StretchRatios, bonds_without_critical_stretch_never_break) {
 }
 
 TEST(StretchRatios, ties_within_the_band_break_together_in_bond_order) {
-  const BondSet bonds = row_of_bonds(4);
+  const Terms bonds = row_of_bonds(4);
   StretchRatios ratios(bonds, std::vector<double>(5, 1.0));
   Affine u = Affine::Zero(8, 2);
   u(2, 1) = 1.0, u(4, 1) = 1.9, u(6, 1) = 2.9 - 1e-12;
@@ -101,7 +101,7 @@ TEST(FreedParts, a_point_whose_bonds_lie_on_one_line_is_held_across_it) {
 }
 
 TEST(FreedParts, an_isolated_point_is_a_fragment_and_loses_its_load) {
-  EquilibriumSystem system(2, {}, BondSet(row_of_bonds(2)), {1, 1, 0, 0});
+  EquilibriumSystem system(2, {}, Terms(row_of_bonds(2)), {1, 1, 0, 0});
   Affine force = Affine::Zero(4, 2);
   force(2, 1) = 1;
   system.set_load(force, Affine::Zero(4, 2));

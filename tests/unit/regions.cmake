@@ -1,2 +1,3 @@
 bempd_add_engine_test(regions_second_kind_test regions_second_kind_test.cpp)
 bempd_add_engine_test(regions_body_force_test regions_body_force_test.cpp)
+bempd_add_engine_test(second_bond_law_test second_bond_law_test.cpp)

@@ -23,9 +23,9 @@ using regions::Field;
 class NeighbourLattice final : public regions::LatticeRegion {
  public:
   using LatticeRegion::LatticeRegion;
-
- protected:
-  pd::Network make_network(int threads) const override { return pd::build_network(grid(), 2, elasticity(), threads); }
+  pd::Network make_network(const pd::CellLattice& cells, int threads) const override {
+    return pd::build_network(cells, 2, elasticity(), threads);
+  }
 };
 
 class NeighbourDescription final : public regions::LatticeDescription {

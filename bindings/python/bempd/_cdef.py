@@ -108,6 +108,9 @@ bempd_status bempd_add_traction(bempd_model *model, int32_t region, int32_t edge
     const double *proportional, int32_t *load);
 bempd_status bempd_add_traction_function(bempd_model *model, int32_t region, int32_t edge,
     double from, double to, bempd_boundary_function function, void *user, int32_t *load);
+bempd_status bempd_add_pressure(bempd_model *model, int32_t region, int32_t edge, double from,
+    double to, int64_t value_count, const double *constant, const double *proportional,
+    int32_t *load);
 bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32_t component,
     double constant, double proportional, int32_t *load);
 typedef enum bempd_face_component {
@@ -191,6 +194,8 @@ bempd_status bempd_bond_count(bempd_model *model, int32_t region, int64_t *count
 bempd_status bempd_copy_bonds(bempd_model *model, int32_t region, int64_t capacity, int32_t *points,
     int32_t *states);
 bempd_status bempd_reaction(bempd_model *model, int32_t support, double *force);
+bempd_status bempd_reaction_moment(bempd_model *model, int32_t support, double x, double y,
+    double *moment);
 bempd_status bempd_evaluate(bempd_model *model, int64_t count, const double *points,
     double *displacement, double *stress, int32_t *regions);
 typedef enum bempd_tip_end {
@@ -287,7 +292,11 @@ Outcome of a call: 0 is good, negative values are errors, by what the caller can
 since: 0.1""",
     "BEMPD_ERROR_ARGUMENT": """A value is wrong; correct it and call again.""",
     "BEMPD_ERROR_ORDER": """Called too early or too late in the order of a run.""",
-    "BEMPD_ERROR_UNSOLVABLE": """The scene has no unique equilibrium: a mechanism, or a singular operator.""",
+    "BEMPD_ERROR_UNSOLVABLE": """\
+The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or
+energy balance error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the range of
+doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off,
+are held where they are, with a warning.""",
     "BEMPD_ERROR_CONVERGENCE": """An iteration or the limit on events ended before the goal.""",
     "BEMPD_ERROR_CANCELLED": """A callback or bempd_request_cancel() asked to stop.""",
     "BEMPD_ERROR_MEMORY": """Not enough memory.""",
@@ -463,7 +472,9 @@ since: 0.1""",
 Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
 
 Material points lie on the corners of the cells, also on the boundary. The spacing must divide all
-edges.
+edges. Peridynamic regions that touch along edges act as one, with bonds across, if spacing, horizon
+and the numbers of the material are the same (not in scheme "paper"); others only share the points
+of the common edge.
 
 model [in]: the model
 material [in]: id of a material with the Poisson's ratio of bond-based peridynamics
@@ -543,12 +554,14 @@ since: 0.1""",
 Add an initial crack, a polyline.
 
 In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the
-material points. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets
-boundary elements, which are divided by themselves around its tips: it stands still, and bempd_tip()
-tells how much it is loaded. There it may start or end at a free edge, a hole or another crack, and
-cracks may cross. One crack lies in peridynamic regions or in one BEM region, and ends before
-interfaces of BEM regions. A crack beside all regions there are is refused at once, everything else
-when the model is prepared.
+material points. The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55
+spacings longer there; the load at which it grows depends on where the tip lies between points: best
+half way between two columns or rows. It may end on a region's boundary. In a BEM region (scheme
+symmetric) it gets boundary elements, which are divided by themselves around its tips: it stands
+still, and bempd_tip() tells how much it is loaded. There it may start or end at a free edge, a hole
+or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM region,
+and ends before interfaces of BEM regions. A crack beside all regions there are is refused at once,
+everything else when the model is prepared.
 
 model [in]: the model
 point_count [in]: number of points, >= 2
@@ -692,6 +705,22 @@ user [in]: handed to the function; may be NULL
 load [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_pressure": """\
+Add a pressure on a part of an edge that is not an interface: a traction against the outward normal,
+on curved edges too. bempd_set_load_values() gives it new values.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: edge number
+from [in]: start of the part as a fraction of the edge [-]
+to [in]: end of the part [-]
+value_count [in]: 1: uniform; 2: linear from start to end; n: values at n equally spaced places,
+  linear between
+constant [in]: shape [value_count], constant part, positive presses [Pa]; NULL for 0
+proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_add_point_force": """\
 Add a force on the node or material point at a place.
 
@@ -829,7 +858,8 @@ bonds broken since the beginning, without those cut by initial cracks""",
 |work - stored - released| over the largest work so far, worst of all events [-]; not small in
 scheme paper, whose stiffness is unsymmetric""",
     "bempd_step_report.residual": """\
-largest unbalanced force at the end over the largest internal nodal force so far [-]""",
+largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5 of
+the largest stiffness times the displacement of what holds the body if that is larger [-]""",
     "bempd_step_report.seconds_total": """wall time of this step [s]""",
     "bempd_step_report.seconds_solve": """of it: solutions [s]""",
     "bempd_step_report.seconds_update": """of it: changes of the factorization [s]""",
@@ -980,6 +1010,10 @@ since: 0.1""",
     "bempd_bond_count": """\
 Number of bonds of a PD region, with broken and cut ones. Prepares the model.
 
+They join two of its own material points. Where regions act as one, a bond whose ends two of them
+share counts for the first, and bonds from inside one to inside another are listed by neither:
+bempd_statistics counts them, and damage and stress of the points at both ends.
+
 model [in]: the model
 region [in]: id of a PD region
 count [out]: number of bonds
@@ -997,13 +1031,24 @@ return: status
 since: 0.1""",
     "bempd_reaction": """\
 Force that a support exerts on the body at the present load factor. Where supports share a node's
-component the first one counts it.
+component the first one counts it: add the support first whose edge is to have the corner.
 
 model [in]: the model
 support [in]: id of a support
 force [out]: shape [2], resultant [N]
 return: status
 since: 0.1""",
+    "bempd_reaction_moment": """\
+Moment about a point of the forces that a support exerts on the body, counted as in
+bempd_reaction().
+
+model [in]: the model
+support [in]: id of a support
+x [in]: the point [m]
+y [in]: [m]
+moment [out]: positive counter-clockwise [N m]
+return: status
+since: 0.3""",
     "bempd_evaluate": """\
 Displacement and stress at places in the body: by the interior identities in BEM regions, by
 interpolation between material points in PD regions.

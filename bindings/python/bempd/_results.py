@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Optional, Union
+from typing import Any, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -137,6 +137,11 @@ class Results:
         force = np.empty(2)
         self._open().call("bempd_reaction", support, ffi.from_buffer("double[]", force))
         return force
+
+    def reaction_moment(self, support: int, about: Sequence[float] = (0.0, 0.0)) -> float:
+        """Moment [N m] about a place of the forces of a support on the body, positive counter-clockwise."""
+        return float(self._number("bempd_reaction_moment", "double", support,
+                                  *arguments.place("reaction_moment: about", about)))
 
     def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues:
         """Displacement, stress and region at places in the body; without `stress` it is faster."""

@@ -185,6 +185,13 @@ class Scene:
         return self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
                            arguments.choice("add_traction: component", component, ONE_COMPONENT), count, *values)
 
+    def add_pressure(self, region: int, edge: int, proportional: Optional[npt.ArrayLike] = None, *,
+                     constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
+        """Press [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
+        count, *values = arguments.samples("add_pressure", constant, proportional)
+        return self._added("bempd_add_pressure", region, edge, *arguments.fraction_pair("add_pressure: part", part),
+                           count, *values)
+
     def add_traction_function(self, region: int, edge: int, function: BoundaryFunction, *,
                               part: Sequence[float] = WHOLE_EDGE) -> int:
         """Add a traction given by a function f(x, y), as prescribe_edge_function() has it; returns the id of the load.

@@ -60,15 +60,10 @@ double ActiveWindow::elongation(int bond, double load_factor) const {
   return sum;
 }
 
-std::vector<Pull> ActiveWindow::pulls(std::span<const int> bonds) const {
-  std::vector<Pull> result;
-  for (int b : bonds) result.push_back(terms_.pull(b));
-  return result;
-}
-
-bool ActiveWindow::remove_one(int bond, Eigen::Ref<Eigen::VectorXd> w, Eigen::Index changes_known) {
-  const Pull& pull = terms_.pull(bond);
-  const double k = terms_.stiffness(bond);
+bool ActiveWindow::change_one(const coupling::StageChange& change, Eigen::Ref<Eigen::VectorXd> w,
+                              Eigen::Index changes_known) {
+  const Pull& pull = terms_.pull(static_cast<std::size_t>(change.term));
+  const double k = stiffness_lost(change);
   flexibility_.update_response(pull, changes_known, w);
   double own = 0;
   for (int i = 0; i < 4; ++i) {
@@ -76,12 +71,12 @@ bool ActiveWindow::remove_one(int bond, Eigen::Ref<Eigen::VectorXd> w, Eigen::In
   }
   const Eigen::RowVector2d e = elongation(pull);
   const double pivot = 1 - k * own;
-  if (!(pivot > WindowSettings::smallest_pivot)) return false;
+  if (k < 0 || !(pivot > WindowSettings::smallest_pivot)) return false;
   detach_functions(pull, k, w);
   if (has_constant_part_) rows_.col(0).head(w.size()) += (k * e[0] / pivot) * w;
   rows_.col(1).head(w.size()) += (k * e[1] / pivot) * w;
   flexibility_.add_change(std::sqrt(k / pivot) * w);
-  terms_.part(bond);
+  terms_.enter(change);
   return true;
 }
 
@@ -112,28 +107,41 @@ bool ActiveWindow::is_supported(int bond) const {
   return std::any_of(row.begin(), row.end(), [&](int r) { return is_prescribed(r); });
 }
 
-bool ActiveWindow::remove(std::span<const int> bonds) {
-  flexibility_.make_room(static_cast<Eigen::Index>(bonds.size()));
+bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
+  flexibility_.make_room(static_cast<Eigen::Index>(changes.size()));
   const Affine before = rows_;
   const Eigen::Index changes_before = flexibility_.changes();
-  const bool functions_change = std::any_of(bonds.begin(), bonds.end(), [&](int b) { return is_supported(b); });
+  std::vector<coupling::StageChange> back;
+  std::vector<double> lost;
+  std::vector<Pull> directions;
+  bool functions_change = false;
+  for (const coupling::StageChange& c : changes) {
+    back.push_back({c.term, terms_.stage(static_cast<std::size_t>(c.term))});
+    lost.push_back(stiffness_lost(c));
+    directions.push_back(terms_.pull(static_cast<std::size_t>(c.term)));
+    functions_change = functions_change || is_supported(c.term);
+  }
   Eigen::MatrixXd functions_before;
   if (functions_change) functions_before = flexibility_.function_rows();
-  // Of all bonds at once, so that what is pending is read once; every bond adds what those before it changed.
-  const std::vector<Pull> directions = pulls(bonds);
+  // Of all terms at once, so that what is pending is read once; every term adds what those before it changed.
   Eigen::MatrixXd answers = flexibility_.responses(directions);
-  for (std::size_t i = 0; i < bonds.size(); ++i) {
+  bool resisted = true;
+  for (std::size_t i = 0; resisted && i < changes.size(); ++i) {
     auto answer = answers.col(static_cast<Eigen::Index>(i));
     if (functions_change) answer = flexibility_.responses({&directions[i], 1});
-    if (remove_one(bonds[i], answer, functions_change ? flexibility_.changes() : changes_before)) continue;
+    resisted = change_one(changes[i], answer, functions_change ? flexibility_.changes() : changes_before);
+  }
+  const auto size_of = [&](const Affine& rows) { return rows.topRows(size()).lpNorm<Eigen::Infinity>(); };
+  resisted = resisted && size_of(rows_) <= WindowSettings::most_growth * size_of(before);
+  if (!resisted) {
     rows_ = before;
     if (functions_change) flexibility_.set_function_rows(functions_before);
     flexibility_.take_back_changes(changes_before);
-    for (int back : bonds) terms_.mend(back);
+    for (const coupling::StageChange& c : back) terms_.enter(c);
     update_ratios();
     return false;
   }
-  for (int b : bonds) left_behind_.note_break(form(terms_.pull(b), 1), terms_.stiffness(b));
+  for (std::size_t i = 0; i < changes.size(); ++i) left_behind_.note_loss(form(directions[i], 1), lost[i]);
   update_ratios();
   return true;
 }

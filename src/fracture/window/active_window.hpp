@@ -13,9 +13,10 @@
 
 namespace bempd::fracture {
 
-// Bonds between kept nodes and the flexibility F (displacements per force) of the whole body there. Breaking a bond of
-// stiffness k along b changes F by a matrix of rank one: w = F b, gamma = 1 - k b.w, F <- F + (k / gamma) w w^T, and
-// the displacements by (k e / gamma) w, e being the bond's elongation (Sherman and Morrison 1950).
+// Terms between kept nodes and the flexibility F (displacements per force) of the whole body there. Where a term along
+// b loses the stiffness k, all of it or a part, F changes by a matrix of rank one: w = F b, gamma = 1 - k b.w,
+// F <- F + (k / gamma) w w^T, and the displacements by (k e / gamma) w, e being the term's elongation (Sherman and
+// Morrison 1950).
 //
 // Functions of the displacements are carried along like displacements on which no force acts: rows of F. Where nothing
 // breaks any more, the window can stop following displacements from event to event; they are found afterwards.
@@ -58,10 +59,12 @@ class ActiveWindow {
   Eigen::Matrix<double, Eigen::Dynamic, 2> function_values() const { return rows_.middleRows(size(), functions_); }
 
   double elongation(int bond, double load_factor) const;
-  double stiffness(int bond) const { return terms_.stiffness(bond); }
+  double stiffness_lost(const coupling::StageChange& change) const {
+    return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
+  }
 
-  // False, and nothing changed, if some motion would lose its resistance with these bonds.
-  bool remove(std::span<const int> bonds);
+  // False, and nothing changed, if some motion would lose its resistance with these changes, or if one stiffens.
+  bool change(std::span<const coupling::StageChange> changes);
 
   // The stiffness of all that is not a bond of the window, on those kept degrees of freedom that it touches.
   const Eigen::MatrixXd& outside_stiffness() const { return outside_.matrix; }
@@ -77,9 +80,9 @@ class ActiveWindow {
   LeftBehind::Form form(const Pull& pull, double scale) const;
   void keep_rows(const std::vector<int>& followed);
   void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
-  std::vector<Pull> pulls(std::span<const int> bonds) const;
   // `response` is F b as it was when only this many changes were pending.
-  bool remove_one(int bond, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
+  bool change_one(const coupling::StageChange& change, Eigen::Ref<Eigen::VectorXd> response,
+                  Eigen::Index changes_known);
   void detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> response);
 
   Eigen::Index kept_;          // degrees of freedom

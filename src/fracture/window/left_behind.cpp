@@ -17,7 +17,7 @@ void LeftBehind::narrow(std::vector<int> left, const std::vector<int>& followed,
   ratios_.insert(ratios_.end(), ratios.begin(), ratios.end());
 }
 
-void LeftBehind::note_break(const Form& elongation, double stiffness) { broken_.push_back({elongation, stiffness}); }
+void LeftBehind::note_loss(const Form& elongation, double stiffness) { broken_.push_back({elongation, stiffness}); }
 
 std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool has_constant_part) const {
   std::vector<Affine> result;

@@ -22,9 +22,9 @@ struct OutsideCheck {
 
 // The displacements that a window no longer follows from event to event because nothing breaks there any more.
 //
-// Let K and F be stiffness and flexibility when they were left behind. With the bonds e that broke since, the
-// displacements obey K u = f + sum of k_e b_e e_e, as if the broken bonds still pulled with what their elongations e_e
-// ask for; all these bonds end on what is still followed. So u = u_then + F sum of k_e b_e e_e, for many states at
+// Let K and F be stiffness and flexibility when they were left behind. With the stiffnesses k_e that terms have lost
+// since, the displacements obey K u = f + sum of k_e b_e e_e, as if what is lost still pulled as the terms' elongations
+// e_e ask for; all these terms end on what is still followed. So u = u_then + F sum of k_e b_e e_e, for many states at
 // once.
 class LeftBehind {
  public:
@@ -46,7 +46,7 @@ class LeftBehind {
   // left.
   void narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
               const coupling::Affine& displacement, std::vector<Form> ratios);
-  void note_break(const Form& elongation, double stiffness);
+  void note_loss(const Form& elongation, double stiffness);
 
   std::size_t narrowings() const { return levels_.size(); }
   std::size_t breaks() const { return broken_.size(); }

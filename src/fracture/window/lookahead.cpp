@@ -27,7 +27,7 @@ Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder&
 bool Lookahead::open(const BodyState& state, double load_factor, const Options& options) {
   close();
   options_ = options;
-  if (!system_.is_symmetric() || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
+  if (!has_window_form(system_) || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
   window_ =
       std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions_.list());
@@ -64,13 +64,17 @@ const ForeseenEvent* Lookahead::next() const {
 }
 
 void Lookahead::take() {
-  system_.set_parted(events_[position_].event.breaking, true);
+  system_.set_stages(events_[position_].event.changes);
   system_has_changed_ = true;
   ++position_;
 }
 
 void Lookahead::return_to(int position) {
-  while (position_ > position) system_.set_parted(events_[--position_].event.breaking, false);
+  while (position_ > position) system_.set_stages(events_[--position_].back);
+}
+
+void Lookahead::take_back(int count) {
+  for (auto e = static_cast<int>(events_.size()); e-- > count;) system_.set_stages(events_[e].back);
 }
 
 Affine Lookahead::displacement(int position) const {
@@ -78,10 +82,10 @@ Affine Lookahead::displacement(int position) const {
   return is_last ? whole_ : condensation_->displacement(states_[position]);
 }
 
-std::vector<char> Lookahead::intact(int position) const {
-  std::vector<char> result = system_.intact();
-  for (int e = position; e < position_; ++e) {
-    for (int b : events_[e].event.breaking) result[b] = 1;
+std::vector<std::uint8_t> Lookahead::stages(int position) const {
+  std::vector<std::uint8_t> result = system_.stages();
+  for (int e = position_; e-- > position;) {
+    for (const coupling::StageChange& c : events_[e].back) result[c.term] = static_cast<std::uint8_t>(c.stage);
   }
   return result;
 }
@@ -102,7 +106,7 @@ void Lookahead::compute(const BodyState& state) {
   most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
   states_ = window_->complete(foreseen_);
   certify();
-  for (const ForeseenEvent& foreseen : events_) system_.set_parted(foreseen.event.breaking, false);
+  take_back(0);
 }
 
 std::vector<int> Lookahead::choose(double f) const {
@@ -122,18 +126,20 @@ bool Lookahead::foresee(double from, const BodyState& start) {
   const std::vector<int> chosen = choose(*next);
   ForeseenEvent foreseen;
   foreseen.event.load_factor = *next;
-  for (int b : chosen) {
-    foreseen.event.breaking.push_back(window_->bonds()[b]);
-    foreseen.event.ratio = std::max(foreseen.event.ratio, ratios.at(b, *next));
+  for (int place : chosen) {
+    const int term = window_->bonds()[place];
+    foreseen.event.changes.push_back(system_.after_critical(term));
+    foreseen.back.push_back({term, system_.stages()[term]});
+    foreseen.event.ratio = std::max(foreseen.event.ratio, ratios.at(static_cast<std::size_t>(place), *next));
   }
-  if (!place_.is_far_from_rim(foreseen.event.breaking)) return false;
+  if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.largest_force = events_.empty() ? largest_force_before(*next, start) : events_.back().largest_force;
   if (!perform_in_window(chosen, foreseen)) {
     needs_whole_body_ = true;
     return false;
   }
   add_checks(from, foreseen.event);
-  has_ended_ = is_separated(foreseen.after.unit(), start.first_unit_energy);
+  has_ended_ = is_separated(system_, foreseen.after.unit(), start.first_unit_energy);
   events_.push_back(std::move(foreseen));
   foreseen_.push_back(window_->state());
   return true;
@@ -148,21 +154,28 @@ double Lookahead::largest_force_before(double load_factor, const BodyState& star
 
 bool Lookahead::perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen) {
   const double f = foreseen.event.load_factor;
-  std::vector<double> elongation;
-  for (int b : chosen) elongation.push_back(window_->elongation(b, f));
-  system_.set_parted(foreseen.event.breaking, true);
+  std::vector<coupling::StageChange> here;  // by places in the window
+  std::vector<double> elongation, lost;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    here.push_back({chosen[i], foreseen.event.changes[i].stage});
+    elongation.push_back(window_->elongation(chosen[i], f));
+    lost.push_back(window_->stiffness_lost(here.back()));
+  }
+  system_.set_stages(foreseen.event.changes);
+  const std::vector<int> gone = system_.gone_with(foreseen.event.changes);
   const auto before = window_->function_values();
-  if (!freed_parts_.frees_nothing(foreseen.event.breaking, any_displacement_) || !window_->remove(chosen)) {
-    system_.set_parted(foreseen.event.breaking, false);
+  if (!freed_parts_.frees_nothing(gone, any_displacement_) || !window_->change(here)) {
+    system_.set_stages(foreseen.back);
     return false;
   }
   const auto after = window_->function_values();
   foreseen.before = WindowFunctions::energy(before);
   foreseen.after = WindowFunctions::energy(after);
+  foreseen.broken = static_cast<std::int64_t>(gone.size());
   foreseen.work = WindowFunctions::work(before, after, f);
   foreseen.reactions = functions_.reactions(after, f);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    foreseen.released += 0.5 * window_->stiffness(chosen[i]) * elongation[i] * window_->elongation(chosen[i], f);
+    foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(chosen[i], f);
   }
   return true;
 }
@@ -185,7 +198,7 @@ void Lookahead::certify() {
   if (events_.empty()) return;
   std::vector<int> breaks{0};
   for (const ForeseenEvent& foreseen : events_) {
-    breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.breaking.size()));
+    breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
   keep_first(certificate_->first_violation(states_, breaks, checks_, whole_));
   if (!events_.empty()) check_whole_body();
@@ -210,7 +223,7 @@ void Lookahead::keep_first(int count) {
   has_ended_ = true;
   needs_whole_body_ = false;
   most_events_ = std::max(WindowSettings::first_events, 2 * count);  // more would be in vain again
-  for (std::size_t e = count; e < events_.size(); ++e) system_.set_parted(events_[e].event.breaking, false);
+  take_back(count);
   events_.resize(count);
   states_.resize(count + 1);
   std::erase_if(checks_, [&](const OutsideCheck& check) { return check.state >= count; });

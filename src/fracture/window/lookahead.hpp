@@ -17,6 +17,8 @@ namespace bempd::fracture {
 // What an event will do once it happens.
 struct ForeseenEvent {
   Event event;
+  std::vector<coupling::StageChange> back;  // undoes its changes
+  std::int64_t broken = 0;                  // terms that are gone
   EnergyForm before, after;
   double work = 0, released = 0;  // of the break itself
   double largest_force = 0;       // internal nodal force that is known to be reached until then
@@ -58,7 +60,7 @@ class Lookahead {
 
   // The next of the events computed; null if there is none.
   const ForeseenEvent* next() const;
-  void take();  // the system's bonds break
+  void take();  // the system's terms change
   // True if the window has come to its end before an event that no window can perform.
   bool needs_whole_body() const { return needs_whole_body_; }
 
@@ -66,7 +68,7 @@ class Lookahead {
   int position() const { return position_; }
   void return_to(int position);
   coupling::Affine displacement(int position) const;
-  std::vector<char> intact(int position) const;
+  std::vector<std::uint8_t> stages(int position) const;
   // Of the whole body after the last of the events computed together; it stands for all of them.
   double residual() const { return residual_; }
 
@@ -75,6 +77,7 @@ class Lookahead {
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;
   bool perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen);
+  void take_back(int count);  // of the events computed all but the first ones, from the system
   void add_checks(double from, const Event& event);
   void certify();
   void check_whole_body();

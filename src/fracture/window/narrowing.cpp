@@ -12,7 +12,7 @@ void Narrowing::restart() { next_ = WindowSettings::breaks_between_narrowings; }
 
 std::vector<double> Narrowing::rears(const ActiveWindow& window, double load_factor) const {
   const AffineRatios& ratios = window.ratios();
-  const coupling::BondSet& bonds = system_.bonds();
+  const coupling::Terms& bonds = system_.terms();
   const std::vector<Zone>& zones = place_.zones();
   double largest = 0;
   for (std::size_t b = 0; b < window.bonds().size(); ++b) {

@@ -9,7 +9,7 @@ namespace bempd::fracture {
 namespace {
 
 std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& system, const WindowTerms& terms) {
-  const coupling::BondSet& bonds = system.bonds();
+  const coupling::Terms& bonds = system.terms();
   std::vector<char> touched(system.node_count(), 0);
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     if (system.intact()[b] && !terms.contained(static_cast<int>(b))) {

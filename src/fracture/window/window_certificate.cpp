@@ -19,17 +19,16 @@ WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
 }
 
 void WindowCertificate::collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios) {
-  const coupling::BondSet& bonds = system.bonds();
+  const coupling::Terms& bonds = system.terms();
   std::vector<double> compliance;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const double c = ratios.directions().cosine[b], s = ratios.directions().sine[b];
-    const double scale = std::hypot(c, s);
+    const double scale = ratios.scales().per_elongation[b];
     if (!system.intact()[b] || window_.contains(static_cast<int>(b)) || scale == 0) continue;
     first_.push_back(2 * bonds.first[b]);
     second_.push_back(2 * bonds.second[b]);
-    cosine_.push_back(c);
-    sine_.push_back(s);
-    compliance.push_back(scale / std::sqrt(bonds.stiffness[b]));
+    cosine_.push_back(ratios.scales().cosine[b]);
+    sine_.push_back(ratios.scales().sine[b]);
+    compliance.push_back(scale / std::sqrt(system.present_stiffness()[b]));
   }
   classify(compliance);
 }
@@ -63,7 +62,7 @@ std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const 
     for (std::size_t b = 0; b < first_.size(); ++b) {
       const int i = first_[b], j = second_[b];
       Batch& most = largest[class_of_[b]];
-      most = most.max(cosine_[b] * (u.col(j) - u.col(i)) + sine_[b] * (u.col(j + 1) - u.col(i + 1)));
+      most = most.max(coupling::along(cosine_[b], sine_[b], u.col(j) - u.col(i), u.col(j + 1) - u.col(i + 1)));
     }
     for (Eigen::Index k = 0; k < count; ++k) {
       Classes& classes = result.emplace_back();

@@ -59,7 +59,7 @@ class WindowCertificate {
   const ActiveWindow& window_;
   bool proportional_;
   std::vector<int> first_, second_;    // of bonds outside that can break
-  std::vector<double> cosine_, sine_;  // over length and critical stretch
+  std::vector<double> cosine_, sine_;  // scaled so that ratios come out
   std::vector<char> class_of_;
   Classes compliance_;  // largest stretch ratio per root of energy, of each class
   double rounding_;

@@ -86,6 +86,7 @@ Outcome WindowEvents::perform() {
   const Event& event = foreseen.event;
   BodyState& state = body_.state();
   Outcome outcome;
+  outcome.broken = foreseen.broken;
   outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
   outcome.work = foreseen.work;
   outcome.released_energy = foreseen.released;
@@ -96,7 +97,7 @@ Outcome WindowEvents::perform() {
   outcome.reactions = foreseen.reactions;
   state.load_factor = event.load_factor;
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
-  for (int b : event.breaking) state.intact[b] = 0;
+  for (const coupling::StageChange& c : event.changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   lookahead_.take();
   is_behind_ = true;
   ++events_performed_;
@@ -124,8 +125,8 @@ BodyState WindowEvents::state_at(const Place& place) const {
   state.largest_force = place.largest_force;
   state.displacement = lookahead_.displacement(place.position);
   state.total_displacement = coupling::evaluate(state.displacement, state.load_factor);
-  state.total_force = body_.system().internal_force(state.total_displacement);
-  state.intact = lookahead_.intact(place.position);
+  state.total_force = body_.system().internal_force(state.total_displacement, state.load_factor);
+  state.stages = lookahead_.stages(place.position);
   state.springs = present.springs;
   state.unloaded = present.unloaded;
   return state;
@@ -137,7 +138,7 @@ void WindowEvents::return_to(const Place& place) {
   state.load_factor = place.load_factor;
   state.largest_force = place.largest_force;
   state.separated = place.separated;
-  state.intact = body_.system().intact();
+  state.stages = body_.system().stages();
   events_performed_ = place.events_performed;
   is_behind_ = true;
 }

@@ -8,22 +8,26 @@
 
 namespace bempd::fracture {
 
+bool has_window_form(const coupling::EquilibriumSystem& system) {
+  return system.is_symmetric() && !system.has_offsets() && system.terms().wide.term.empty();
+}
+
 WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
                          const std::vector<Point>& positions)
     : system_(system),
       ratios_(ratios),
       positions_(positions),
       spacing_(positions.size(), std::numeric_limits<double>::infinity()) {
-  const coupling::BondSet& bonds = system.bonds();
+  const coupling::Terms& bonds = system.terms();
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     for (int node : {bonds.first[b], bonds.second[b]}) spacing_[node] = std::min(spacing_[node], bonds.length[b]);
   }
 }
 
 void WindowPlace::expect_cracks(const std::vector<int>& cut) {
-  if (!system_.is_symmetric() || cut.empty() || cut.size() > WindowSettings::most_cut_bonds) return;
+  if (!has_window_form(system_) || cut.empty() || cut.size() > WindowSettings::most_cut_bonds) return;
   const ZoneShape shape{WindowSettings::length_of_expected * length_ahead(0)};
-  std::vector<Zone> zones = zones_at_ends(cut, system_.bonds(), positions_, spacing_, shape);
+  std::vector<Zone> zones = zones_at_ends(cut, system_.terms(), positions_, spacing_, shape);
   std::vector<int> nodes = nodes_of(zones);
   if (is_too_large(nodes, shape)) return;
   keep(std::move(zones), std::move(nodes));
@@ -83,7 +87,7 @@ void WindowPlace::mark_rim() {
   for (int node = 0; node < system_.node_count(); ++node) {
     if (system_.is_prescribed(2 * node) && system_.is_prescribed(2 * node + 1)) kept[node] = 1;
   }
-  const coupling::BondSet& bonds = system_.bonds();
+  const coupling::Terms& bonds = system_.terms();
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const int i = bonds.first[b], j = bonds.second[b];
     if (system_.intact()[b] && kept[i] != kept[j]) touches_outside_[i] = touches_outside_[j] = 1;
@@ -97,7 +101,7 @@ void WindowPlace::mark_rim() {
 
 bool WindowPlace::is_far_from_rim(const std::vector<int>& bonds) const {
   return std::none_of(bonds.begin(), bonds.end(),
-                      [&](int b) { return on_rim_[system_.bonds().first[b]] || on_rim_[system_.bonds().second[b]]; });
+                      [&](int b) { return on_rim_[system_.terms().first[b]] || on_rim_[system_.terms().second[b]]; });
 }
 
 bool WindowPlace::still_holds(const std::vector<int>& hot) {
@@ -105,7 +109,7 @@ bool WindowPlace::still_holds(const std::vector<int>& hot) {
   mark_rim();
   const std::vector<char> kept = marks_of_nodes();
   const bool all_kept = std::all_of(
-      hot.begin(), hot.end(), [&](int b) { return kept[system_.bonds().first[b]] && kept[system_.bonds().second[b]]; });
+      hot.begin(), hot.end(), [&](int b) { return kept[system_.terms().first[b]] && kept[system_.terms().second[b]]; });
   return all_kept && is_far_from_rim(hot);
 }
 

@@ -9,6 +9,10 @@
 
 namespace bempd::fracture {
 
+// Windows take symmetric systems whose terms are bonds and pull with their elongations alone; others are left to the
+// whole body.
+bool has_window_form(const coupling::EquilibriumSystem& system);
+
 // Where a window is: zones around what is about to break, and the nodes in them, which the system is told to eliminate
 // last.
 class WindowPlace {

@@ -22,7 +22,7 @@ struct WindowSettings {
   static constexpr double least_narrowing = 0.15, hot_when_narrowing = 0.5, behind_hot = 1;
   static constexpr int first_events = 16, growth_of_events = 4, most_events_at_once = 1024;
   static constexpr int most_patience = 64;
-  static constexpr double smallest_pivot = 1e-7;
+  static constexpr double smallest_pivot = 1e-7, most_growth = 1e6;
   static constexpr int most_pending_changes = 96;
   static constexpr int factor_columns_at_once = 96;
   static constexpr int breaks_between_snapshots = 40;

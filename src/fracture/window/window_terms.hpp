@@ -17,8 +17,8 @@ struct Pull {
 // The terms of the energy that a window watches, with their ratios to critical values.
 class WindowTerms {
  public:
-  // All intact terms between kept degrees of freedom and prescribed ones. A row of a kept degree of freedom is its
-  // place in the condensation; prescribed ones have rows from `first_prescribed` on.
+  // All intact terms, which are bonds, between kept degrees of freedom and prescribed ones. A row of a kept degree of
+  // freedom is its place in the condensation; prescribed ones have rows from `first_prescribed` on.
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
 
@@ -33,10 +33,12 @@ class WindowTerms {
   const AffineRatios& ratios() const { return ratios_; }
   const Pull& pull(std::size_t term) const { return pulls_[term]; }
   double stiffness(std::size_t term) const { return stiffness_[term]; }
-  double ratio_per_elongation(std::size_t term) const;
+  double ratio_per_elongation(std::size_t term) const { return scales_.per_elongation[term]; }
 
-  void part(int term);
-  void mend(int term) { intact_[term] = 1; }
+  // By its place in the list, `term` as well as that in `change`.
+  void enter(const coupling::StageChange& change);
+  int stage(std::size_t term) const { return stages_[term]; }
+  double stiffness_after(const coupling::StageChange& change) const;
   void update_ratios(const coupling::Affine& rows, bool has_constant_part);
 
   // Goes on with these terms only.
@@ -44,12 +46,14 @@ class WindowTerms {
   void renumber_rows(const std::vector<int>& row_after);
 
  private:
-  void add(int number, const coupling::BondSet& bonds, const StretchRatios& ratios, const std::array<int, 4>& row);
+  void add(int number, const coupling::EquilibriumSystem& system, const std::array<int, 4>& row);
 
+  const StretchRatios& of_all_;
   std::vector<int> numbers_;
   std::vector<Pull> pulls_;
   std::vector<double> stiffness_;
-  std::vector<double> cosine_, sine_;  // as ratios feel them
+  std::vector<std::uint8_t> stages_;
+  coupling::CriticalScales scales_;
   std::vector<char> intact_;
   AffineRatios ratios_;
   std::vector<char> contained_;

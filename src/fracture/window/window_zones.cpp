@@ -83,7 +83,7 @@ class Builder {
   }
 
  private:
-  const coupling::BondSet& bonds() const { return ratios_.bonds(); }
+  const coupling::Terms& bonds() const { return ratios_.terms(); }
 
   Eigen::Matrix2d opening(const Point& centre, double reach, double least_ratio) const {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
@@ -125,7 +125,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   }
   std::vector<Point> middles;
   for (int b : hot) middles.push_back(builder.middle(b));
-  const double dx = hot.empty() ? 0 : spacing[ratios.bonds().first[hot.front()]];
+  const double dx = hot.empty() ? 0 : spacing[ratios.terms().first[hot.front()]];
   std::vector<Zone> zones;
   for (const std::vector<int>& crowd : crowds(middles, S::crowd_distance * dx)) {
     std::vector<int> members;
@@ -135,7 +135,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   return zones;
 }
 
-std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::BondSet& bonds,
+std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape) {
   std::vector<Point> middles;

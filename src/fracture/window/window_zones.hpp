@@ -36,7 +36,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
                            const std::vector<double>& spacing, const ZoneShape& shape);
 
 // Zones in front of both ends of the cracks that cut these bonds.
-std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::BondSet& bonds,
+std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape);
 

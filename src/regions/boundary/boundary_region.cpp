@@ -94,8 +94,9 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
   // The operator of a region before that differs by a translation only.
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;
-    if (typeid(*other) != typeid(*this)) continue;
-    const auto& alike = static_cast<const BoundaryRegion&>(*other);
+    const Region& before = *other;
+    if (typeid(before) != typeid(*this)) continue;
+    const auto& alike = static_cast<const BoundaryRegion&>(before);
     if (cracks_ || alike.cracks_) continue;
     if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;
     operator_ = alike.operator_;

@@ -75,8 +75,10 @@ void LatticeRegion::cut(const scene::Crack& crack, int number, std::vector<int>&
     warnings.push_back(finding + "; they stay bonded to both of its faces and bridge it");
   }
   const pd::Touching touching = cracks_may_meet_points() ? pd::Touching::of_ends_keeps : pd::Touching::cuts;
-  for (int bond : pd::bonds_cut_by(points_, network_->bonds, polyline, touching))
-    bonds.push_back(static_cast<int>(first_bond_) + bond);
+  std::vector<Point> ends = points_;
+  ends.insert(ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
+  for (int bond : pd::bonds_cut_by(ends, network()->bonds, polyline, touching))
+    bonds.push_back(static_cast<int>(scene_bond(bond)));
 }
 
 }  // namespace bempd::regions

@@ -6,6 +6,7 @@
 
 #include "coupling/interface_trace.hpp"
 #include "error.hpp"
+#include "regions/lattice/lattice_group.hpp"
 
 namespace bempd::regions {
 
@@ -45,6 +46,14 @@ std::vector<char> LatticeRegion::shared_points(const Preparation& preparation) c
   return shared;
 }
 
+void LatticeRegion::mesh(const Preparation& preparation) {
+  if (group_) return;
+  std::vector<LatticeRegion*> members = regions_acting_as_one(*this, preparation);
+  if (members.size() < 2) return;
+  const auto group = std::make_shared<LatticeGroup>(std::move(members));
+  for (LatticeRegion* member : group->members()) member->group_ = group;
+}
+
 void LatticeRegion::build(const Preparation& preparation, Contributions& contributions) {
   place_points(preparation);
   const std::vector<char> is_shared = shared_points(preparation);
@@ -53,8 +62,21 @@ void LatticeRegion::build(const Preparation& preparation, Contributions& contrib
     nodes_[i] =
         is_shared[i] ? contributions.registry.add_shared(position(i), id()) : contributions.registry.add(position(i));
   }
-  take_network(preparation, contributions.warnings);
-  add_bonds(critical_stretch(preparation), contributions);
+  if (!group_) {
+    bond_alone(preparation, contributions);
+  } else if (group_->members().back() == this) {
+    // Those before it have waited for its nodes.
+    const std::shared_ptr<LatticeGroup> group = std::move(group_);
+    const bool as_one = group->add_bonds(preparation, contributions);
+    for (LatticeRegion* member : group->members()) {
+      member->group_.reset();
+      if (!as_one) member->bond_alone(preparation, contributions);
+    }
+  }
+}
+
+bool LatticeRegion::acts_as_one_with(const LatticeRegion& other) const {
+  return typeid(other) == typeid(*this) && horizon_ratio_ == other.horizon_ratio_ && material() == other.material();
 }
 
 bool LatticeRegion::is_alike(const LatticeRegion& other) const {
@@ -62,8 +84,8 @@ bool LatticeRegion::is_alike(const LatticeRegion& other) const {
          elasticity() == other.elasticity();
 }
 
-pd::Network LatticeRegion::make_network(int threads) const {
-  return pd::build_network(*grid_, horizon_ratio_, elasticity(), threads);
+pd::Network LatticeRegion::make_network(const pd::CellLattice& cells, int threads) const {
+  return pd::build_network(cells, horizon_ratio_, elasticity(), threads);
 }
 
 double LatticeRegion::critical_stretch(const Preparation& preparation) const {
@@ -75,32 +97,31 @@ double LatticeRegion::critical_stretch(const Preparation& preparation) const {
 void LatticeRegion::take_network(const Preparation& preparation, std::vector<std::string>& warnings) {
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;
-    if (typeid(*other) != typeid(*this)) continue;
-    const auto& lattice = static_cast<const LatticeRegion&>(*other);
-    if (is_alike(lattice)) network_ = lattice.network_;
-    if (network_) break;
+    const Region& before = *other;
+    if (typeid(before) != typeid(*this)) continue;
+    const auto& lattice = static_cast<const LatticeRegion&>(before);
+    if (lattice.network() && lattice.bonds_.of_scene.empty() && is_alike(lattice)) bonds_.network = lattice.network();
+    if (network()) break;
   }
-  if (!network_)
-    network_ = std::make_shared<const pd::Network>(make_network(preparation.options.whole_number("threads")));
-  if (network_->reduced) {
+  if (!network()) {
+    const int threads = preparation.options.whole_number("threads");
+    bonds_.network = std::make_shared<const pd::Network>(make_network(*grid_, threads));
+  }
+  if (network()->reduced) {
     warnings.push_back(text("region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
                             horizon_ratio_, " was found; it has bonds between nearest neighbours only"));
   }
 }
 
-void LatticeRegion::add_bonds(double critical_stretch, Contributions& contributions) {
-  coupling::BondSet& bonds = contributions.bonds;
-  first_bond_ = bonds.size();
-  for (const pd::Bond& bond : network_->bonds) {
-    const Point offset = points_[bond.second] - points_[bond.first];
-    const double length = offset.norm();
-    bonds.first.push_back(nodes_[bond.first]);
-    bonds.second.push_back(nodes_[bond.second]);
-    bonds.cosine.push_back(offset.x() / length);
-    bonds.sine.push_back(offset.y() / length);
-    bonds.length.push_back(spacing() * length);
-    bonds.stiffness.push_back(bond.stiffness);
-    contributions.critical_stretch.push_back(critical_stretch);
+void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& contributions) {
+  take_network(preparation, contributions.warnings);
+  bonds_.first = contributions.bonds.size();
+  bonds_.listed = network()->bonds.size();
+  const double limit = critical_stretch(preparation);
+  const int law = contributions.bonds.add_law(material().bond_law);
+  for (const pd::Bond& bond : network()->bonds) {
+    const Point step = points_[bond.second] - points_[bond.first];
+    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), limit, law);
   }
 }
 

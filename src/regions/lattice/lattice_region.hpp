@@ -11,14 +11,28 @@
 
 namespace bempd::regions {
 
+class LatticeGroup;
+
+// The bonds at the points of a region. Its row of the scene's bonds comes first: those between two of its points,
+// unless a region before that it acts as one with has both ends too.
+struct RegionBonds {
+  std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
+  std::size_t first = 0, listed = 0;           // where its row begins, and how long it is
+  std::vector<int> of_scene;                   // per bond; empty if all are in its row
+  // Points of other regions where bonds end, numbered after its own.
+  std::vector<int> far_nodes;     // of the scene
+  std::vector<Point> far_points;  // in grid coordinates
+};
+
 // A peridynamic region on its material points, the corners of its cells. What other lattices do differently are the
 // protected virtual functions.
 class LatticeRegion : public Region {
  public:
   LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material);
 
-  const std::shared_ptr<const pd::Network>& network() const { return network_; }
+  const std::shared_ptr<const pd::Network>& network() const { return bonds_.network; }
 
+  void mesh(const Preparation& preparation) override;
   void build(const Preparation& preparation, Contributions& contributions) override;
   void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const override;
 
@@ -30,8 +44,10 @@ class LatticeRegion : public Region {
   bool takes_cracks() const override { return true; }
   void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
            std::vector<std::string>& warnings) const override;
-  const std::vector<pd::Bond>* bonds() const override { return &network_->bonds; }
-  std::size_t first_bond() const override { return first_bond_; }
+  std::optional<std::span<const pd::Bond>> bonds() const override {
+    return std::span<const pd::Bond>(network()->bonds).first(bonds_.listed);
+  }
+  std::size_t first_bond() const override { return bonds_.first; }
 
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
@@ -42,6 +58,17 @@ class LatticeRegion : public Region {
                                        bool with_stress) const override;
   int rank_at_interfaces() const override { return 2; }
   void add_statistics(RegionStatistics& statistics) const override;
+
+  // --- For the group of regions that it acts as one with
+
+  // Whether both act as one where they touch along an edge: one material, spacing and horizon.
+  virtual bool acts_as_one_with(const LatticeRegion& other) const;
+  virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
+  virtual double critical_stretch(const Preparation& preparation) const;
+  double spacing() const { return outline_.spacing; }
+  const pd::CellLattice& grid() const { return *grid_; }
+  const Point& origin() const { return origin_; }
+  void take_bonds(RegionBonds bonds) { bonds_ = std::move(bonds); }
 
  protected:
   // Where supports and loads on an edge act.
@@ -54,10 +81,8 @@ class LatticeRegion : public Region {
   virtual void place_points(const Preparation& /*preparation*/) {}
   // Material points that are nodes of other regions too: all on interfaces that match, the ends of others.
   virtual std::vector<char> shared_points(const Preparation& preparation) const;
-  virtual pd::Network make_network(int threads) const;
   // Whether another region, of the same class, has the same network.
   virtual bool is_alike(const LatticeRegion& other) const;
-  virtual double critical_stretch(const Preparation& preparation) const;
   virtual std::vector<EdgePoint> edge_points(int edge) const;
   // Adds forces at the points of a traction on a straight piece of boundary, all in coordinates of the cells.
   virtual void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
@@ -74,12 +99,9 @@ class LatticeRegion : public Region {
   void use_grid(pd::CellLattice grid, const Point& origin);
 
   int point_count() const { return static_cast<int>(points_.size()); }
-  double spacing() const { return outline_.spacing; }
   const LatticeOutline& outline() const { return outline_; }
-  const pd::CellLattice& grid() const { return *grid_; }
-  const Point& origin() const { return origin_; }
   int horizon_ratio() const { return horizon_ratio_; }
-  // One entry a bond, nonzero where it is broken or cut.
+  // One entry a bond at its points, nonzero where it is broken or cut.
   std::vector<std::uint8_t> broken_bonds(const std::vector<char>& intact) const;
   // Points on an edge or a part of it between corners of cells, ends included; only where the corners are the points.
   std::vector<int> points_along(const Point& start, const Point& end) const;
@@ -92,8 +114,11 @@ class LatticeRegion : public Region {
  private:
   class LatticeEvaluator;
 
+  void bond_alone(const Preparation& preparation, Contributions& contributions);
   void take_network(const Preparation& preparation, std::vector<std::string>& warnings);
-  void add_bonds(double critical_stretch, Contributions& contributions);
+  std::size_t scene_bond(std::size_t bond) const {
+    return bonds_.of_scene.empty() ? bonds_.first + bond : static_cast<std::size_t>(bonds_.of_scene[bond]);
+  }
   FieldValues stress(const Solution& solution) const;
   FieldValues bond_stretch(const Solution& solution) const;
 
@@ -101,8 +126,8 @@ class LatticeRegion : public Region {
   std::unique_ptr<pd::CellLattice> grid_;  // points of the grid and the cells between them
   Point origin_ = Point::Zero();           // place of the grid's point (0, 0) [m]
   int horizon_ratio_;
-  std::shared_ptr<const pd::Network> network_;  // shared by regions that are alike
-  std::size_t first_bond_ = 0;                  // index of its first bond among the scene's
+  RegionBonds bonds_;
+  std::shared_ptr<LatticeGroup> group_;  // null if it is alone, and when bonds are there
 };
 
 }  // namespace bempd::regions

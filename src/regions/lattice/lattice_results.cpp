@@ -7,16 +7,15 @@
 namespace bempd::regions {
 
 std::vector<std::uint8_t> LatticeRegion::broken_bonds(const std::vector<char>& intact) const {
-  std::vector<std::uint8_t> broken(network_->bonds.size());
-  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[first_bond_ + b] ? 0 : 1;
+  std::vector<std::uint8_t> broken(network()->bonds.size());
+  for (std::size_t b = 0; b < broken.size(); ++b) broken[b] = intact[scene_bond(b)] ? 0 : 1;
   return broken;
 }
 
 FieldSize LatticeRegion::field_size(Field field) const {
   require(field != Field::traction && field != Field::element_stress, "region ", id(),
           " is peridynamic and has no tractions and no boundary elements; ask a BEM region");
-  const std::int64_t count =
-      field == Field::bond_stretch ? static_cast<std::int64_t>(network_->bonds.size()) : point_count();
+  const std::int64_t count = field == Field::bond_stretch ? static_cast<std::int64_t>(bonds_.listed) : point_count();
   return {count, components_of(field)};
 }
 
@@ -48,25 +47,31 @@ FieldValues LatticeRegion::field(Field field, const Solution& solution) const {
 }
 
 FieldValues LatticeRegion::damage(const std::vector<char>& intact) const {
-  std::vector<int> all(points_.size(), 0), left(points_.size(), 0);
-  for (std::size_t b = 0; b < network_->bonds.size(); ++b) {
-    for (int point : {network_->bonds[b].first, network_->bonds[b].second}) {
+  std::vector<int> all(points_.size() + bonds_.far_points.size(), 0), left(all.size(), 0);
+  for (std::size_t b = 0; b < network()->bonds.size(); ++b) {
+    for (int point : {network()->bonds[b].first, network()->bonds[b].second}) {
       ++all[point];
-      left[point] += intact[first_bond_ + b];
+      left[point] += intact[scene_bond(b)];
     }
   }
   FieldValues field{std::vector<double>(points_.size(), 0.0), 1};
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
     if (all[i] > 0) field.values[i] = 1 - static_cast<double>(left[i]) / all[i];
   }
   return field;
 }
 
 FieldValues LatticeRegion::stress(const Solution& solution) const {
-  const Eigen::VectorXd displacement = gather(solution.displacement) / spacing();
+  const int own = point_count(), count = own + static_cast<int>(bonds_.far_nodes.size());
+  Eigen::VectorXd displacement(2 * count);
+  displacement.head(2 * own) = gather(solution.displacement);
+  for (int i = own; i < count; ++i)
+    displacement.segment<2>(2 * i) = solution.displacement.segment<2>(2 * bonds_.far_nodes[i - own]);
+  displacement /= spacing();
+  auto strains = pd::bond_strains(count, *network(), broken_bonds(solution.intact), displacement);
+  strains.resize(own);  // at the others some bonds are missing
   FieldValues field{{}, 3};
-  for (const Eigen::Vector3d& strain :
-       pd::bond_strains(point_count(), *network_, broken_bonds(solution.intact), displacement)) {
+  for (const Eigen::Vector3d& strain : strains) {
     const Eigen::Vector3d stress = pd::stress_of(strain, elasticity());
     field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
   }
@@ -75,7 +80,7 @@ FieldValues LatticeRegion::stress(const Solution& solution) const {
 
 FieldValues LatticeRegion::bond_stretch(const Solution& solution) const {
   FieldValues field{{}, 1};
-  for (std::size_t b = first_bond_; b < first_bond_ + network_->bonds.size(); ++b)
+  for (std::size_t b = bonds_.first; b < bonds_.first + bonds_.listed; ++b)
     field.values.push_back(solution.bonds.elongation(b, solution.displacement.data()) / solution.bonds.length[b]);
   return field;
 }

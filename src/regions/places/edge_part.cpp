@@ -49,11 +49,12 @@ void EdgePart::add_load(const scene::Scene& scene, const Discretization& d, int 
   require_free_edge(d, load, edge.length());
   for (int column = 0; column < 2; ++column) {
     const auto traction = [&](const Point& p) {
-      const double along = std::clamp((closest_fraction(edge, p) - from_) / (to_ - from_), 0.0, 1.0);
+      const double fraction = closest_fraction(edge, p);
+      const double along = std::clamp((fraction - from_) / (to_ - from_), 0.0, 1.0);
       const scene::BoundaryValue value = condition.acting_value(p, along);
       const Point& result = column == 0 ? value.constant : value.proportional;
       require(result.allFinite(), "load ", load + 1, " is not a finite number at (", p.x(), ", ", p.y(), ")");
-      return Point(result);
+      return this->traction(edge, fraction, result);
     };
     d.region(region_).add_traction({edge_, edge, from_, to_}, traction, conditions.force.col(column));
   }

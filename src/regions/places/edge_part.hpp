@@ -1,11 +1,12 @@
 #pragma once
 
+#include "geometry/edge.hpp"
 #include "scene/place.hpp"
 
 namespace bempd::regions {
 
 // Part of an edge between two fractions of its length; loads on it are tractions [Pa].
-class EdgePart final : public scene::Place {
+class EdgePart : public scene::Place {
  public:
   EdgePart(int region, int edge, double from, double to) : region_(region), edge_(edge), from_(from), to_(to) {}
 
@@ -21,6 +22,10 @@ class EdgePart final : public scene::Place {
                                      int support) const override;
   void add_load(const scene::Scene& scene, const Discretization& discretization, int load,
                 DofConditions& conditions) const override;
+
+ protected:
+  // The traction that values of a load mean at a fraction of the edge.
+  virtual Point traction(const Edge& /*edge*/, double /*fraction*/, const Point& value) const { return value; }
 
  private:
   void require_free_edge(const Discretization& discretization, int load, double edge_length) const;

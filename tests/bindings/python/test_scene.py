@@ -20,6 +20,18 @@ def test_the_plate_stretches_as_hooke_says(plate):
     assert plate.model.reaction(plate.held[0])[0] == pytest.approx(-2e8, rel=1e-9)
 
 
+def test_pressure_pulls_where_it_is_negative_and_supports_have_moments(plate):
+    plate.model.add_pressure(plate.plate, 2, -2e8)
+    assert tip(plate.model, plate.plate)[0] == pytest.approx(2e8 / 2e11 * 2, rel=1e-10)
+    force = plate.model.reaction(plate.held[0])[0]
+    assert plate.model.reaction_moment(plate.held[0]) == pytest.approx(-0.5 * force, rel=1e-9)
+    assert plate.model.reaction_moment(plate.held[0], (7, 0.5)) == pytest.approx(0, abs=1e-6 * abs(force))
+    with pytest.raises(bempd.ArgumentError, match="add_pressure: "):
+        plate.model.add_pressure(plate.plate, 2, [1, float("nan")])
+    with pytest.raises(bempd.ArgumentError, match="reaction_moment: about"):
+        plate.model.reaction_moment(plate.held[0], (1, 2, 3))
+
+
 def test_constant_and_proportional_parts(plate):
     load = plate.model.add_traction(plate.plate, 2, "x", 1e8, constant=[1e8, 1e8, 1e8])
     assert tip(plate.model, plate.plate)[0] == pytest.approx(2e-3, rel=1e-9)

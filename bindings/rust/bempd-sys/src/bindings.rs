@@ -7,7 +7,10 @@ pub const BEMPD_OK: bempd_status = 0;
 pub const BEMPD_ERROR_ARGUMENT: bempd_status = -1;
 /// Called too early or too late in the order of a run.
 pub const BEMPD_ERROR_ORDER: bempd_status = -2;
-/// The scene has no unique equilibrium: a mechanism, or a singular operator.
+/// The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual
+/// or energy balance error exceeds 1e-8 (the latter not in scheme paper), or a number beyond the
+/// range of doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge,
+/// or cut off, are held where they are, with a warning.
 pub const BEMPD_ERROR_UNSOLVABLE: bempd_status = -3;
 /// An iteration or the limit on events ended before the goal.
 pub const BEMPD_ERROR_CONVERGENCE: bempd_status = -4;
@@ -303,7 +306,9 @@ extern "C" {
     /// cells.
     ///
     /// Material points lie on the corners of the cells, also on the boundary. The spacing must
-    /// divide all edges.
+    /// divide all edges. Peridynamic regions that touch along edges act as one, with bonds across,
+    /// if spacing, horizon and the numbers of the material are the same (not in scheme "paper");
+    /// others only share the points of the common edge.
     ///
     /// * model \[in\]: the model
     /// * material \[in\]: id of a material with the Poisson's ratio of bond-based peridynamics
@@ -433,12 +438,15 @@ extern "C" {
     /// Add an initial crack, a polyline.
     ///
     /// In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep
-    /// off the material points. It may end on a region's boundary. In a BEM region (scheme
-    /// symmetric) it gets boundary elements, which are divided by themselves around its tips: it
-    /// stands still, and bempd_tip() tells how much it is loaded. There it may start or end at a
-    /// free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic
-    /// regions or in one BEM region, and ends before interfaces of BEM regions. A crack beside all
-    /// regions there are is refused at once, everything else when the model is prepared.
+    /// off the material points. The bonds cut ahead of a tip make the crack open like a slit that
+    /// is 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the tip
+    /// lies between points: best half way between two columns or rows. It may end on a region's
+    /// boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
+    /// themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded.
+    /// There it may start or end at a free edge, a hole or another crack, and cracks may cross. One
+    /// crack lies in peridynamic regions or in one BEM region, and ends before interfaces of BEM
+    /// regions. A crack beside all regions there are is refused at once, everything else when the
+    /// model is prepared.
     ///
     /// * model \[in\]: the model
     /// * point_count \[in\]: number of points, \>= 2
@@ -689,6 +697,34 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a pressure on a part of an edge that is not an interface: a traction against the outward
+    /// normal, on curved edges too. bempd_set_load_values() gives it new values.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * from \[in\]: start of the part as a fraction of the edge \[-\]
+    /// * to \[in\]: end of the part \[-\]
+    /// * value_count \[in\]: 1: uniform; 2: linear from start to end; n: values at n equally spaced
+    ///   places, linear between
+    /// * constant \[in\]: shape \[value_count\], constant part, positive presses \[Pa\]; NULL for 0
+    /// * proportional \[in\]: shape \[value_count\], part multiplied by the load factor \[Pa\]; NULL for 0
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_pressure(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        from: f64,
+        to: f64,
+        value_count: i64,
+        constant: *const f64,
+        proportional: *const f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add a force on the node or material point at a place.
     ///
     /// * model \[in\]: the model
@@ -914,7 +950,9 @@ pub struct bempd_step_report {
     /// \|work - stored - released\| over the largest work so far, worst of all events \[-\]; not small
     /// in scheme paper, whose stiffness is unsymmetric
     pub energy_balance_error: f64,
-    /// largest unbalanced force at the end over the largest internal nodal force so far \[-\]
+    /// largest unbalanced force at the end over the largest internal nodal force so far, or over
+    /// 1e-5 of the largest stiffness times the displacement of what holds the body if that is
+    /// larger \[-\]
     pub residual: f64,
     /// wall time of this step \[s\]
     pub seconds_total: f64,
@@ -1154,6 +1192,10 @@ extern "C" {
 extern "C" {
     /// Number of bonds of a PD region, with broken and cut ones. Prepares the model.
     ///
+    /// They join two of its own material points. Where regions act as one, a bond whose ends two of
+    /// them share counts for the first, and bonds from inside one to inside another are listed by
+    /// neither: bempd_statistics counts them, and damage and stress of the points at both ends.
+    ///
     /// * model \[in\]: the model
     /// * region \[in\]: id of a PD region
     /// * count \[out\]: number of bonds
@@ -1181,7 +1223,8 @@ extern "C" {
 }
 extern "C" {
     /// Force that a support exerts on the body at the present load factor. Where supports share a
-    /// node's component the first one counts it.
+    /// node's component the first one counts it: add the support first whose edge is to have the
+    /// corner.
     ///
     /// * model \[in\]: the model
     /// * support \[in\]: id of a support
@@ -1189,6 +1232,25 @@ extern "C" {
     /// * return: status
     /// * since: 0.1
     pub fn bempd_reaction(model: *mut bempd_model, support: i32, force: *mut f64) -> bempd_status;
+}
+extern "C" {
+    /// Moment about a point of the forces that a support exerts on the body, counted as in
+    /// bempd_reaction().
+    ///
+    /// * model \[in\]: the model
+    /// * support \[in\]: id of a support
+    /// * x \[in\]: the point \[m\]
+    /// * y \[in\]: \[m\]
+    /// * moment \[out\]: positive counter-clockwise \[N m\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_reaction_moment(
+        model: *mut bempd_model,
+        support: i32,
+        x: f64,
+        y: f64,
+        moment: *mut f64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Displacement and stress at places in the body: by the interior identities in BEM regions, by

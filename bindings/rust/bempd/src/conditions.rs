@@ -123,6 +123,17 @@ impl Model {
         self.handle.add_traction(edge_part(region, edge, part), component as i32, &values).map(LoadId)
     }
 
+    /// Presses [Pa] on a part of an edge that is not an interface, against its outward normal.
+    pub fn add_pressure(
+        &mut self,
+        region: RegionId,
+        edge: i32,
+        part: impl RangeBounds<f64>,
+        values: Values<'_>,
+    ) -> Result<LoadId> {
+        self.handle.add_pressure(edge_part(region, edge, part), &values).map(LoadId)
+    }
+
     /// Adds a traction [Pa], both components, given by a function of the position `x, y` [m].
     pub fn add_traction_function(
         &mut self,

@@ -108,6 +108,11 @@ impl Model {
         self.handle.reaction(support.0)
     }
 
+    /// Moment about a place of the forces that a support exerts on the body [N m], positive counter-clockwise.
+    pub fn reaction_moment(&self, support: SupportId, about: [f64; 2]) -> Result<f64> {
+        self.handle.reaction_moment(support.0, about)
+    }
+
     /// Displacement and stress at places in the body [m]: by the interior identities in boundary element regions, by
     /// interpolation between material points in peridynamic ones.
     pub fn evaluate(&self, places: &[[f64; 2]]) -> Result<PointValues> {

@@ -98,6 +98,20 @@ fn bonds_and_elements_are_those_of_the_regions() {
 }
 
 #[test]
+fn pressure_pulls_where_it_is_negative_and_supports_have_moments() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();
+    let region = model.add_bem_region(material, &rectangle(0.0, 0.0, 4.0, 2.0), 0.5).unwrap();
+    let held = model.fix_edge(region, 4, Component::X).unwrap();
+    model.fix_point([0.0, 0.0], Component::Y).unwrap();
+    model.add_pressure(region, 2, .., Values::proportional(&[-3.0])).unwrap();
+    model.step(1.0).unwrap();
+    assert!((model.reaction(held).unwrap()[0] + 6.0).abs() < 1e-9);
+    assert!((model.reaction_moment(held, [0.0, 0.0]).unwrap() - 6.0).abs() < 1e-9);
+    assert!(model.reaction_moment(held, [5.0, 1.0]).unwrap().abs() < 1e-9);
+}
+
+#[test]
 fn places_have_displacement_stress_and_region() {
     let mut model = Model::new().unwrap();
     let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();

@@ -97,6 +97,14 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_pressure(&mut self, part: EdgePart, values: &Values<'_>) -> Result<i32> {
+        let EdgePart { region, edge, from, to } = part;
+        let Arrays { count, constant, proportional } = Arrays::of(values)?;
+        self.output(|model, load| unsafe {
+            sys::bempd_add_pressure(model, region, edge, from, to, count, constant, proportional, load)
+        })
+    }
+
     pub(crate) fn add_traction_function(&mut self, part: EdgePart, function: BoundaryFunction) -> Result<i32> {
         let EdgePart { region, edge, from, to } = part;
         self.with_boundary_function(function, |model, function, user, load| unsafe {

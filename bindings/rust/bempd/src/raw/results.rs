@@ -112,6 +112,11 @@ impl Handle {
         Ok(force)
     }
 
+    pub(crate) fn reaction_moment(&self, support: i32, about: [f64; 2]) -> Result<f64> {
+        let [x, y] = about;
+        self.output(|model, moment| unsafe { sys::bempd_reaction_moment(model, support, x, y, moment) })
+    }
+
     pub(crate) fn evaluate(&self, places: &[[f64; 2]]) -> Result<(Vec<[f64; 2]>, Vec<[f64; 3]>, Vec<i32>)> {
         let mut displacement = vec![[0.0; 2]; places.len()];
         let mut stress = vec![[0.0; 3]; places.len()];

@@ -1,0 +1,212 @@
+#include "regions/lattice/lattice_group.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "linalg/adjacency.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+constexpr int nobody = -1;
+
+// A material point as a member numbers it.
+struct Holder {
+  int member, point;
+};
+
+// All cells of the members, in grid coordinates of the first one, and whose its points are.
+class Union {
+ public:
+  explicit Union(const std::vector<LatticeRegion*>& members)
+      : cells_(pd::CellLattice::union_of(parts(members))), nodes_(cells_.point_count(), nobody) {
+    std::vector<int> places;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const pd::CellLattice& grid = members[m]->grid();
+      const Eigen::Vector2i shift = shift_of(members, m);
+      for (int i = 0; i < grid.point_count(); ++i) {
+        const int at = cells_.find_point(grid.point(i) + shift), node = members[m]->nodes()[i];
+        sound_ = sound_ && (nodes_[at] == nobody || nodes_[at] == node);
+        nodes_[at] = node;
+        holders_.push_back({static_cast<int>(m), i});
+        places.push_back(at);
+      }
+    }
+    for (int i = 0; i < cells_.point_count(); ++i) sound_ = sound_ && !cells_.is_pinched(i);
+    holders_at_ = linalg::make_adjacency(cells_.point_count(), [&](const auto& add) {
+      for (std::size_t h = 0; h < places.size(); ++h) add(places[h], static_cast<int>(h));
+    });
+  }
+
+  // One node a place, and no two cells that only share a corner.
+  bool is_sound() const { return sound_; }
+  const pd::CellLattice& cells() const { return cells_; }
+  int node(int point) const { return nodes_[point]; }
+
+  // The number that a member gives a point, or nobody.
+  int number_in(int member, int point) const {
+    for (int h : holders_at_.of(point)) {
+      if (holders_[h].member == member) return holders_[h].point;
+    }
+    return nobody;
+  }
+  // The first member that has both ends of a bond, or nobody.
+  int owner(const pd::Bond& bond) const {
+    for (int h : holders_at_.of(bond.first)) {
+      if (number_in(holders_[h].member, bond.second) != nobody) return holders_[h].member;
+    }
+    return nobody;
+  }
+  // Whether one member has both ends and all others neither.
+  bool is_within_one(const pd::Bond& bond) const {
+    const auto first = holders_at_.of(bond.first), second = holders_at_.of(bond.second);
+    return first.size() == 1 && second.size() == 1 && holders_[first[0]].member == holders_[second[0]].member;
+  }
+  // Members that have an end of a bond.
+  std::set<int> members_at(const pd::Bond& bond) const {
+    std::set<int> found;
+    for (int end : {bond.first, bond.second}) {
+      for (int h : holders_at_.of(end)) found.insert(holders_[h].member);
+    }
+    return found;
+  }
+
+  static Eigen::Vector2i shift_of(const std::vector<LatticeRegion*>& members, std::size_t m) {
+    const Point offset = (members[m]->origin() - members.front()->origin()) / members.front()->spacing();
+    return offset.array().round().cast<int>().matrix();
+  }
+
+ private:
+  static std::vector<pd::CellLattice::Part> parts(const std::vector<LatticeRegion*>& members) {
+    std::vector<pd::CellLattice::Part> parts;
+    for (std::size_t m = 0; m < members.size(); ++m) parts.push_back({&members[m]->grid(), shift_of(members, m)});
+    return parts;
+  }
+
+  pd::CellLattice cells_;
+  std::vector<int> nodes_;  // of the scene
+  std::vector<Holder> holders_;
+  linalg::Adjacency holders_at_;  // per point, in the order of members
+  bool sound_ = true;
+};
+
+// The bonds of one member as they are found.
+class MemberBonds {
+ public:
+  MemberBonds(const Union& all, const pd::Network& network, int member, const Eigen::Vector2i& shift, int own_points)
+      : all_(all), network_(network), member_(member), shift_(shift), own_points_(own_points) {
+    own_.offsets = network.offsets;
+    own_.max_residual = network.max_residual;
+    own_.min_weight_ratio = network.min_weight_ratio;
+  }
+
+  void add(std::size_t bond, std::size_t of_scene, bool listed) {
+    const pd::Bond& b = network_.bonds[bond];
+    if (listed && bonds_.listed++ == 0) bonds_.first = of_scene;
+    own_.bonds.push_back({number(b.first), number(b.second), b.stiffness});
+    own_.offset_of.push_back(network_.offset_of[bond]);
+    bonds_.of_scene.push_back(static_cast<int>(of_scene));
+  }
+
+  RegionBonds take() {
+    bonds_.network = std::make_shared<const pd::Network>(std::move(own_));
+    return std::move(bonds_);
+  }
+
+ private:
+  int number(int point) {
+    const int own = all_.number_in(member_, point);
+    if (own != nobody) return own;
+    const auto [found, is_new] = far_.try_emplace(point, own_points_ + static_cast<int>(far_.size()));
+    if (is_new) {
+      bonds_.far_nodes.push_back(all_.node(point));
+      bonds_.far_points.push_back((all_.cells().point(point) - shift_).cast<double>());
+    }
+    return found->second;
+  }
+
+  const Union& all_;
+  const pd::Network& network_;
+  int member_;
+  Eigen::Vector2i shift_;
+  int own_points_;
+  pd::Network own_;
+  RegionBonds bonds_;
+  std::unordered_map<int, int> far_;  // numbers of points that other members have
+};
+
+// Bonds by the members that list them, those of nobody last.
+std::vector<std::vector<std::size_t>> bonds_by_owner(const Union& all, const pd::Network& network, std::size_t count) {
+  std::vector<std::vector<std::size_t>> rows(count + 1);
+  for (std::size_t b = 0; b < network.bonds.size(); ++b) {
+    const int owner = all.owner(network.bonds[b]);
+    rows[owner == nobody ? count : static_cast<std::size_t>(owner)].push_back(b);
+  }
+  return rows;
+}
+
+Region* region_of(const Preparation& preparation, int id) {
+  const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
+  return std::lower_bound(preparation.regions.begin(), preparation.regions.end(), id, reaches)->get();
+}
+
+}  // namespace
+
+std::vector<LatticeRegion*> regions_acting_as_one(LatticeRegion& region, const Preparation& preparation) {
+  const auto& contacts = preparation.arrangement.contacts;
+  std::vector<LatticeRegion*> found{&region};
+  std::set<int> ids{region.id()};
+  const auto before = [](const Contact& contact, int number) { return contact.region < number; };
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    LatticeRegion& at = *found[k];
+    const int number = at.id() - 1;
+    auto contact = std::lower_bound(contacts.begin(), contacts.end(), number, before);
+    for (; contact != contacts.end() && contact->region == number; ++contact) {
+      auto* other = dynamic_cast<LatticeRegion*>(region_of(preparation, contact->other_region + 1));
+      if (other && at.acts_as_one_with(*other) && ids.insert(other->id()).second) found.push_back(other);
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const auto* a, const auto* b) { return a->id() < b->id(); });
+  return found;
+}
+
+bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions& contributions) const {
+  const Union all(members_);
+  if (!all.is_sound()) return false;
+  const LatticeRegion& leader = *members_.front();
+  const pd::Network network = leader.make_network(all.cells(), preparation.options.whole_number("threads"));
+  if (network.reduced) return false;
+  const double limit = leader.critical_stretch(preparation);
+  const int law = contributions.bonds.add_law(leader.material().bond_law);
+  const auto rows = bonds_by_owner(all, network, members_.size());
+  std::vector<std::size_t> of_scene(network.bonds.size());
+  std::vector<MemberBonds> parts;
+  for (std::size_t m = 0; m < members_.size(); ++m)
+    parts.emplace_back(all, network, static_cast<int>(m), Union::shift_of(members_, m),
+                       members_[m]->grid().point_count());
+  for (std::size_t m = 0; m < rows.size(); ++m) {
+    for (const std::size_t b : rows[m]) {
+      const pd::Bond& bond = network.bonds[b];
+      const Point step = (all.cells().point(bond.second) - all.cells().point(bond.first)).cast<double>();
+      of_scene[b] = contributions.bonds.size();
+      contributions.add_bond({all.node(bond.first), all.node(bond.second), bond.stiffness}, step, leader.spacing(),
+                             limit, law);
+      if (m < parts.size()) parts[m].add(b, of_scene[b], true);
+    }
+  }
+  for (std::size_t m = 0; m < rows.size(); ++m) {
+    for (const std::size_t b : rows[m]) {
+      if (all.is_within_one(network.bonds[b])) continue;
+      for (const int member : all.members_at(network.bonds[b])) {
+        if (static_cast<std::size_t>(member) != m) parts[static_cast<std::size_t>(member)].add(b, of_scene[b], false);
+      }
+    }
+  }
+  for (std::size_t m = 0; m < parts.size(); ++m) members_[m]->take_bonds(parts[m].take());
+  return true;
+}
+
+}  // namespace bempd::regions

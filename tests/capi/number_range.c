@@ -1,0 +1,80 @@
+/* Ends of the number range: what is out of it is an error, and no call that is good hands out what is no number. */
+#include <float.h>
+#include <math.h>
+
+#include "scenes.h"
+
+static void moduli_near_the_ends_are_refused(void) {
+  const double moduli[] = {5e-324, 1e-310, 1e-300, 1e300, DBL_MAX, INFINITY, NAN};
+  size_t k;
+  for (k = 0; k < sizeof moduli / sizeof moduli[0]; ++k) {
+    bempd_model* model = new_model();
+    bempd_material material = sound_material();
+    int32_t id = 0;
+    material.young_modulus = moduli[k];
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "young_modulus", bempd_add_material(model, &material, &id));
+    material.thickness = 1.0 / moduli[k];
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "young_modulus|thickness", bempd_add_material(model, &material, &id));
+    material.young_modulus = 1e150;
+    material.thickness = 1e150;
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "thickness", bempd_add_material(model, &material, &id));
+    bempd_model_free(model);
+  }
+}
+
+/** A force whose displacements, or a motion whose forces, no number holds. */
+static void results_beyond_the_range_are_an_error(void) {
+  const double pull = 1e300;
+  const double moduli[] = {1e-100, 1e100};
+  int k;
+  for (k = 0; k < 2; ++k) {
+    bempd_model* model = new_model();
+    bempd_material material = sound_material();
+    int32_t id = 0;
+    bempd_status status;
+    double load_factor = 1.0;
+    material.young_modulus = moduli[k];
+    CHECK_OK(model, bempd_add_material(model, &material, &id));
+    add_pd_rectangle(model, id, 0.0, 0.0, 10.0, 8.0, 1.0);
+    CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+    if (k == 0) {
+      CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull, NULL));
+    } else {
+      CHECK_OK(model, bempd_prescribe_edge(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull, NULL));
+    }
+    status = bempd_step(model, 1.0, NULL);
+    CHECK(status == BEMPD_ERROR_UNSOLVABLE);
+    CHECK(check_has_word(bempd_last_error(model), "units"));
+    CHECK_OK(model, bempd_load_factor(model, &load_factor));
+    CHECK(load_factor == 0.0);
+    bempd_model_free(model);
+  }
+}
+
+/** Displacements and forces are numbers, their products are not: the largest number stands for such an energy. */
+static void energies_beyond_the_range_stay_numbers(void) {
+  bempd_model* model = new_model();
+  bempd_material material = sound_material();
+  const double pull = 1e200;
+  int32_t id = 0;
+  bempd_step_report report;
+  material.critical_stretch = 0.0;
+  CHECK_OK(model, bempd_add_material(model, &material, &id));
+  add_pd_rectangle(model, id, 0.0, 0.0, 10.0, 8.0, 1.0);
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &pull, NULL));
+  CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
+  CHECK_OK(model, bempd_step(model, 1.0, &report));
+  CHECK(report.work == DBL_MAX && report.stored_energy == DBL_MAX);
+  CHECK(isfinite(report.energy_balance_error) && isfinite(report.residual));
+  CHECK_OK(model, bempd_step(model, 0.5, &report));
+  CHECK(isfinite(report.work) && isfinite(report.stored_energy) && isfinite(report.energy_balance_error));
+  bempd_model_free(model);
+}
+
+int main(void) {
+  moduli_near_the_ends_are_refused();
+  results_beyond_the_range_are_an_error();
+  energies_beyond_the_range_stay_numbers();
+  return check_finish();
+}

@@ -1,0 +1,13 @@
+# Properties of random scenes, few of them; tests/run.sh long takes more. An ordinary interpreter cannot load a library with
+# sanitizers.
+find_package(Python3 COMPONENTS Interpreter)
+if(NOT Python3_FOUND OR NOT TARGET bempd OR CMAKE_CXX_FLAGS MATCHES "-fsanitize=")
+  return()
+endif()
+execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import cffi, numpy" RESULT_VARIABLE python_lacks_modules ERROR_QUIET)
+if(NOT python_lacks_modules EQUAL 0)
+  return()
+endif()
+add_test(NAME differential.properties COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/properties.py" --count 60)
+set_tests_properties(differential.properties PROPERTIES TIMEOUT 300 ENVIRONMENT
+  "PYTHONPATH=${PROJECT_SOURCE_DIR}/bindings/python;BEMPD_LIBRARY=$<TARGET_FILE:bempd>;PYTHONDONTWRITEBYTECODE=1;OPENBLAS_NUM_THREADS=1")

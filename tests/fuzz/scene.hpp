@@ -1,0 +1,86 @@
+// A model under a sequence of calls that follows from bytes.
+#ifndef BEMPD_TESTS_FUZZ_SCENE_HPP
+#define BEMPD_TESTS_FUZZ_SCENE_HPP
+
+#include <bempd.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "bytes.hpp"
+
+namespace fuzz {
+
+// The numbers that a failed call has to leave alone.
+struct Marks {
+  std::int32_t regions = 0;
+  std::int64_t lines = 0;
+  double load_factor = 0;
+};
+
+// What the host remembers: how many of each kind it has added, so that most ids are good ones, and where they lie.
+class Scene {
+ public:
+  explicit Scene(Bytes& bytes);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  // One call, or a few that belong together.
+  void act();
+
+  // A body as hosts build it, in calls that mostly succeed; act() then meets a prepared model soon.
+  void build();
+
+ private:
+  struct Place {
+    double x, y;
+  };
+
+  // In scene_bodies.cpp.
+  void set_option();
+  void add_material(bool sound);
+  void add_box(bool of_lattice);
+  void add_polygon();
+  void add_hole();
+  void bend_edge();
+  void mesh_edge();
+  void add_crack(bool in_lattice);
+
+  // In scene_conditions.cpp.
+  void add_support();
+  void add_load();
+  void change_values();
+
+  // In scene_runs.cpp.
+  void advance();
+  void read_report(const char* call, const bempd_step_report& report);
+  void read_fields();
+  void read_bonds(std::int32_t region);
+  void evaluate();
+  void read_books();
+  void keep_state();
+  void write_files();
+
+  Marks marks() const;
+  Place place();
+  Place place_on_body();
+  std::int32_t region();
+  std::int32_t edge();
+  std::int32_t component(int most);
+
+  Bytes& bytes_;
+  bempd_model* model_ = nullptr;
+  bempd_state* state_ = nullptr;
+  double scale_ = 1;   // length of one step of the grid on which places lie
+  double height_ = 4;  // of most boxes
+  double front_ = 0;   // where the next box begins
+  std::int32_t regions_ = 0, supports_ = 0, loads_ = 0, materials_ = 0;
+  std::vector<std::int64_t> support_values_, load_values_;
+  std::vector<Place> corners_;          // of the boxes
+  std::vector<Place> lattice_origins_;  // lower left corners of lattices
+};
+
+}  // namespace fuzz
+
+#endif
