@@ -105,6 +105,9 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
 void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const Point left = left_of(piece.axis), r = x - piece.start;
   Complex z(r.dot(piece.axis) / piece.length, r.dot(left) / piece.length);
+  // At a tip, just ahead of it: what grows without bound there would meet a factor 0 in the displacement.
+  constexpr double at_tip = 1e-24;
+  if (piece.tip && std::abs(z) < at_tip) z = -at_tip;
   // Seen from a tip at the end of a line its left face is on the right.
   if (std::abs(z.imag()) <= on_crack && z.real() >= 0 && z.real() <= 1) z.imag(piece.reversed ? -0.0 : 0.0);
   constexpr double far = 3;
