@@ -2,6 +2,7 @@
 # Builds the library and runs a benchmark; results go to out/<name>/. Installs missing Debian packages first.
 #   benchmarks/run.sh accuracy_cost   what accuracy costs, by every knob; peers that are installed take part
 #   benchmarks/run.sh speed [...]     what whole crack runs cost; options as in benchmarks/speed/README.md
+#   benchmarks/run.sh fracture        stress intensity factors against references, into docs/verification.md
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX, or LAMMPS and dolfinx
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,7 +12,8 @@ name=${1:-}
 case "$name" in
   accuracy_cost) programs=(bempd_kernel_rate) peers=(freefem++ python3-dolfinx calculix-ccx python3-gmsh) ;;
   speed) programs=(bempd_explicit_pd bempd_kernel_rate) peers=(lammps python3-dolfinx) ;;
-  *) sed -n '2,5s/^# *//p' "$0" >&2; exit 2 ;;
+  fracture) programs=() peers=() ;;
+  *) sed -n '2,6s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

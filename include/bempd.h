@@ -267,12 +267,16 @@ BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region
 BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                            double grading);
 
-/** @brief Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
+/** @brief Add an initial crack, a polyline.
  *
- * It must lie in peridynamic regions (ending on their boundary is fine) and keep off the material points; that is
- * checked when the model is prepared. A crack beside all regions there are is refused at once. The bonds cut ahead of a
- * tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there; the load at which it grows depends on
- * where the tip lies between points: best half way between two columns or rows.
+ * In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material points.
+ * The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there; the load at
+ * which it grows depends on where the tip lies between points: best half way between two columns or rows. It may end on
+ * a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by themselves
+ * around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end at a free
+ * edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM region, and
+ * ends before interfaces of BEM regions. A crack beside all regions there are is refused at once, everything else when
+ * the model is prepared.
  * @param[in] model the model @param[in] point_count number of points, >= 2
  * @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);
@@ -387,6 +391,26 @@ BEMPD_API bempd_status bempd_add_pressure(bempd_model* model, int32_t region, in
  * @param[out] load its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* load);
+
+/** @brief What acts on the faces of a crack. @since 0.2 */
+typedef enum bempd_face_component {
+  /** Pressure that pushes the faces apart. */
+  BEMPD_PRESSURE = 1,
+  /** Shear along the crack: it drives the face on the left, seen from the crack's first point, towards the last point
+   * and the other face back. */
+  BEMPD_SHEAR = 2
+} bempd_face_component;
+
+/** @brief Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
+ * Energies and work leave out what such loads do within the crack alone.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
+ * @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
+ * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
+ * @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+ * @param[out] load its id; may be NULL @return status @since 0.2 */
+BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crack, int32_t component,
+                                                int64_t value_count, const double* constant, const double* proportional,
+                                                int32_t* load);
 
 /** @brief Give a traction or point force new values, at any time; a prepared model only changes its right-hand side.
  *
@@ -629,11 +653,87 @@ BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support
 BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                                       double* stress, int32_t* regions);
 
+/** @brief End of a crack. @since 0.2 */
+typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
+
+/** @brief The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+ *
+ * Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
+ * the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than what
+ * they border on. @since 0.2 */
+typedef struct bempd_crack_tip {
+  int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
+  int32_t crack;               /**< id of the crack */
+  int32_t end;                 /**< a bempd_tip_end */
+  double x;                    /**< place [m] */
+  double y;                    /**< place [m] */
+  double direction_x;          /**< unit vector in which the crack would go straight on [-] */
+  double direction_y;          /**< [-] */
+  double stress_intensity_1;   /**< K_I [Pa m^(1/2)]; negative if the faces overlap at the tip */
+  double stress_intensity_2;   /**< K_II, positive if the left side, seen in the direction, moves forward
+                                  [Pa m^(1/2)] */
+  double energy_release_rate;  /**< G of growth straight on [J/m^2] */
+  double t_stress;             /**< stress along the crack beside the singular one [Pa] */
+  double error;                /**< estimate of the error of the stress intensity factors, from elements twice as long
+                                  [Pa m^(1/2)] */
+  double kink_angle;           /**< angle from the direction to that of the largest hoop stress, counter-clockwise
+                                  [rad] */
+  double critical_load_factor; /**< smallest load factor >= 0 at which the energy release rate is the material's
+                                  fracture_energy; infinite if it never is or the material has none [-] */
+} bempd_crack_tip;
+
+/** @brief Set struct_size and zeros. @param[out] tip the struct to fill
+ * @param[in] struct_size sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
+ * @return status @since 0.2 */
+BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
+
+/** @brief Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
+ * model. @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
+BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
+
+/** @brief A tip, by crack and the end nearer to its first point first. @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
+BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip);
+
+/** @brief Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen
+ * from its first point, less that of the face on its right.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
+ * @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+ * @param[out] normal shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+ * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.2 */
+BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
+                                           double* normal, double* tangential);
+
+/** @brief What bempd_grow_cracks() did. Fill it with bempd_growth_init(). @since 0.2 */
+typedef struct bempd_growth {
+  int64_t struct_size; /**< sizeof(bempd_growth), set by bempd_growth_init() */
+  int32_t tips;        /**< tips that have grown */
+  int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
+  double load_factor;  /**< load factor at which they did; the model is there now [-] */
+} bempd_growth;
+
+/** @brief Set struct_size and zeros. @param[out] growth the struct to fill
+ * @param[in] struct_size sizeof(bempd_growth) as the caller was compiled: older programs keep working when it grows
+ * @return status @since 0.2 */
+BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size);
+
+/** @brief Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+ *
+ * The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That tip
+ * grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way ends
+ * there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose lengths
+ * some times shorter than the distance to the next edge or crack.
+ * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
+ * @param[in,out] growth struct_size in, the rest out; may be NULL
+ * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
+ * an argument error and stays as it was @since 0.2 */
+BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
+
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {
   int64_t struct_size;           /**< sizeof(bempd_statistics), set by bempd_statistics_init() */
   int64_t boundary_nodes;        /**< nodes of all BEM regions */
-  int64_t boundary_elements;     /**< elements of all BEM regions */
+  int64_t boundary_elements;     /**< elements of all BEM regions, with those on cracks */
   int64_t material_points;       /**< points of all PD regions */
   int64_t bonds;                 /**< bonds of all PD regions */
   int64_t cut_bonds;             /**< bonds cut by initial cracks */
@@ -733,7 +833,8 @@ BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes
 /* ------------------------------------------------------------------------------------------- Files */
 
 /** @brief Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
- * damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
+ * damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face), and
+ * prefix.pvd, the series of all snapshots this model has written with this prefix.
  * @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
  * 0.1 */
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);

@@ -21,7 +21,8 @@ module bempd
     BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, BEMPD_POSITION, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
-    BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, bempd_step_report, bempd_statistics, bempd_history_entry, &
+    BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
+    BEMPD_CRACK_END, bempd_step_report, bempd_statistics, bempd_history_entry, bempd_crack_tip, bempd_growth, &
     bempd_boundary_function, bempd_progress_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
@@ -44,6 +45,7 @@ module bempd
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
     procedure :: set_load_values, set_support_values
+    procedure :: add_crack_traction, tips, crack_opening, grow_cracks
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
     procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds
@@ -81,7 +83,8 @@ module bempd
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
     load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, reaction_moment, evaluate, &
     get_statistics, &
-    history, state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
+    history, add_crack_traction, tips, crack_opening, grow_cracks, &
+    state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
 
   interface
@@ -309,6 +312,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_traction_function
+    module subroutine add_crack_traction(self, crack, component, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack, component
+      real(c_double), intent(in), optional :: constant(:), proportional(:)
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_crack_traction
     module subroutine add_point_force(self, x, y, component, constant, proportional, load, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: x, y
@@ -475,6 +486,28 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine get_statistics
+    !> All tips of cracks in BEM regions, as bempd_tip has them.
+    module subroutine tips(self, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_crack_tip), allocatable, intent(out) :: found(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine tips
+    module subroutine grow_cracks(self, length, growth, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: length
+      type(bempd_growth), intent(out), optional :: growth
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine grow_cracks
+    module subroutine crack_opening(self, crack, fractions, normal, tangential, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack
+      real(c_double), intent(in) :: fractions(:)
+      real(c_double), allocatable, intent(out), optional :: normal(:), tangential(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine crack_opening
     module subroutine history(self, entries, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_history_entry), allocatable, intent(out) :: entries(:)

@@ -56,6 +56,16 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_Y = 2
   integer(c_int), parameter :: BEMPD_BOTH = 3
 
+  !> What acts on the faces of a crack.
+  !>
+  !> since: 0.2
+  integer, parameter :: bempd_face_component = c_int
+  !> Pressure that pushes the faces apart.
+  integer(c_int), parameter :: BEMPD_PRESSURE = 1
+  !> Shear along the crack: it drives the face on the left, seen from the crack's first point, towards the last point
+  !> and the other face back.
+  integer(c_int), parameter :: BEMPD_SHEAR = 2
+
   !> Why a step ended.
   !>
   !> since: 0.1
@@ -101,6 +111,13 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_BOND_BROKEN = 1
   !> Cut by an initial crack.
   integer(c_int), parameter :: BEMPD_BOND_CUT = 2
+
+  !> End of a crack.
+  !>
+  !> since: 0.2
+  integer, parameter :: bempd_tip_end = c_int
+  integer(c_int), parameter :: BEMPD_CRACK_START = 1
+  integer(c_int), parameter :: BEMPD_CRACK_END = 2
 
   !> Description of one option. Fill it with bempd_option_info_init().
   !>
@@ -203,6 +220,59 @@ module bempd_c
     real(c_double) :: seconds_search
   end type bempd_step_report
 
+  !> The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+  !>
+  !> Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
+  !> the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than
+  !> what they border on.
+  !>
+  !> since: 0.2
+  type, bind(c) :: bempd_crack_tip
+    !> sizeof(bempd_crack_tip), set by bempd_crack_tip_init()
+    integer(c_int64_t) :: struct_size
+    !> id of the crack
+    integer(c_int32_t) :: crack
+    !> a bempd_tip_end
+    integer(c_int32_t) :: end
+    !> place [m]
+    real(c_double) :: x
+    !> place [m]
+    real(c_double) :: y
+    !> unit vector in which the crack would go straight on [-]
+    real(c_double) :: direction_x
+    !> [-]
+    real(c_double) :: direction_y
+    !> K_I [Pa m^(1/2)]; negative if the faces overlap at the tip
+    real(c_double) :: stress_intensity_1
+    !> K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)]
+    real(c_double) :: stress_intensity_2
+    !> G of growth straight on [J/m^2]
+    real(c_double) :: energy_release_rate
+    !> stress along the crack beside the singular one [Pa]
+    real(c_double) :: t_stress
+    !> estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]
+    real(c_double) :: error
+    !> angle from the direction to that of the largest hoop stress, counter-clockwise [rad]
+    real(c_double) :: kink_angle
+    !> smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; infinite if it
+    !> never is or the material has none [-]
+    real(c_double) :: critical_load_factor
+  end type bempd_crack_tip
+
+  !> What bempd_grow_cracks() did. Fill it with bempd_growth_init().
+  !>
+  !> since: 0.2
+  type, bind(c) :: bempd_growth
+    !> sizeof(bempd_growth), set by bempd_growth_init()
+    integer(c_int64_t) :: struct_size
+    !> tips that have grown
+    integer(c_int32_t) :: tips
+    !> of them those that have reached an edge, a hole or another crack and are no tips any more
+    integer(c_int32_t) :: ended
+    !> load factor at which they did; the model is there now [-]
+    real(c_double) :: load_factor
+  end type bempd_growth
+
   !> Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
   !>
   !> since: 0.1
@@ -211,7 +281,7 @@ module bempd_c
     integer(c_int64_t) :: struct_size
     !> nodes of all BEM regions
     integer(c_int64_t) :: boundary_nodes
-    !> elements of all BEM regions
+    !> elements of all BEM regions, with those on cracks
     integer(c_int64_t) :: boundary_elements
     !> points of all PD regions
     integer(c_int64_t) :: material_points
@@ -686,12 +756,16 @@ module bempd_c
       integer(c_int) :: bempd_set_edge_mesh
     end function bempd_set_edge_mesh
 
-    !> Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
+    !> Add an initial crack, a polyline.
     !>
-    !> It must lie in peridynamic regions (ending on their boundary is fine) and keep off the material points; that is
-    !> checked when the model is prepared. A crack beside all regions there are is refused at once. The bonds cut ahead
-    !> of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there; the load at which it grows
-    !> depends on where the tip lies between points: best half way between two columns or rows.
+    !> In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material
+    !> points. The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there;
+    !> the load at which it grows depends on where the tip lies between points: best half way between two columns or
+    !> rows. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are
+    !> divided by themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may
+    !> start or end at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions
+    !> or in one BEM region, and ends before interfaces of BEM regions. A crack beside all regions there are is refused
+    !> at once, everything else when the model is prepared.
     !>
     !> model [in]: the model
     !> point_count [in]: number of points, >= 2
@@ -991,6 +1065,31 @@ module bempd_c
       type(c_ptr), value :: load
       integer(c_int) :: bempd_add_point_force
     end function bempd_add_point_force
+
+    !> Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
+    !> Energies and work leave out what such loads do within the crack alone.
+    !>
+    !> model [in]: the model
+    !> crack [in]: id of a crack
+    !> component [in]: BEMPD_PRESSURE or BEMPD_SHEAR
+    !> value_count [in]: 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
+    !> constant [in]: shape [value_count], constant part [Pa]; NULL for 0
+    !> proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.2
+    function bempd_add_crack_traction(model, crack, component, value_count, constant, proportional, load) &
+        bind(c, name="bempd_add_crack_traction")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: crack
+      integer(c_int32_t), value :: component
+      integer(c_int64_t), value :: value_count
+      type(c_ptr), value :: constant
+      type(c_ptr), value :: proportional
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_crack_traction
+    end function bempd_add_crack_traction
 
     !> Give a traction or point force new values, at any time; a prepared model only changes its right-hand side.
     !>
@@ -1418,6 +1517,105 @@ module bempd_c
 
     !> Set struct_size and zeros.
     !>
+    !> tip [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.2
+    function bempd_crack_tip_init(tip, struct_size) bind(c, name="bempd_crack_tip_init")
+      import :: bempd_crack_tip, c_int, c_int64_t
+      type(bempd_crack_tip), intent(inout) :: tip
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_crack_tip_init
+    end function bempd_crack_tip_init
+
+    !> Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
+    !> model.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of tips
+    !> return: status
+    !> since: 0.2
+    function bempd_tip_count(model, count) bind(c, name="bempd_tip_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_tip_count
+    end function bempd_tip_count
+
+    !> A tip, by crack and the end nearer to its first point first.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> tip [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.2
+    function bempd_tip(model, index, tip) bind(c, name="bempd_tip")
+      import :: bempd_crack_tip, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_crack_tip), intent(inout) :: tip
+      integer(c_int) :: bempd_tip
+    end function bempd_tip
+
+    !> Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen from
+    !> its first point, less that of the face on its right.
+    !>
+    !> model [in]: the model
+    !> crack [in]: id of a crack
+    !> count [in]: number of places
+    !> fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+    !> normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+    !> tangential [out]: shape [count], along the crack [m]; may be NULL
+    !> return: status
+    !> since: 0.2
+    function bempd_crack_opening(model, crack, count, fractions, normal, tangential) &
+        bind(c, name="bempd_crack_opening")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: crack
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: fractions(*)
+      type(c_ptr), value :: normal
+      type(c_ptr), value :: tangential
+      integer(c_int) :: bempd_crack_opening
+    end function bempd_crack_opening
+
+    !> Set struct_size and zeros.
+    !>
+    !> growth [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.2
+    function bempd_growth_init(growth, struct_size) bind(c, name="bempd_growth_init")
+      import :: bempd_growth, c_int, c_int64_t
+      type(bempd_growth), intent(inout) :: growth
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_growth_init
+    end function bempd_growth_init
+
+    !> Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    !>
+    !> The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That
+    !> tip grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way
+    !> ends there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose
+    !> lengths some times shorter than the distance to the next edge or crack.
+    !>
+    !> model [in]: a model without peridynamic regions
+    !> length [in]: how far tips grow [m], > 0
+    !> growth [in,out]: struct_size in, the rest out; may be NULL
+    !> return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two
+    !>   is an argument error and stays as it was
+    !> since: 0.2
+    function bempd_grow_cracks(model, length, growth) bind(c, name="bempd_grow_cracks")
+      import :: c_double, c_int, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), value :: length
+      type(c_ptr), value :: growth
+      integer(c_int) :: bempd_grow_cracks
+    end function bempd_grow_cracks
+
+    !> Set struct_size and zeros.
+    !>
     !> statistics [out]: the struct to fill
     !> struct_size [in]: sizeof(bempd_statistics) as the caller was compiled: older programs keep working
     !> return: status
@@ -1572,7 +1770,8 @@ module bempd_c
     end function bempd_state_from_bytes
 
     !> Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
-    !> damage and stress, and prefix.pvd, the series of all snapshots this model has written with this prefix.
+    !> damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face),
+    !> and prefix.pvd, the series of all snapshots this model has written with this prefix.
     !>
     !> model [in]: the model
     !> prefix [in]: path without ending, UTF-8; the folder must exist

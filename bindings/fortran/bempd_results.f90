@@ -177,6 +177,40 @@ contains
     if (present(regions)) call move_alloc(ids, regions)
   end procedure evaluate
 
+  module procedure tips
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_tip_count(self%handle, count)
+    allocate (found(count))
+    do k = 1, count
+      status = bempd_crack_tip_init(found(k), c_sizeof(found(k)))
+      status = bempd_tip(self%handle, k - 1, found(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure tips
+
+  module procedure grow_cracks
+    type(bempd_growth), target :: done
+    integer(c_int) :: status
+
+    status = bempd_growth_init(done, c_sizeof(done))
+    call finish(self, bempd_grow_cracks(self%handle, length, c_loc(done)), stat, errmsg)
+    if (present(growth)) growth = done
+  end procedure grow_cracks
+
+  module procedure crack_opening
+    real(c_double), allocatable, target :: n(:), t(:)
+
+    allocate (n(size(fractions)), t(size(fractions)), source=0.0_c_double)
+    call finish(self, bempd_crack_opening(self%handle, crack, size(fractions, kind=c_int64_t), fractions, c_loc(n), &
+      c_loc(t)), stat, errmsg)
+    if (present(normal)) call move_alloc(n, normal)
+    if (present(tangential)) call move_alloc(t, tangential)
+  end procedure crack_opening
+
   module procedure history
     integer(c_int64_t) :: count, k
     integer(c_int) :: status

@@ -213,6 +213,18 @@ contains
     call give(new, load)
   end procedure add_traction_function
 
+  module procedure add_crack_traction
+    type(value_parts), target :: parts
+    integer(c_int32_t), target :: new
+
+    new = 0
+    if (are_values(self, "bempd_add_crack_traction", constant, proportional, parts, stat, errmsg)) then
+      call finish(self, bempd_add_crack_traction(self%handle, crack, component, parts%count, c_loc(parts%constant), &
+        c_loc(parts%proportional), c_loc(new)), stat, errmsg)
+    end if
+    call give(new, load)
+  end procedure add_crack_traction
+
   module procedure add_point_force
     integer(c_int32_t), target :: new
 

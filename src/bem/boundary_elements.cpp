@@ -8,6 +8,12 @@ ElementGeometry element_through(const Point& start, const Point& mid, const Poin
   return {mid, 0.5 * (end - start), 0.5 * ((start - mid) + (end - mid)), ElementBasis(0.5 * sweep)};
 }
 
+ElementGeometry tip_element(const Point& start, const Point& end, TipEnd tip) {
+  assert(tip != TipEnd::none);
+  const Point along = end - start, away = tip == TipEnd::start ? along : Point(-along);
+  return {(tip == TipEnd::start ? start : end) + 0.25 * away, 0.5 * along, 0.25 * away, ElementBasis(), tip};
+}
+
 void fill_points(const ElementGeometry& element, const Interval& interval, int point_count, ElementPoints& points) {
   assert(point_count <= max_regular_points);
   const GaussRule& rule = gauss_rule(point_count);

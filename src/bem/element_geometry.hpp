@@ -55,10 +55,17 @@ class ElementBasis {
   double alpha_, odd_scale_, even_scale_;
 };
 
-// x(xi) = c0 + c1 odd(xi) + c2 even(xi); straight when c2 vanishes.
+// End of an element at which a crack ends.
+enum class TipEnd { none, start, end };
+
+// x(xi) = c0 + c1 odd(xi) + c2 even(xi); straight when c2 vanishes. With a crack tip at one end, x is the tip plus
+// sigma^2 times the way to the other end (quarter points; Barsoum, Int. J. Num. Meth. Eng. 10, 1976), where sigma runs
+// from 0 at the tip to 1, and the nodes' functions span 1, sigma and sigma^3: openings have square roots of the
+// distance and their products with whole powers, and nothing else.
 struct ElementGeometry {
   Point c0, c1, c2;
   ElementBasis basis{};
+  TipEnd tip = TipEnd::none;
 
   Point at(double xi) const { return c0 + basis.odd(xi) * c1 + basis.even(xi) * c2; }
   Point derivative(double xi) const { return basis.odd_slope(xi) * c1 + basis.even_slope(xi) * c2; }
@@ -66,13 +73,19 @@ struct ElementGeometry {
   Point difference_quotient(double xi, double from) const {
     return basis.odd_quotient(xi, from) * c1 + basis.even_quotient(xi, from) * c2;
   }
+  // On a straight line with a parameter proportional to the length.
   bool straight() const { return c2.squaredNorm() <= 1e-24 * c1.squaredNorm(); }
 
   // Shape functions of the nodes (start, mid, end).
-  std::array<double, 3> shape(double xi) const { return nodal(basis.odd(xi), basis.even(xi), 1); }
+  std::array<double, 3> shape(double xi) const {
+    if (tip != TipEnd::none) return tip_shape(xi);
+    return nodal(basis.odd(xi), basis.even(xi), 1);
+  }
   std::array<double, 3> shape_derivative(double xi) const {
+    if (tip != TipEnd::none) return tip_shape_derivative(xi);
     return nodal(basis.odd_slope(xi), basis.even_slope(xi), 0);
   }
+  // Not of elements with a tip.
   std::array<double, 3> shape_difference_quotient(double xi, double from) const {
     return nodal(basis.odd_quotient(xi, from), basis.even_quotient(xi, from), 0);
   }
@@ -81,11 +94,28 @@ struct ElementGeometry {
   static std::array<double, 3> nodal(double odd, double even, double one) {
     return {0.5 * (even - odd), one - even, 0.5 * (even + odd)};
   }
+  std::array<double, 3> from_tip(double at_tip, double mid, double far) const {
+    if (tip == TipEnd::start) return {at_tip, mid, far};
+    return {far, mid, at_tip};
+  }
+  std::array<double, 3> tip_shape(double xi) const {
+    const double sigma = 0.5 * (tip == TipEnd::start ? 1 + xi : 1 - xi), cube = sigma * sigma * sigma;
+    const double mid = 8.0 / 3 * (sigma - cube), far = (4 * cube - sigma) / 3;
+    return from_tip(1 - mid - far, mid, far);
+  }
+  std::array<double, 3> tip_shape_derivative(double xi) const {
+    const double sign = tip == TipEnd::start ? 0.5 : -0.5, sigma = 0.5 + sign * xi, square = 3 * sigma * sigma;
+    const double mid = sign * 8.0 / 3 * (1 - square), far = sign * (4 * square - 1) / 3;
+    return from_tip(-mid - far, mid, far);
+  }
 };
 
 // Element through its nodes; `sweep` is the angle by which the tangent turns along an arc, 0 for a parabola or a
 // straight element.
 ElementGeometry element_through(const Point& start, const Point& mid, const Point& end, double sweep);
+
+// Straight element that ends at a crack tip; `start` and `end` in its own direction.
+ElementGeometry tip_element(const Point& start, const Point& end, TipEnd tip);
 
 // Outward normal times the Jacobian |dx/dxi|: the body lies on the left.
 inline Point scaled_normal(const Point& derivative) { return {derivative.y(), -derivative.x()}; }

@@ -6,6 +6,7 @@
 #include "bem/boundary_slopes.hpp"
 #include "bem/kelvin_solution.hpp"
 #include "bem/smoothness.hpp"
+#include "error.hpp"
 
 namespace bempd::bem {
 
@@ -190,6 +191,17 @@ void InteriorEvaluator::integrate(int e, const Interval& interval, const Point& 
   }
 }
 
+InteriorEvaluator::Value InteriorEvaluator::from_boundary(const Point& x, const Nearest& closest,
+                                                          bool with_stress) const {
+  const LinearField field = matching_field(closest, displacement_[closest.element].derivative(closest.xi));
+  Sums sums;
+  for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e)
+    integrate(e, {}, x, closest, field, with_stress, 0, sums);
+  const Point displacement = field.origin_displacement + field.gradient * (x - field.origin) + sums.displacement;
+  const Eigen::Vector3d stress = Eigen::Vector3d(field.stress(0, 0), field.stress(1, 1), field.stress(0, 1));
+  return {displacement, stress + sums.stress};
+}
+
 InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool with_stress) const {
   const Point x = boundary_.scaled(position);
   const Nearest closest = nearest(x);
@@ -197,13 +209,24 @@ InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool
     const Point displacement = displacement_[closest.element].at(closest.xi);
     return {boundary_.length * displacement, stress_on(closest.element, closest.xi)};
   }
-  const LinearField field = matching_field(closest, displacement_[closest.element].derivative(closest.xi));
-  Sums sums;
-  for (int e = 0; e < static_cast<int>(boundary_.elements.size()); ++e)
-    integrate(e, {}, x, closest, field, with_stress, 0, sums);
-  const Point displacement = field.origin_displacement + field.gradient * (x - field.origin) + sums.displacement;
-  const Eigen::Vector3d stress = Eigen::Vector3d(field.stress(0, 0), field.stress(1, 1), field.stress(0, 1));
-  return {boundary_.length * displacement, shear_modulus_ * (stress + sums.stress)};
+  Value value = from_boundary(x, closest, with_stress);
+  if (cracks_) {
+    require(!with_stress || cracks_->nearness_of_tip(x) > on_boundary, "the stress at (", position.x(), ", ",
+            position.y(),
+            ") is infinite: a crack ends there; ask for it beside the tip, or for the stress intensity "
+            "factors of the tip");
+    const CrackField::Value cracks = cracks_->at(x);
+    value.displacement += cracks.displacement;
+    value.stress += cracks.stress;
+  }
+  return {boundary_.length * value.displacement, shear_modulus_ * value.stress};
+}
+
+Eigen::Vector3d InteriorEvaluator::stress_without(const Point& position, int crack_element) const {
+  const Point x = boundary_.scaled(position);
+  Eigen::Vector3d stress = from_boundary(x, nearest(x), true).stress;
+  if (cracks_) stress += cracks_->at(x, crack_element).stress;
+  return shear_modulus_ * stress;
 }
 
 Eigen::Vector3d InteriorEvaluator::stress_on(int element, double xi) const {

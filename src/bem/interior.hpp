@@ -3,10 +3,12 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "bem/boundary_elements.hpp"
 #include "bem/boundary_slopes.hpp"
+#include "bem/crack_field.hpp"
 #include "elasticity/plane_elasticity.hpp"
 
 namespace bempd::bem {
@@ -28,7 +30,13 @@ class InteriorEvaluator {
   InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const Eigen::VectorXd& displacements,
                     const Eigen::VectorXd& tractions);
 
+  // The body's cracks with their openings; beyond them nothing changes.
+  void set_cracks(CrackField cracks) { cracks_ = std::move(cracks); }
+
+  // Throws Error (argument) at the tip of a crack, where the stress is infinite.
   Value at(const Point& x) const;
+  // Stress that the boundary and all cracks but one element give at the place x.
+  Eigen::Vector3d stress_without(const Point& x, int crack_element) const;
   // On the boundary itself, seen from one element: traction and tangential strain there (xi from -1 to 1).
   Eigen::Vector3d stress_on(int element, double xi) const;
   Point displacement_at(const Point& x) const;
@@ -53,6 +61,8 @@ class InteriorEvaluator {
   LinearField matching_field(const Nearest& nearest, const Point& displacement_derivative) const;
   Point remainder(int element, double xi, const Nearest& nearest, const LinearField& field) const;
   Value evaluate(const Point& x, bool with_stress) const;
+  // What the boundary gives, scaled.
+  Value from_boundary(const Point& x, const Nearest& nearest, bool with_stress) const;
   void integrate(int element, const Interval& interval, const Point& x, const Nearest& nearest,
                  const LinearField& field, bool with_stress, int depth, Sums& sums) const;
 
@@ -61,6 +71,7 @@ class InteriorEvaluator {
   std::vector<ElementGeometry> displacement_, traction_;  // per element, scaled: values instead of places
   std::vector<SlopeCorrection> correction_;
   std::vector<std::array<int, 2>> end_nodes_;
+  std::optional<CrackField> cracks_;
   mutable std::int64_t kernel_evaluations_ = 0;  // so far
 };
 

@@ -104,15 +104,15 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       same(outer, moments);
       break;
     case Contact::end_to_start:
-      touching({outer, {1, -1}}, {inner, {-1, 1}}, part, moments);
+      touching({outer, {1, -1}}, {inner, {-1, 1}}, true, part, moments);
       break;
     case Contact::start_to_end:
-      touching({outer, {-1, 1}}, {inner, {1, -1}}, part, moments);
+      touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
       break;
     case Contact::both_ends:
       // Two elements that form a loop: halves with the same sign are apart, opposite ones touch.
-      touching({outer, {1, 0}}, {inner, {-1, 0}}, part, moments);
-      touching({outer, {-1, 0}}, {inner, {1, 0}}, part, moments);
+      touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
+      touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
       apart(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);
       apart(stretch({outer, {-1, 0}}), stretch({inner, {-1, 0}}), part, moments);
       break;
@@ -120,6 +120,13 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       apart(whole_stretches_[outer], whole_stretches_[inner], part, moments);
       break;
   }
+  return moments;
+}
+
+PairMoments PairIntegrator::integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const {
+  const auto from_end = [](int end) { return end == 0 ? Interval{-1, 1} : Interval{1, -1}; };
+  PairMoments moments;
+  touching({outer, from_end(outer_end)}, {inner, from_end(inner_end)}, false, part, moments);
   return moments;
 }
 

@@ -44,6 +44,10 @@ class PairIntegrator {
 
   PairMoments integrate(int outer, int inner, Contact contact, PairPart part) const;
 
+  // Two elements whose ends meet at a place (0: start, 1: end) where each has a node of its own, as at the mouth of a
+  // crack. The terms of the double layer in N_b(y) and in N_b(x) are integrable each for itself.
+  PairMoments integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const;
+
  private:
   struct Side {
     int element;
@@ -73,8 +77,9 @@ class PairIntegrator {
   void add(const ShortPair& pair, PairPart part, PairMoments& moments) const;
   void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
   void split(const Side& side, const Singularities* singularities, std::size_t count, std::vector<Piece>& pieces) const;
-  void touching(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
+  void touching(const Side& outer, const Side& inner, bool common_node, PairPart part, PairMoments& moments) const;
   void same(int element, PairMoments& moments) const;
+  void same_tip(int element, PairMoments& moments) const;
   const ElementPoints& points(const Side& side, int rule, ElementPoints& scratch) const;
 
   std::vector<ElementGeometry> elements_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "bem/pair_integrals.hpp"
 
@@ -54,6 +55,27 @@ void add_point(const PointPair& p, bool weak, PairMoments& moments) {
         moments.double_layer[c][b][a] += weight * kernels[c] * outer_shape[a] * p.difference[b];
 }
 
+// (N_b(y) - N_b(x)) / radius at a pair of parameters around a common end. N_b is one and the same there, so its value
+// drops out of the difference.
+std::array<double, 6> common_node_difference(const PointPair& p, const Interval& outer, const Interval& inner,
+                                             double outer_way, double inner_way) {
+  const auto inner_part = p.inner.shape_difference_quotient(p.inner_xi, inner.from);
+  const auto outer_part = p.outer.shape_difference_quotient(p.outer_xi, outer.from);
+  std::array<double, 6> difference;
+  for (int k = 0; k < 3; ++k) {
+    difference[k] = inner_way * inner_part[k];
+    difference[3 + k] = -outer_way * outer_part[k];
+  }
+  return difference;
+}
+
+// The same where each element has its own node.
+std::array<double, 6> separate_node_difference(const PointPair& p, double radius) {
+  const auto inner = p.inner.shape(p.inner_xi), outer = p.outer.shape(p.outer_xi);
+  return {inner[0] / radius,  inner[1] / radius,  inner[2] / radius,
+          -outer[0] / radius, -outer[1] / radius, -outer[2] / radius};
+}
+
 // Polynomials of straight elements reach degree five in the radius; curved ones need more, having sines or Jacobians
 // that are roots.
 int radial_points(bool straight) { return straight ? 6 : 18; }
@@ -90,7 +112,8 @@ struct AngularRule {
 
 // The intervals start at the common point: parameters from + s (to - from), with s = radius, t = radius * w in one
 // triangle of the unit square and s = radius * w, t = radius in the other (M. G. Duffy, SIAM J. Numer. Anal. 19, 1982).
-void PairIntegrator::touching(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const {
+void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_node, PairPart part,
+                              PairMoments& moments) const {
   const ElementGeometry &a = elements_[outer.element], &b = elements_[inner.element];
   const double a0 = outer.interval.from, a_length = outer.interval.to - a0;
   const double b0 = inner.interval.from, b_length = inner.interval.to - b0;
@@ -117,13 +140,9 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, PairPart par
         const double area = angular.weights[j] * radius * std::abs(a_length * b_length);
         p.weight = radial.weights[i] * area;
         p.log_weight = radial.log_weights[i] * area;
-        // N_b is one and the same at the common point, so its value there drops out of the difference.
-        const auto inner_part = b.shape_difference_quotient(p.inner_xi, b0);
-        const auto outer_part = a.shape_difference_quotient(p.outer_xi, a0);
-        for (int k = 0; k < 3; ++k) {
-          p.difference[k] = b_length * t_over_radius * inner_part[k];
-          p.difference[3 + k] = -a_length * s_over_radius * outer_part[k];
-        }
+        p.difference = common_node ? common_node_difference(p, outer.interval, inner.interval, a_length * s_over_radius,
+                                                            b_length * t_over_radius)
+                                   : separate_node_difference(p, radius);
         add_point(p, part == PairPart::everything, moments);
       }
     }
@@ -133,6 +152,7 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, PairPart par
 // The radius is half the distance of the parameters, 2 s = |eta - xi|; the lower one runs over -1 .. 1 - 2 s.
 void PairIntegrator::same(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
+  if (geometry.tip != TipEnd::none) return same_tip(element, moments);
   const GaussRule& radial = gauss_rule(radial_points(geometry.straight()));
   const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 14);
   const double log_two = std::log(2.0);
@@ -158,6 +178,32 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
         }
         add_point(p, true, moments);
       }
+    }
+}
+
+// Derivatives only: cracks have no traction unknowns. With the ways sigma and tau from the tip,
+// r = length |sigma^2 - tau^2|, and the derivatives have the powers 0 and 2 of sigma and tau: all integrals in closed
+// form, from those of  sigma^a tau^b ln|sigma^2 - tau^2|  over the unit square.
+void PairIntegrator::same_tip(int element, PairMoments& moments) const {
+  const ElementGeometry& geometry = elements_[element];
+  const Point along = 2 * geometry.c1, unit = along.normalized();
+  constexpr double ln2 = std::numbers::ln2;
+  constexpr double with_1 = 2 * ln2 - 2, with_square = 2 * ln2 / 3 - 8.0 / 9;  // of ln(1 - w^2), over 0 .. 1
+  constexpr double logarithm[2][2] = {{with_1 - 1, 0.25 * (with_1 + with_square) - 1.0 / 6},
+                                      {0.25 * (with_1 + with_square) - 1.0 / 6, with_square / 3 - 1.0 / 27}};
+  // Of the functions of tip, mid node and far end.
+  constexpr double slope[3][2] = {{-7.0 / 3, 4}, {8.0 / 3, -8}, {-1.0 / 3, 4}}, difference[3] = {-1, 0, 1};
+  const double cosine = 0.5 * (unit.x() * unit.x() - unit.y() * unit.y()), sine = unit.x() * unit.y();
+  const auto position = [&](int k) { return geometry.tip == TipEnd::start ? k : 2 - k; };
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const double both = difference[a] * difference[b];
+      double sum = both * std::log(along.norm());
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) sum += slope[a][i] * slope[b][j] * logarithm[i][j];
+      moments.derivative[0][position(b)][position(a)] += sum;
+      moments.derivative[1][position(b)][position(a)] += both * cosine;
+      moments.derivative[2][position(b)][position(a)] += both * sine;
     }
 }
 

@@ -96,6 +96,8 @@ Singularities singularities_of_chord(const ElementGeometry& element, double xi0)
 
 int shape_points_needed(const ElementGeometry& element, const Interval& interval, double tolerance) {
   if (element.straight()) return 1;
+  // Polynomials.
+  if (element.tip != TipEnd::none) return 2;
   if (element.basis.powers()) {
     // The Jacobian's square is dx/dxi . dx/dxi, which vanishes where c1 + 2 c2 xi does, read as complex numbers.
     Singularities s;

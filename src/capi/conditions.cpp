@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "capi/guard.hpp"
+#include "regions/places/crack_faces.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/pressed_edge.hpp"
 #include "regions/places/single_point.hpp"
@@ -142,6 +143,16 @@ bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32
   return add_load(model, __func__, load, [&] {
     require_single(component);
     return Condition{at_point(x, y), component, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crack, int32_t component, int64_t value_count,
+                                      const double* constant, const double* proportional, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    require(component == BEMPD_PRESSURE || component == BEMPD_SHEAR, "component is ", component,
+            "; it must be BEMPD_PRESSURE (1) or BEMPD_SHEAR (2)");
+    return Condition{std::make_shared<const regions::CrackFaces>(crack), component,
+                     samples(value_count, constant, proportional)};
   });
 }
 

@@ -117,8 +117,7 @@ void Model::ensure_equilibrium() {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
-  warn_of_condition();
-  warn_of_held_parts();
+  warn_of_equilibrium();
   if (evolution.progress().fragments > 0) {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
@@ -132,6 +131,12 @@ void Model::warn_of_blas() const {
   log(1, text("the BLAS takes the processor for an older one, ", blas.core,
               ", and computes at half its rate or less; use another BLAS, or name the kind to it (OpenBLAS reads "
               "OPENBLAS_CORETYPE, for instance Haswell)"));
+}
+
+void Model::warn_of_equilibrium() {
+  warn_of_condition();
+  warn_of_held_parts();
+  warn_of_overlap();
 }
 
 void Model::warn_of_condition() {
@@ -235,8 +240,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
         "and their balance are not; choose other units");
   }
-  warn_of_condition();
-  warn_of_held_parts();
+  warn_of_equilibrium();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

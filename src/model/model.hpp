@@ -48,6 +48,12 @@ struct PreparedScene {
   std::int64_t interior_kernel_evaluations = 0;
 };
 
+struct GrowthResult {
+  int tips = 0;   // that have grown
+  int ended = 0;  // of them at an edge, a hole or another crack
+  double load_factor = 0;
+};
+
 // A scene, its state, and what can be asked of them.
 class Model {
  public:
@@ -68,6 +74,11 @@ class Model {
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
   StepResult advance(double target, fracture::Goal goal);
+
+  // Tips that reach their fracture energy first grow by a length, in the direction of the largest hoop stress; then the
+  // scene is built anew, at the load factor at which they did. Throws Error if no tip can grow, or if a crack would cut
+  // a region in two; then nothing has changed (crack_growth.cpp).
+  GrowthResult grow_cracks(double length);
 
   using Progress = std::function<bool(double load_factor, std::int64_t events, std::int64_t broken_bonds)>;
   using Log = std::function<void(int level, const std::string& message)>;
@@ -99,6 +110,11 @@ class Model {
   // Values at places in the body; stress only if asked for.
   std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);
 
+  // Tips of cracks that have elements, by crack; computed once per generation (crack_results.cpp).
+  const std::vector<regions::TipValues>& tips();
+  // Openings along a crack and normal to it [m].
+  std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
+
   // state.cpp
   SavedState save();
   void restore(const SavedState& state);
@@ -113,7 +129,11 @@ class Model {
   void warn_of_condition();
   void warn_of_held_parts();
   void warn_of_blas() const;
+  void warn_of_overlap();
+  void warn_of_equilibrium();  // all there is
+  bool has_crack_elements() const;
   void reload();
+  void rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before);
   void check_mechanism(const PreparedScene& prepared) const;
   regions::Solution solution() const;
   results::FieldsOfScene fields();
@@ -128,7 +148,9 @@ class Model {
   Progress progress_;
   Log log_;
   std::atomic<bool> cancel_requested_{false};
-  bool warned_of_energies_ = false, warned_of_condition_ = false;
+  std::vector<regions::TipValues> tips_;
+  std::int64_t tips_generation_ = 0;
+  bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
 };
 
 // Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.

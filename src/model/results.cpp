@@ -51,7 +51,8 @@ std::vector<regions::BondState> Model::bond_states(int id) {
 regions::Solution Model::solution() const {
   const fracture::EvolutionState& state = prepared_->evolution->state();
   return {state.total_displacement, prepared_->system->terms(), prepared_->system->intact(),
-          prepared_->conditions.body_forces(state.load_factor)};
+          prepared_->conditions.body_forces(state.load_factor), &state.displacement,
+          &prepared_->conditions.crack_loads, state.load_factor};
 }
 
 const FieldValues& Model::field(int id, Field which) {
@@ -81,7 +82,12 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
 
 void Model::write_snapshot(const std::string& prefix) {
   ensure_equilibrium();
-  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields());
+  std::vector<regions::CrackPicture> cracks;
+  for (const auto& region : prepared_->discretization.regions) {
+    const auto pictures = region->crack_pictures(solution());
+    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
+  }
+  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(), cracks);
 }
 
 void Model::write_history(const std::string& path) const {

@@ -20,6 +20,8 @@ class CollocationRegion final : public regions::BoundaryRegion {
                     const CollocationRules& rules)
       : BoundaryRegion(id, described, material), rules_(rules) {}
 
+  bool has_crack_elements() const override { return false; }
+
  protected:
   regions::MeshingRules meshing_rules(const regions::Preparation&) const override { return {true, false}; }
   BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override;

@@ -13,6 +13,7 @@ struct DofConditions {
   coupling::Affine displacement;                // of prescribed degrees of freedom [m]
   coupling::Affine force;                       // [N]
   coupling::Affine body_force;                  // [N/m^3], 2 * (region - 1) + component; part of `force`
+  std::vector<CrackLoad> crack_loads;           // their effect on nodes is part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
 
   // Of every region at a load factor.

@@ -5,6 +5,7 @@
 #include "cancellation.hpp"
 #include "error.hpp"
 #include "geometry/gaps.hpp"
+#include "regions/initial_cracks.hpp"
 #include "regions/interfaces.hpp"
 #include "regions/scheme.hpp"
 #include "stopwatch.hpp"
@@ -79,10 +80,11 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
   number_by_ids(d.arrangement, scene);
   warn_of_gaps(scene, outlines, d);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
-  const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions};
+  const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions, d.crack_regions};
   require_compatible(preparation);
 
   for (int id : scene.region_ids()) d.regions.push_back(scene.region(id).build(id, preparation));
+  d.crack_regions = regions_of_cracks(preparation);
   for (const auto& region : d.regions) {
     check_cancelled();
     const Stopwatch watch(region->seconds_preparing);

@@ -22,6 +22,7 @@ struct Discretization {
   coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
   std::vector<double> critical_stretch;  // per bond
   std::vector<std::string> warnings;
+  std::vector<int> crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
 
   const Region& region(int id) const;  // one that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;

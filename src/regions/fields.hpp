@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
 #include "geometry/point.hpp"
 
@@ -29,12 +31,23 @@ inline int components_of(Field field) {
   return field == Field::damage || field == Field::bond_stretch ? 1 : 2;
 }
 
+// Loads on the faces of a crack that has elements, by the part of its length: pressure and shear [Pa], constant and
+// multiplied by the load factor.
+struct CrackLoad {
+  int crack;  // id
+  std::function<std::array<Point, 2>(double fraction)> values;
+};
+
 // A state of all nodes and bonds at one load factor.
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
   const std::vector<char>& intact;  // per bond
   std::vector<Point> body_forces;   // [N/m^3], per region
+  // What cracks with elements need beside: null without them.
+  const coupling::Affine* parts = nullptr;  // of the displacement
+  const std::vector<CrackLoad>* crack_loads = nullptr;
+  double load_factor = 0;
 
   const Point& body_force(int region) const { return body_forces[static_cast<std::size_t>(region) - 1]; }
 };

@@ -25,42 +25,64 @@ std::vector<double> crossings(const Scene& scene, const Segment& segment, double
   return fractions;
 }
 
-// In regions whose bonds can be cut.
-void require_in_lattices(const Scene& scene, const Discretization& d, int crack, const Segment& segment) {
-  const double tolerance = d.tolerance;
-  const std::vector<double> stations = crossings(scene, segment, tolerance);
-  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-    if ((stations[i + 1] - stations[i]) * segment.length() <= 10 * tolerance) continue;
-    const Point middle = segment.at(0.5 * (stations[i] + stations[i + 1]));
-    bool inside = false;
-    int other = 0;
-    for (const auto& region : d.regions) {
-      if (locate(scene.region(region->id()).outline(), middle, tolerance) == Location::outside) continue;
-      if (region->takes_cracks()) {
-        inside = true;
-      } else {
-        other = region->id();
-      }
-    }
-    require(inside, "crack ", crack, " passes (", middle.x(), ", ", middle.y(), "), which is ",
-            other > 0
-                ? text("in region ", other, ", a ", scene.region(other).adjective(),
-                       " region; cracks can only lie in peridynamic regions")
-                : std::string("outside the body; end the crack on the boundary of a peridynamic region or inside"));
+// The region that has elements on a piece of a crack, 0 where bonds can be cut.
+int region_of_piece(const Preparation& p, int crack, const Point& middle) {
+  std::vector<int> with_elements;
+  int other = 0;
+  for (const auto& region : p.regions) {
+    if (locate(p.scene.region(region->id()).outline(), middle, p.tolerance) == Location::outside) continue;
+    if (region->takes_cracks()) return 0;
+    if (region->has_crack_elements()) with_elements.push_back(region->id());
+    other = region->id();
   }
+  require(other > 0, "crack ", crack, " passes (", middle.x(), ", ", middle.y(),
+          "), which is outside the body; end the crack on the body's boundary or inside");
+  require(!with_elements.empty(), "crack ", crack, " passes (", middle.x(), ", ", middle.y(), "), which is in region ",
+          other, ", a ", p.scene.region(other).adjective(),
+          " region; the chosen scheme has cracks in peridynamic regions only, scheme symmetric has them in both");
+  require(with_elements.size() == 1, "crack ", crack, " runs along the interface of the regions ",
+          with_elements.front(), " and ", with_elements.back(), " at (", middle.x(), ", ", middle.y(),
+          "); it has to lie inside of one of them");
+  return with_elements.front();
+}
+
+int region_of_crack(const Preparation& p, int crack, const std::vector<Point>& points) {
+  if (points.empty()) return 0;  // removed
+  int found = -1;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    check_cancelled();
+    const Segment segment{points[k], points[k + 1]};
+    const std::vector<double> stations = crossings(p.scene, segment, p.tolerance);
+    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+      if ((stations[i + 1] - stations[i]) * segment.length() <= 10 * p.tolerance) continue;
+      const Point middle = segment.at(0.5 * (stations[i] + stations[i + 1]));
+      const int region = region_of_piece(p, crack, middle);
+      const auto name = [&](int id) {
+        return id == 0 ? std::string("a peridynamic region") : text("the BEM region ", id);
+      };
+      require(found < 0 || region == found, "crack ", crack, " goes from ", name(found), " into ", name(region),
+              " before (", middle.x(), ", ", middle.y(), "); end it at the interface");
+      found = region;
+    }
+  }
+  // All of it may be too short for the question where it passes from one region to another.
+  return found < 0 ? region_of_piece(p, crack, 0.5 * (points[0] + points[1])) : found;
 }
 
 }  // namespace
 
+std::vector<int> regions_of_cracks(const Preparation& preparation) {
+  std::vector<int> regions;
+  for (const scene::Crack& crack : preparation.scene.cracks())
+    regions.push_back(region_of_crack(preparation, static_cast<int>(regions.size()) + 1, crack.points));
+  return regions;
+}
+
 std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d, std::vector<std::string>& warnings) {
   std::vector<int> cut;
   for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
-    const std::vector<Point>& points = scene.cracks()[c].points;
+    if (d.crack_regions[c] > 0) continue;
     const int id = static_cast<int>(c) + 1;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      check_cancelled();
-      require_in_lattices(scene, d, id, {points[i], points[i + 1]});
-    }
     for (const auto& region : d.regions) region->cut(scene.cracks()[c], id, cut, warnings);
   }
   std::sort(cut.begin(), cut.end());

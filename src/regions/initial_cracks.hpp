@@ -6,9 +6,13 @@
 
 namespace bempd::regions {
 
-// Bonds (of the whole scene) cut by the scene's cracks, ascending. Throws Error (argument) for a crack that leaves the
-// peridynamic regions. One that passes through material points is an error too, but for cell-centred points, which a
-// crack at 45 degrees cannot miss: there the points stay bonded to both faces, with a warning.
+// Per crack the region that has elements on it, or 0 for one that lies where bonds can be cut. Throws Error (argument)
+// for a crack that leaves the body, runs along an interface, or goes from one region to another.
+std::vector<int> regions_of_cracks(const Preparation& preparation);
+
+// Bonds (of the whole scene) cut by the scene's cracks, ascending. Throws Error (argument) for one that passes through
+// material points, but for cell-centred points, which a crack at 45 degrees cannot miss: there the points stay bonded
+// to both faces, with a warning.
 std::vector<int> bonds_cut_by_cracks(const scene::Scene& scene, const Discretization& discretization,
                                      std::vector<std::string>& warnings);
 

@@ -24,6 +24,7 @@ struct Preparation {
   const Arrangement& arrangement;
   double tolerance;                                     // distance below which places are the same
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
+  const std::vector<int>& crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
 };
 
 // What they add to.

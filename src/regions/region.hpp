@@ -41,6 +41,33 @@ struct LeadingElements {
   std::vector<int> nodes;  // of the scene
 };
 
+// The tip of a crack with elements.
+struct TipValues {
+  int crack;                   // id
+  int end;                     // 1: the crack's last point, 0: its first
+  Point place, direction;      // unit vector in which a straight crack would go on
+  Point factors;               // K_I, K_II [Pa m^(1/2)]
+  double energy_release_rate;  // [J/m^2]
+  double stress_along;         // T [Pa]
+  double error;                // of the factors [Pa m^(1/2)]
+  double kink_angle;           // from the direction, counter-clockwise [rad]
+  double growth_load_factor;   // at which it goes on in the direction of the largest hoop stress, and its angle [rad]
+  double growth_angle;
+  double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
+};
+
+struct Overlap {
+  int crack;
+  Point place;
+  double depth;  // [m]
+};
+
+// Elements on a crack for a picture: start, middle and end of each one, with the openings there [m].
+struct CrackPicture {
+  int crack;
+  std::vector<Point> places, openings;
+};
+
 struct RegionOperator {
   const class Region* region;
   coupling::DenseOperator dense;
@@ -115,6 +142,20 @@ class Region {
   // --- Cracks and bonds
 
   virtual bool takes_cracks() const { return false; }
+  // Whether it puts elements on cracks: those that Preparation::crack_regions gives it. Then it has what is below.
+  virtual bool has_crack_elements() const { return false; }
+  // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
+  virtual void add_crack_load(const CrackLoad& /*load*/, int /*part*/, Eigen::Ref<Eigen::VectorXd> /*force*/) const {}
+  // Tips of its cracks and what they carry.
+  virtual std::vector<TipValues> tips(const Solution& /*solution*/) const { return {}; }
+  // Openings of one of its cracks at parts of its length: along it and normal to it, positive if it is open [m].
+  virtual std::vector<Point> crack_openings(int /*crack*/, const std::vector<double>& /*fractions*/,
+                                            const Solution& /*solution*/) const {
+    return {};
+  }
+  virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
+  // Where faces overlap most, if they do.
+  virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}

@@ -58,6 +58,27 @@ class GridBuilder {
   output::VtuGrid grid_;
 };
 
+// Cracks that have elements, element by element.
+output::VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
+  output::VtuGrid grid;
+  std::vector<double> openings;
+  std::vector<std::int32_t> numbers;
+  for (const regions::CrackPicture& crack : cracks) {
+    for (std::size_t i = 0; i < crack.places.size(); i += 3) {
+      const auto first = static_cast<std::int64_t>(grid.points.size());
+      grid.add_cell(output::VtuCell::quadratic_edge, {first, first + 2, first + 1});
+      numbers.push_back(crack.crack);
+      for (std::size_t k = i; k < i + 3; ++k) {
+        grid.points.push_back(crack.places[k]);
+        openings.insert(openings.end(), {crack.openings[k].x(), crack.openings[k].y()});
+      }
+    }
+  }
+  grid.point_data.push_back({"opening", 2, std::move(openings)});
+  grid.cell_data.push_back({"crack", 1, std::move(numbers)});
+  return grid;
+}
+
 void require_name_for_series(const std::string& prefix) {
   require(output::fits_xml(output::path_from_utf8(prefix).filename().native()), "prefix is ", output::printable(prefix),
           ", and prefix.pvd cannot name such files: XML holds neither bytes that are not UTF-8 nor ",
@@ -67,7 +88,7 @@ void require_name_for_series(const std::string& prefix) {
 }  // namespace
 
 void Snapshots::write(const std::string& prefix, double load_factor, const regions::Discretization& d,
-                      const FieldsOfScene& fields) {
+                      const FieldsOfScene& fields, const std::vector<regions::CrackPicture>& cracks) {
   require_name_for_series(prefix);
   const std::filesystem::path base = output::path_from_utf8(prefix);
   std::vector<Moment>& series = series_[prefix];
@@ -82,12 +103,15 @@ void Snapshots::write(const std::string& prefix, double load_factor, const regio
   std::vector<Moment> all = series;
   all.push_back({load_factor, {}});
   writing([&] {
-    for (const auto& [at, builder] : blocks) {
+    const auto write_block = [&](int at, const std::string& name, const output::VtuGrid& grid) {
       std::filesystem::path file = base;
-      file += std::string(number) + "_" + builder.name() + ".vtu";
-      output::write_vtu(file, builder.grid());
+      file += std::string(number) + "_" + name + ".vtu";
+      output::write_vtu(file, grid);
       all.back().files.emplace(at, file.filename().generic_string());
-    }
+    };
+    for (const auto& [at, builder] : blocks) write_block(at, builder.name(), builder.grid());
+    constexpr int behind_regions = 100;
+    if (!cracks.empty()) write_block(behind_regions, "cracks", grid_of(cracks));
     std::vector<output::PvdEntry> entries;
     for (const Moment& moment : all) {
       for (const auto& [block, file] : moment.files) entries.push_back({moment.load_factor, block, file});

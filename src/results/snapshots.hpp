@@ -14,7 +14,7 @@ class Snapshots {
  public:
   // Adds a moment to the series of this prefix. Throws Error (io).
   void write(const std::string& prefix, double load_factor, const regions::Discretization& discretization,
-             const FieldsOfScene& fields);
+             const FieldsOfScene& fields, const std::vector<regions::CrackPicture>& cracks);
 
  private:
   struct Moment {

@@ -26,6 +26,9 @@ class Place {
   // Whether it is a place of this region and of no other.
   virtual bool needs(int /*region*/) const { return false; }
 
+  // Whether it lies on this crack.
+  virtual bool needs_crack(int /*crack*/) const { return false; }
+
   // Adds which place it is, as the host has said it.
   virtual void identify(Hash& hash) const = 0;
 

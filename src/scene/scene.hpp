@@ -27,6 +27,8 @@ class Scene {
   // A row of edges of one loop becomes a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);
+  // All of them, of which there are as many.
+  void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
@@ -42,6 +44,7 @@ class Scene {
   int region_count() const { return static_cast<int>(regions_.size()); }  // with removed ones
   std::vector<int> region_ids() const;                                    // of those there are
   const Material& material_of(int region_id) const { return material(region(region_id).material()); }
+  const Crack& crack(int id) const;
   const std::vector<Crack>& cracks() const { return cracks_; }
   const std::vector<Condition>& supports() const { return supports_; }
   const std::vector<Condition>& loads() const { return loads_; }

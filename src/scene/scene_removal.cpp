@@ -21,10 +21,18 @@ void Scene::remove_region(int id) {
   regions_[id - 1].reset();
 }
 
-void Scene::remove_crack(int id) {
+const Crack& Scene::crack(int id) const {
   require(id >= 1 && id <= static_cast<int>(cracks_.size()), "crack ", id, " does not exist; there are ",
           cracks_.size());
   require(!cracks_[id - 1].points.empty(), "crack ", id, " was removed");
+  return cracks_[id - 1];
+}
+
+void Scene::remove_crack(int id) {
+  crack(id);
+  for (std::size_t l = 0; l < loads_.size(); ++l)
+    require(loads_[l].removed() || !loads_[l].place->needs_crack(id), "load ", l + 1, " is on crack ", id,
+            "; remove that load first");
   cracks_[id - 1].points.clear();
 }
 

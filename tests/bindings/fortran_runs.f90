@@ -68,6 +68,7 @@ program fortran_runs
   call restored_state_repeats_a_step_bit_by_bit()
   call options_are_set_listed_and_read_back()
   call indices_count_from_one()
+  call pressure_in_a_crack_has_its_factor_and_opening()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
   call what_is_removed_leaves_no_trace()
@@ -281,6 +282,37 @@ contains
       "bonds join points 1 .. n")
     call check(any(states == BEMPD_BOND_CUT) .and. .not. any(states == BEMPD_BOND_BROKEN), "the crack cuts bonds")
   end subroutine indices_count_from_one
+
+  subroutine pressure_in_a_crack_has_its_factor_and_opening()
+    type(bempd_model) :: model
+    type(bempd_crack_tip), allocatable :: found(:)
+    real(dp), allocatable :: normal(:), tangential(:)
+    integer(c_int32_t) :: material, crack, load
+    real(dp), parameter :: expected = 3 * sqrt(acos(-1.0_dp) * .01_dp)
+    integer :: stat
+    character(200) :: message
+
+    call model%create()
+    call model%add_material(1.0_dp, .3_dp, material)
+    call model%add_bem_region(material, reshape([-1, -1, 1, -1, 1, 1, -1, 1] * 1.0_dp, [2, 4]), .5_dp)
+    call model%add_crack(reshape([-.01_dp, 0.0_dp, .01_dp, 0.0_dp], [2, 2]), crack)
+    call model%fix_point(-1.0_dp, -1.0_dp, BEMPD_BOTH)
+    call model%fix_point(1.0_dp, -1.0_dp, BEMPD_Y)
+    call model%add_crack_traction(crack, BEMPD_PRESSURE, constant=[3.0_dp], load=load)
+    call model%tips(found)
+    call check(size(found) == 2, "a crack has two tips")
+    call check(found(1)%end == BEMPD_CRACK_START .and. found(2)%crack == crack, "tips are sorted")
+    call check(maxval(abs(found%stress_intensity_1 / expected - 1)) < 3e-4_dp, "pressure gives p sqrt(pi a)")
+    call model%crack_opening(crack, [.5_dp, 1.0_dp], normal, tangential)
+    call check(abs(normal(1) - 4 * 3 * .01_dp) < 1e-3_dp * normal(1) .and. abs(normal(2)) < 1e-12_dp, "it opens")
+    call check(maxval(abs(tangential)) < 1e-6_dp * normal(1), "it does not slide")
+    call model%grow_cracks(.001_dp, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_UNSOLVABLE, message, "bempd_grow_cracks: ")
+    call model%crack_opening(2, [.5_dp], normal, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_crack_opening: ")
+    call model%add_crack_traction(crack, 7, constant=[3.0_dp], stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ORDER, message, "bempd_add_crack_traction: ")
+  end subroutine pressure_in_a_crack_has_its_factor_and_opening
 
   subroutine pressure_and_moments_balance()
     type(bempd_model) :: model

@@ -1,4 +1,4 @@
-/* Initial cracks that no lattice can have. */
+/* Initial cracks that no body can have. */
 #include "scenes.h"
 
 /** The coupled plate's regions and supports with this crack, which the call or bempd_prepare() must refuse. */
@@ -30,12 +30,13 @@ static void cracks_have_points_and_length(void) {
   REFUSED("length|same|zero|coincid|distinct|equal|repeat", 3, 14.5, 2.5, 14.5, 5.5, 14.5, 5.5);
 }
 
-static void cracks_lie_in_peridynamic_regions(void) {
+static void cracks_lie_in_regions_of_one_kind(void) {
   REFUSED("outside|inside|peridynamic", 2, 50.5, 2.5, 50.5, 5.5);
   REFUSED("outside|inside|peridynamic", 2, 14.5, 5.5, 14.5, 12.5);
   REFUSED("outside|inside|peridynamic", 2, 14.5, -5.0, 14.5, 15.0);
-  REFUSED("peridynamic|BEM|boundary|outside|inside", 2, 4.5, 2.5, 4.5, 5.5);
-  REFUSED("peridynamic|BEM|boundary|outside|inside", 2, 8.5, 4.5, 14.5, 4.5);
+  REFUSED("goes from the BEM region 1 into a peridynamic region", 2, 8.5, 4.5, 14.5, 4.5);
+  REFUSED("goes from a peridynamic region into the BEM region 1", 2, 14.5, 4.5, 8.5, 4.5);
+  REFUSED("reaches the interface", 2, 8.5, 4.5, 10.0, 4.5);
 }
 
 static void cracks_keep_off_the_material_points(void) {
@@ -64,7 +65,7 @@ static void cracks_from_the_edge_and_bent_cracks_are_accepted(void) {
 
 int main(void) {
   cracks_have_points_and_length();
-  cracks_lie_in_peridynamic_regions();
+  cracks_lie_in_regions_of_one_kind();
   cracks_keep_off_the_material_points();
   cracks_from_the_edge_and_bent_cracks_are_accepted();
   return check_finish();

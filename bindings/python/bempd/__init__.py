@@ -31,14 +31,25 @@ from .errors import (
 )
 from .model import Model
 from .options import OptionInfo, Options, describe_options
-from .reports import Bonds, BondState, PointValues, Statistics, StepReport, StopReason
+from .reports import (
+    Bonds,
+    BondState,
+    CrackOpening,
+    CrackTip,
+    Growth,
+    PointValues,
+    Statistics,
+    StepReport,
+    StopReason,
+    TipEnd,
+)
 from .state import State
 
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "Error", "FileError", "InternalError",
-    "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues", "ProgressBar", "State",
-    "Statistics", "StepReport", "StopReason", "UnknownOptionError", "UnsolvableError", "build_info", "describe_options",
-    "library_path", "progress_bar", "read_history", "rectangle", "version",
+    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip", "Error",
+    "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
+    "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
+    "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

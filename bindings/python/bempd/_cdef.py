@@ -113,6 +113,12 @@ bempd_status bempd_add_pressure(bempd_model *model, int32_t region, int32_t edge
     int32_t *load);
 bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32_t component,
     double constant, double proportional, int32_t *load);
+typedef enum bempd_face_component {
+  BEMPD_PRESSURE = 1,
+  BEMPD_SHEAR = 2
+} bempd_face_component;
+bempd_status bempd_add_crack_traction(bempd_model *model, int32_t crack, int32_t component,
+    int64_t value_count, const double *constant, const double *proportional, int32_t *load);
 bempd_status bempd_set_load_values(bempd_model *model, int32_t load, int64_t value_count,
     const double *constant, const double *proportional);
 bempd_status bempd_set_support_values(bempd_model *model, int32_t support, int64_t value_count,
@@ -192,6 +198,39 @@ bempd_status bempd_reaction_moment(bempd_model *model, int32_t support, double x
     double *moment);
 bempd_status bempd_evaluate(bempd_model *model, int64_t count, const double *points,
     double *displacement, double *stress, int32_t *regions);
+typedef enum bempd_tip_end {
+  BEMPD_CRACK_START = 1,
+  BEMPD_CRACK_END = 2
+} bempd_tip_end;
+typedef struct bempd_crack_tip {
+  int64_t struct_size;
+  int32_t crack;
+  int32_t end;
+  double x;
+  double y;
+  double direction_x;
+  double direction_y;
+  double stress_intensity_1;
+  double stress_intensity_2;
+  double energy_release_rate;
+  double t_stress;
+  double error;
+  double kink_angle;
+  double critical_load_factor;
+} bempd_crack_tip;
+bempd_status bempd_crack_tip_init(bempd_crack_tip *tip, int64_t struct_size);
+bempd_status bempd_tip_count(bempd_model *model, int64_t *count);
+bempd_status bempd_tip(bempd_model *model, int64_t index, bempd_crack_tip *tip);
+bempd_status bempd_crack_opening(bempd_model *model, int32_t crack, int64_t count,
+    const double *fractions, double *normal, double *tangential);
+typedef struct bempd_growth {
+  int64_t struct_size;
+  int32_t tips;
+  int32_t ended;
+  double load_factor;
+} bempd_growth;
+bempd_status bempd_growth_init(bempd_growth *growth, int64_t struct_size);
+bempd_status bempd_grow_cracks(bempd_model *model, double length, bempd_growth *growth);
 typedef struct bempd_statistics {
   int64_t struct_size;
   int64_t boundary_nodes;
@@ -512,13 +551,17 @@ grading [in]: ratio of neighbouring elements' lengths, growing from both ends; 1
 return: status
 since: 0.1""",
     "bempd_add_crack": """\
-Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
+Add an initial crack, a polyline.
 
-It must lie in peridynamic regions (ending on their boundary is fine) and keep off the material
-points; that is checked when the model is prepared. A crack beside all regions there are is refused
-at once. The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings
-longer there; the load at which it grows depends on where the tip lies between points: best half way
-between two columns or rows.
+In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the
+material points. The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55
+spacings longer there; the load at which it grows depends on where the tip lies between points: best
+half way between two columns or rows. It may end on a region's boundary. In a BEM region (scheme
+symmetric) it gets boundary elements, which are divided by themselves around its tips: it stands
+still, and bempd_tip() tells how much it is loaded. There it may start or end at a free edge, a hole
+or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM region,
+and ends before interfaces of BEM regions. A crack beside all regions there are is refused at once,
+everything else when the model is prepared.
 
 model [in]: the model
 point_count [in]: number of points, >= 2
@@ -690,6 +733,27 @@ proportional [in]: part multiplied by the load factor [N]
 load [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_face_component": """What acts on the faces of a crack.
+
+since: 0.2""",
+    "BEMPD_PRESSURE": """Pressure that pushes the faces apart.""",
+    "BEMPD_SHEAR": """\
+Shear along the crack: it drives the face on the left, seen from the crack's first point, towards
+the last point and the other face back.""",
+    "bempd_add_crack_traction": """\
+Add a traction on both faces of a crack in a BEM region; give it new values with
+bempd_set_load_values(). Energies and work leave out what such loads do within the crack alone.
+
+model [in]: the model
+crack [in]: id of a crack
+component [in]: BEMPD_PRESSURE or BEMPD_SHEAR
+value_count [in]: 1: uniform; 2: linear from the crack's start to its end; n: values at n equally
+  spaced places
+constant [in]: shape [value_count], constant part [Pa]; NULL for 0
+proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
+load [out]: its id; may be NULL
+return: status
+since: 0.2""",
     "bempd_set_load_values": """\
 Give a traction or point force new values, at any time; a prepared model only changes its right-hand
 side.
@@ -1001,13 +1065,110 @@ stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
 regions [out]: shape [count], id of the region that holds each place; may be NULL
 return: status; a place outside the body is an argument error
 since: 0.1""",
+    "bempd_tip_end": """End of a crack.
+
+since: 0.2""",
+    "bempd_crack_tip": """\
+The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+
+Stress intensity factors come from the energy that the body releases when the tip moves, shared
+among the modes as the openings next to it are; they are right to 1e-4 and better where the
+boundary's elements are no longer than what they border on.
+
+since: 0.2""",
+    "bempd_crack_tip.struct_size": """sizeof(bempd_crack_tip), set by bempd_crack_tip_init()""",
+    "bempd_crack_tip.crack": """id of the crack""",
+    "bempd_crack_tip.end": """a bempd_tip_end""",
+    "bempd_crack_tip.x": """place [m]""",
+    "bempd_crack_tip.y": """place [m]""",
+    "bempd_crack_tip.direction_x": """unit vector in which the crack would go straight on [-]""",
+    "bempd_crack_tip.direction_y": """[-]""",
+    "bempd_crack_tip.stress_intensity_1": """K_I [Pa m^(1/2)]; negative if the faces overlap at the tip""",
+    "bempd_crack_tip.stress_intensity_2": """\
+K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)]""",
+    "bempd_crack_tip.energy_release_rate": """G of growth straight on [J/m^2]""",
+    "bempd_crack_tip.t_stress": """stress along the crack beside the singular one [Pa]""",
+    "bempd_crack_tip.error": """\
+estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]""",
+    "bempd_crack_tip.kink_angle": """\
+angle from the direction to that of the largest hoop stress, counter-clockwise [rad]""",
+    "bempd_crack_tip.critical_load_factor": """\
+smallest load factor >= 0 at which the energy release rate is the material's fracture_energy;
+infinite if it never is or the material has none [-]""",
+    "bempd_crack_tip_init": """\
+Set struct_size and zeros.
+
+tip [out]: the struct to fill
+struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working
+  when it grows
+return: status
+since: 0.2""",
+    "bempd_tip_count": """\
+Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none.
+Prepares the model.
+
+model [in]: the model
+count [out]: number of tips
+return: status
+since: 0.2""",
+    "bempd_tip": """\
+A tip, by crack and the end nearer to its first point first.
+
+model [in]: the model
+index [in]: 0 .. count-1
+tip [in,out]: struct_size in, the rest out
+return: status
+since: 0.2""",
+    "bempd_crack_opening": """\
+Openings of a crack in a BEM region at the present load factor: displacement of the face on its
+left, seen from its first point, less that of the face on its right.
+
+model [in]: the model
+crack [in]: id of a crack
+count [in]: number of places
+fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+tangential [out]: shape [count], along the crack [m]; may be NULL
+return: status
+since: 0.2""",
+    "bempd_growth": """What bempd_grow_cracks() did. Fill it with bempd_growth_init().
+
+since: 0.2""",
+    "bempd_growth.struct_size": """sizeof(bempd_growth), set by bempd_growth_init()""",
+    "bempd_growth.tips": """tips that have grown""",
+    "bempd_growth.ended": """\
+of them those that have reached an edge, a hole or another crack and are no tips any more""",
+    "bempd_growth.load_factor": """load factor at which they did; the model is there now [-]""",
+    "bempd_growth_init": """\
+Set struct_size and zeros.
+
+growth [out]: the struct to fill
+struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older programs keep working when
+  it grows
+return: status
+since: 0.2""",
+    "bempd_grow_cracks": """\
+Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+
+The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's
+fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an edge, a
+hole or a crack on 1.25 times its way ends there. The scene is built anew with the longer cracks, at
+that load factor; the history begins anew. Choose lengths some times shorter than the distance to
+the next edge or crack.
+
+model [in]: a model without peridynamic regions
+length [in]: how far tips grow [m], > 0
+growth [in,out]: struct_size in, the rest out; may be NULL
+return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a
+  region in two is an argument error and stays as it was
+since: 0.2""",
     "bempd_statistics": """\
 Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 
 since: 0.1""",
     "bempd_statistics.struct_size": """sizeof(bempd_statistics), set by bempd_statistics_init()""",
     "bempd_statistics.boundary_nodes": """nodes of all BEM regions""",
-    "bempd_statistics.boundary_elements": """elements of all BEM regions""",
+    "bempd_statistics.boundary_elements": """elements of all BEM regions, with those on cracks""",
     "bempd_statistics.material_points": """points of all PD regions""",
     "bempd_statistics.bonds": """bonds of all PD regions""",
     "bempd_statistics.cut_bonds": """bonds cut by initial cracks""",
@@ -1135,8 +1296,9 @@ return: status
 since: 0.1""",
     "bempd_write_snapshot": """\
 Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with
-displacement, damage and stress, and prefix.pvd, the series of all snapshots this model has written
-with this prefix.
+displacement, damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions
+(left face less right face), and prefix.pvd, the series of all snapshots this model has written with
+this prefix.
 
 model [in]: the model
 prefix [in]: path without ending, UTF-8; the folder must exist

@@ -13,7 +13,7 @@ from ._arguments import FloatArray
 from ._handle import Handle
 from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
-from .reports import Bonds, PointValues, Statistics, rows, values_of
+from .reports import Bonds, CrackOpening, CrackTip, Growth, PointValues, Statistics, crack_tip, rows, values_of
 
 FIELDS = {
     "position": lib.BEMPD_POSITION,
@@ -152,6 +152,47 @@ class Results:
         self._open().call("bempd_evaluate", count, arguments.doubles(places), arguments.doubles(displacement),
                           arguments.doubles(tensor), ffi.from_buffer("int32_t[]", regions))
         return PointValues(displacement, tensor, regions)
+
+    def tips(self) -> list[CrackTip]:
+        """Tips of cracks in BEM regions with their stress intensity factors, by crack.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+        >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
+        >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> report = model.step(1)
+        >>> [f"{tip.stress_intensity_1:.4g}" for tip in model.tips()]
+        ['1.487e+06', '1.487e+06']
+        """
+        count = int(self._number("bempd_tip_count", "int64_t"))
+        found = []
+        for index in range(count):
+            struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
+            self._open().call("bempd_tip", index, struct)
+            found.append(crack_tip(struct))
+        return found
+
+    def grow_cracks(self, length: float) -> Growth:
+        """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
+
+        The load factor is solved for and the model is there afterwards, with the longer cracks and a new history.
+        """
+        struct = new_struct("bempd_growth", "bempd_growth_init")
+        self._open().call("bempd_grow_cracks", arguments.real("grow_cracks: length", length), struct, changes=True)
+        return Growth(**values_of(struct, "bempd_growth", Growth))
+
+    def crack_opening(self, crack: int, fractions: npt.ArrayLike) -> CrackOpening:
+        """Openings [m] of a crack in a BEM region at places given as fractions of its length."""
+        places = np.ascontiguousarray(np.atleast_1d(fractions), dtype=np.float64)
+        if places.ndim != 1:
+            raise ArgumentError(f"crack_opening: fractions has shape {places.shape}; give a row of numbers")
+        normal, tangential = np.empty(len(places)), np.empty(len(places))
+        self._open().call("bempd_crack_opening", crack, len(places), arguments.doubles(places),
+                          arguments.doubles(normal), arguments.doubles(tangential))
+        return CrackOpening(normal, tangential)
 
     def statistics(self) -> Statistics:
         """Sizes, counters and times so far."""

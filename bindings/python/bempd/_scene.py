@@ -14,6 +14,7 @@ from .errors import ArgumentError, OrderError
 
 COMPONENTS = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y, "both": lib.BEMPD_BOTH}
 ONE_COMPONENT = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y}
+FACE_COMPONENTS = {"pressure": lib.BEMPD_PRESSURE, "shear": lib.BEMPD_SHEAR}
 PLANES = {"stress": lib.BEMPD_PLANE_STRESS, "strain": lib.BEMPD_PLANE_STRAIN}
 WHOLE_EDGE = (0.0, 1.0)
 
@@ -205,6 +206,13 @@ class Scene:
         """
         ends = arguments.fraction_pair("add_traction_function: part", part)
         return self._added("bempd_add_traction_function", region, edge, *ends, self._kept(function), ffi.NULL)
+
+    def add_crack_traction(self, crack: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
+                           constant: Optional[npt.ArrayLike] = None) -> int:
+        """Add "pressure" or "shear" [Pa] on both faces of a crack in a BEM region; returns the id of the load."""
+        count, *values = arguments.samples("add_crack_traction", constant, proportional)
+        return self._added("bempd_add_crack_traction", crack,
+                           arguments.choice("add_crack_traction: component", component, FACE_COMPONENTS), count, *values)
 
     def add_point_force(self, point: Sequence[float], component: str, proportional: float = 0.0, *,
                         constant: float = 0.0) -> int:

@@ -29,6 +29,41 @@ class BondState(enum.IntEnum):
     CUT = 2  #: by an initial crack
 
 
+class TipEnd(enum.IntEnum):
+    """End of a crack."""
+
+    START = 1  #: its first point
+    END = 2
+
+
+@dataclasses.dataclass(frozen=True)
+class CrackTip:
+    """The tip of a crack in a BEM region, at the present load factor."""
+
+    crack: int  #: id
+    end: TipEnd
+    x: float  #: place [m]
+    y: float
+    direction_x: float  #: unit vector in which the crack would go straight on
+    direction_y: float
+    stress_intensity_1: float  #: K_I [Pa m^(1/2)]; negative if the faces overlap
+    stress_intensity_2: float  #: K_II, positive if the left side moves forward
+    energy_release_rate: float  #: [J/m^2]
+    t_stress: float  #: stress along the crack beside the singular one [Pa]
+    error: float  #: estimate for the stress intensity factors
+    kink_angle: float  #: from the direction to that of the largest hoop stress, counter-clockwise [rad]
+    critical_load_factor: float  #: at which the fracture energy is reached; infinite if it never is
+
+
+@dataclasses.dataclass(frozen=True)
+class Growth:
+    """What growth of cracks by a length did."""
+
+    tips: int  #: that have grown
+    ended: int  #: of them at an edge, a hole or another crack
+    load_factor: float  #: at which they did
+
+
 @dataclasses.dataclass(frozen=True)
 class StepReport:
     """What a step did."""
@@ -95,6 +130,13 @@ class PointValues(NamedTuple):
     region: npt.NDArray[np.int32]  #: shape (n,): the region that holds each place
 
 
+class CrackOpening(NamedTuple):
+    """Displacement of a crack's left face less that of its right one."""
+
+    normal: npt.NDArray[np.float64]  #: shape (n,): negative where faces overlap [m]
+    tangential: npt.NDArray[np.float64]  #: shape (n,): along the crack [m]
+
+
 def values_of(struct: Any, name: str, kind: type[Any]) -> dict[str, Any]:
     """Members of a struct by name, those that the kind of report has: the struct may have got more since."""
     known = {field.name for field in dataclasses.fields(kind)}
@@ -107,6 +149,13 @@ def step_report(struct: Any) -> StepReport:
     values["stop_reason"] = StopReason(values["stop_reason"])
     values["separated"] = bool(values["separated"])
     return StepReport(**values)
+
+
+def crack_tip(struct: Any) -> CrackTip:
+    """A tip as a value."""
+    values = values_of(struct, "bempd_crack_tip", CrackTip)
+    values["end"] = TipEnd(values["end"])
+    return CrackTip(**values)
 
 
 def rows(structs: Any, name: str) -> npt.NDArray[Any]:

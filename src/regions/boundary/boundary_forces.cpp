@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "bem/boundary_loads.hpp"
+#include "error.hpp"
 #include "regions/boundary/boundary_region.hpp"
+#include "regions/boundary/region_cracks.hpp"
 
 namespace bempd::regions {
 
@@ -44,6 +46,7 @@ UniformBodyForce BoundaryRegion::particular(const Point& body_force) const {
 // that in equilibrium  K u = f + K u_p - f(t_p)  (Brebbia and Dominguez, Boundary Elements, 2nd ed., section 3.9).
 void BoundaryRegion::add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force == Point::Zero()) return;
+  require(!cracks_, "region ", id(), " has cracks and a force per volume; one of them has to go");
   const UniformBodyForce particular = this->particular(body_force);
   Eigen::VectorXd displacement(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
@@ -66,7 +69,12 @@ Eigen::VectorXd BoundaryRegion::displacement_without(const UniformBodyForce& par
 bem::InteriorEvaluator BoundaryRegion::interior_without(const UniformBodyForce& particular,
                                                         const Solution& solution) const {
   const Eigen::VectorXd displacement = displacement_without(particular, solution);
-  return {mesh_, elasticity(), displacement, operator_->tractions(displacement)};
+  if (!cracks_) return {mesh_, elasticity(), displacement, operator_->tractions(displacement)};
+  const bem::CrackedState state = cracked_state(solution);
+  bem::InteriorEvaluator interior(mesh_, elasticity(), displacement, state.tractions);
+  interior.set_cracks(bem::CrackField(cracked().boundary(), cracks_->elements(), elasticity().effective_poisson_ratio(),
+                                      state.openings));
+  return interior;
 }
 
 }  // namespace bempd::regions

@@ -47,8 +47,11 @@ std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
   return breaks;
 }
 
-std::vector<double> all_breaks(const Preparation& p, int region, int edge) {
+std::vector<double> all_breaks(const Preparation& p, int region, int edge, const std::vector<Point>& mouths) {
   std::vector<double> breaks = own_breaks(p, region, edge);
+  const Edge whole = p.scene.region(region).edge(edge);
+  for (const Point& mouth : mouths)
+    if (distance(whole, mouth) <= 8 * p.tolerance) breaks.push_back(closest_fraction(whole, mouth));
   for (const Contact& contact : p.arrangement.contacts) {
     if (contact.region != region - 1 || contact.edge != edge - 1) continue;
     if (border_of(p.scene, &contact) != Border::elements) continue;
@@ -61,7 +64,7 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge) {
   breaks.push_back(0);
   breaks.push_back(1);
   std::sort(breaks.begin(), breaks.end());
-  const double close = p.tolerance / p.scene.region(region).edge(edge).length();
+  const double close = p.tolerance / whole.length();
   std::vector<double> distinct{0.0};
   for (double fraction : breaks) {
     if (fraction - distinct.back() > close) distinct.push_back(fraction);
@@ -145,10 +148,11 @@ std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules,
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int edge, BoundaryPanels& result) {
+void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int edge, const std::vector<Point>& mouths,
+               BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(region);
   const Edge whole = described.edge(edge);
-  const std::vector<double> breaks = all_breaks(p, region, edge);
+  const std::vector<double> breaks = all_breaks(p, region, edge, mouths);
   for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
     const Arc piece = whole.part(breaks[b], breaks[b + 1]);
     const Contact* contact = contact_at(p.arrangement, region, edge, 0.5 * (breaks[b] + breaks[b + 1]));
@@ -164,12 +168,13 @@ void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int 
 
 }  // namespace
 
-BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region) {
+BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
+                          const std::vector<Point>& mouths) {
   BoundaryPanels result;
   int edge = 0;
   for (const auto& loop : preparation.scene.region(region).outline().loops) {
     result.loops.emplace_back();
-    for (std::size_t k = 0; k < loop.size(); ++k) mesh_edge(preparation, rules, region, ++edge, result);
+    for (std::size_t k = 0; k < loop.size(); ++k) mesh_edge(preparation, rules, region, ++edge, mouths, result);
   }
   if (rules.grade_corners) grade_corners(preparation.scene, region, result);
   return result;

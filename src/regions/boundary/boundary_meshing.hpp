@@ -34,6 +34,8 @@ struct MeshingRules {
   bool grade_corners = false;
 };
 
-BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region);
+// Panels end at `mouths`, where cracks reach the boundary.
+BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
+                          const std::vector<Point>& mouths = {});
 
 }  // namespace bempd::regions

@@ -5,6 +5,7 @@
 
 #include "bem/boundary_loads.hpp"
 #include "bem/galerkin_operator.hpp"
+#include "regions/boundary/region_cracks.hpp"
 
 namespace bempd::regions {
 
@@ -17,20 +18,26 @@ struct BoundaryRegion::NodeRoles {
 BoundaryRegion::BoundaryRegion(int id, const BoundaryDescription&, const scene::Material& material)
     : Region(id, material) {}
 
+BoundaryRegion::~BoundaryRegion() = default;
+
 MeshingRules BoundaryRegion::meshing_rules(const Preparation& preparation) const {
   return {false, preparation.options.text_value("bem.grading") == "auto"};
 }
 
 std::shared_ptr<const bem::BoundaryOperator> BoundaryRegion::make_operator(const bem::AssemblyOptions& assembly) const {
+  if (cracks_) return std::make_shared<const bem::CrackedOperator>(mesh_, cracks_->elements(), elasticity(), assembly);
   return std::make_shared<const bem::GalerkinOperator>(mesh_, elasticity(), assembly);
 }
 
 void BoundaryRegion::mesh(const Preparation& preparation) {
   const MeshingRules rules = meshing_rules(preparation);
   middles_follow_ends_ = !rules.nodes_on_grids;
-  BoundaryPanels panels = mesh_edges(preparation, rules, id());
+  cracks_ = cracks_of(preparation, id());
+  BoundaryPanels panels = mesh_edges(preparation, rules, id(), cracks_ ? cracks_->mouths() : std::vector<Point>());
+  refine_at_cracks(preparation, id(), cracks_.get(), panels);
   panels_ = std::move(panels.sources);
   mesh_ = make_mesh(panels.loops);
+  if (cracks_) cracks_->mesh(mesh_);
 }
 
 BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
@@ -90,6 +97,7 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     const Region& before = *other;
     if (typeid(before) != typeid(*this)) continue;
     const auto& alike = static_cast<const BoundaryRegion&>(before);
+    if (cracks_ || alike.cracks_) continue;
     if (elasticity() != alike.elasticity() || !differ_by_translation(mesh_, alike.mesh_)) continue;
     operator_ = alike.operator_;
     break;
@@ -148,7 +156,8 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
 }
 
 std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {
-  if (!elasticity().incompressible()) return std::nullopt;
+  // An open crack makes room.
+  if (!elasticity().incompressible() || cracks_) return std::nullopt;
   Eigen::VectorXd on_mesh = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
   bem::add_normal_integrals(mesh_, on_mesh);
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(dof_count);
@@ -159,6 +168,7 @@ std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) c
 void BoundaryRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.boundary_nodes += static_cast<std::int64_t>(mesh_.nodes.size());
   statistics.boundary_elements += static_cast<std::int64_t>(mesh_.elements.size());
+  if (cracks_) statistics.boundary_elements += static_cast<std::int64_t>(cracks_->elements().elements.size());
   statistics.seconds_boundary += seconds_preparing;
   if (statistics.counted.insert(operator_.get()).second)
     statistics.kernel_evaluations += operator_->kernel_evaluations();

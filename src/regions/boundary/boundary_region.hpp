@@ -3,6 +3,8 @@
 #include <Eigen/SparseCore>
 
 #include "bem/boundary_operator.hpp"
+#include "bem/crack_tips.hpp"
+#include "bem/cracked_operator.hpp"
 #include "bem/interior.hpp"
 #include "elasticity/uniform_body_force.hpp"
 #include "geometry/boundary_mesh.hpp"
@@ -12,12 +14,15 @@
 
 namespace bempd::regions {
 
+class RegionCracks;
+
 // A boundary element region on its nodes, those of its mesh. Mid nodes of elements that follow a grid are not nodes of
 // the scene: there the displacement is linear between the grid's points, so that a constant traction gives them their
 // exact forces. What other schemes do differently are the protected virtual functions.
 class BoundaryRegion : public Region {
  public:
   BoundaryRegion(int id, const BoundaryDescription& described, const scene::Material& material);
+  ~BoundaryRegion() override;
 
   const BoundaryMesh& boundary_mesh() const { return mesh_; }
   const bem::BoundaryOperator* boundary_operator() const { return operator_.get(); }
@@ -35,6 +40,15 @@ class BoundaryRegion : public Region {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
   // By a state of stress that has the body force everywhere: what is left to the boundary is free of it.
   void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
+
+  // crack_results.cpp
+  bool has_crack_elements() const override { return true; }
+  void add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const override;
+  std::vector<TipValues> tips(const Solution& solution) const override;
+  std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions,
+                                    const Solution& solution) const override;
+  std::vector<CrackPicture> crack_pictures(const Solution& solution) const override;
+  std::optional<Overlap> overlap(const Solution& solution) const override;
 
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
@@ -70,6 +84,13 @@ class BoundaryRegion : public Region {
   // Displacements of the mesh's nodes without those of the particular solution.
   Eigen::VectorXd displacement_without(const UniformBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const UniformBodyForce& particular, const Solution& solution) const;
+  // Of a region with cracks: its operator, and its state under displacements of the scene and loads on faces.
+  const bem::CrackedOperator& cracked() const;
+  bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,
+                                  double proportional) const;
+  bem::CrackedState cracked_state(const Solution& solution) const;
+  // Of the boundary, whose displacements they belong to.
+  Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;
   FieldValues element_stress(const Solution& solution) const;
   FieldValues boundary_stress(const Solution& solution) const;
@@ -79,6 +100,7 @@ class BoundaryRegion : public Region {
   std::vector<int> node_of_mesh_node_;                     // of the scene, or -1
   Eigen::SparseMatrix<double> trace_;                      // mesh displacements from those of the region's nodes
   std::shared_ptr<const bem::BoundaryOperator> operator_;  // shared by regions that are alike
+  std::unique_ptr<RegionCracks> cracks_;                   // null without
   Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
   bool middles_follow_ends_ = true;                        // at grids that the elements follow
 };

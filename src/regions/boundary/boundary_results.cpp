@@ -71,7 +71,7 @@ FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
 
 FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
   const UniformBodyForce particular = this->particular(solution.body_force(id()));
-  const Eigen::VectorXd tractions = operator_->tractions(displacement_without(particular, solution));
+  const Eigen::VectorXd tractions = tractions_under(displacement_without(particular, solution), solution);
   FieldValues field{{}, 2};
   for (const BoundaryElement& element : mesh_.elements) {
     const auto geometry = bem::element_through(mesh_.nodes[element.nodes[0]], mesh_.nodes[element.nodes[1]],

@@ -435,13 +435,18 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Add an initial crack: bonds that meet the closed polyline are cut (touching its tip counts).
+    /// Add an initial crack, a polyline.
     ///
-    /// It must lie in peridynamic regions (ending on their boundary is fine) and keep off the
-    /// material points; that is checked when the model is prepared. A crack beside all regions
-    /// there are is refused at once. The bonds cut ahead of a tip make the crack open like a slit
-    /// that is 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the
-    /// tip lies between points: best half way between two columns or rows.
+    /// In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep
+    /// off the material points. The bonds cut ahead of a tip make the crack open like a slit that
+    /// is 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the tip
+    /// lies between points: best half way between two columns or rows. It may end on a region's
+    /// boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
+    /// themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded.
+    /// There it may start or end at a free edge, a hole or another crack, and cracks may cross. One
+    /// crack lies in peridynamic regions or in one BEM region, and ends before interfaces of BEM
+    /// regions. A crack beside all regions there are is refused at once, everything else when the
+    /// model is prepared.
     ///
     /// * model \[in\]: the model
     /// * point_count \[in\]: number of points, \>= 2
@@ -738,6 +743,40 @@ extern "C" {
         component: i32,
         constant: f64,
         proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+/// Pressure that pushes the faces apart.
+pub const BEMPD_PRESSURE: bempd_face_component = 1;
+/// Shear along the crack: it drives the face on the left, seen from the crack's first point,
+/// towards the last point and the other face back.
+pub const BEMPD_SHEAR: bempd_face_component = 2;
+/// What acts on the faces of a crack.
+///
+/// * since: 0.2
+pub type bempd_face_component = ::std::os::raw::c_uint;
+extern "C" {
+    /// Add a traction on both faces of a crack in a BEM region; give it new values with
+    /// bempd_set_load_values(). Energies and work leave out what such loads do within the crack
+    /// alone.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * component \[in\]: BEMPD_PRESSURE or BEMPD_SHEAR
+    /// * value_count \[in\]: 1: uniform; 2: linear from the crack's start to its end; n: values at n
+    ///   equally spaced places
+    /// * constant \[in\]: shape \[value_count\], constant part \[Pa\]; NULL for 0
+    /// * proportional \[in\]: shape \[value_count\], part multiplied by the load factor \[Pa\]; NULL for 0
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_add_crack_traction(
+        model: *mut bempd_model,
+        crack: i32,
+        component: i32,
+        value_count: i64,
+        constant: *const f64,
+        proportional: *const f64,
         load: *mut i32,
     ) -> bempd_status;
 }
@@ -1239,6 +1278,156 @@ extern "C" {
         regions: *mut i32,
     ) -> bempd_status;
 }
+pub const BEMPD_CRACK_START: bempd_tip_end = 1;
+pub const BEMPD_CRACK_END: bempd_tip_end = 2;
+/// End of a crack.
+///
+/// * since: 0.2
+pub type bempd_tip_end = ::std::os::raw::c_uint;
+/// The tip of a crack in a BEM region, at the present load factor. Fill it with
+/// bempd_crack_tip_init().
+///
+/// Stress intensity factors come from the energy that the body releases when the tip moves, shared
+/// among the modes as the openings next to it are; they are right to 1e-4 and better where the
+/// boundary's elements are no longer than what they border on.
+///
+/// * since: 0.2
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_crack_tip {
+    /// sizeof(bempd_crack_tip), set by bempd_crack_tip_init()
+    pub struct_size: i64,
+    /// id of the crack
+    pub crack: i32,
+    /// a bempd_tip_end
+    pub end: i32,
+    /// place \[m\]
+    pub x: f64,
+    /// place \[m\]
+    pub y: f64,
+    /// unit vector in which the crack would go straight on \[-\]
+    pub direction_x: f64,
+    /// \[-\]
+    pub direction_y: f64,
+    /// K_I \[Pa m^(1/2)\]; negative if the faces overlap at the tip
+    pub stress_intensity_1: f64,
+    /// K_II, positive if the left side, seen in the direction, moves forward \[Pa m^(1/2)\]
+    pub stress_intensity_2: f64,
+    /// G of growth straight on \[J/m^2\]
+    pub energy_release_rate: f64,
+    /// stress along the crack beside the singular one \[Pa\]
+    pub t_stress: f64,
+    /// estimate of the error of the stress intensity factors, from elements twice as long \[Pa
+    /// m^(1/2)\]
+    pub error: f64,
+    /// angle from the direction to that of the largest hoop stress, counter-clockwise \[rad\]
+    pub kink_angle: f64,
+    /// smallest load factor \>= 0 at which the energy release rate is the material's
+    /// fracture_energy; infinite if it never is or the material has none \[-\]
+    pub critical_load_factor: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * tip \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_crack_tip_init(tip: *mut bempd_crack_tip, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are
+    /// none. Prepares the model.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of tips
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_tip_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// A tip, by crack and the end nearer to its first point first.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * tip \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_tip(
+        model: *mut bempd_model,
+        index: i64,
+        tip: *mut bempd_crack_tip,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Openings of a crack in a BEM region at the present load factor: displacement of the face on
+    /// its left, seen from its first point, less that of the face on its right.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * count \[in\]: number of places
+    /// * fractions \[in\]: shape \[count\], places as fractions of the crack's length, 0 .. 1 \[-\]
+    /// * normal \[out\]: shape \[count\], positive if it is open, negative if its faces overlap \[m\]; may
+    ///   be NULL
+    /// * tangential \[out\]: shape \[count\], along the crack \[m\]; may be NULL
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_crack_opening(
+        model: *mut bempd_model,
+        crack: i32,
+        count: i64,
+        fractions: *const f64,
+        normal: *mut f64,
+        tangential: *mut f64,
+    ) -> bempd_status;
+}
+/// What bempd_grow_cracks() did. Fill it with bempd_growth_init().
+///
+/// * since: 0.2
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_growth {
+    /// sizeof(bempd_growth), set by bempd_growth_init()
+    pub struct_size: i64,
+    /// tips that have grown
+    pub tips: i32,
+    /// of them those that have reached an edge, a hole or another crack and are no tips any more
+    pub ended: i32,
+    /// load factor at which they did; the model is there now \[-\]
+    pub load_factor: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * growth \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_growth) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_growth_init(growth: *mut bempd_growth, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    ///
+    /// The load factor is solved for: the smallest one \>= 0 at which a tip reaches its material's
+    /// fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an
+    /// edge, a hole or a crack on 1.25 times its way ends there. The scene is built anew with the
+    /// longer cracks, at that load factor; the history begins anew. Choose lengths some times
+    /// shorter than the distance to the next edge or crack.
+    ///
+    /// * model \[in\]: a model without peridynamic regions
+    /// * length \[in\]: how far tips grow \[m\], \> 0
+    /// * growth \[in,out\]: struct_size in, the rest out; may be NULL
+    /// * return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that
+    ///   would cut a region in two is an argument error and stays as it was
+    /// * since: 0.2
+    pub fn bempd_grow_cracks(
+        model: *mut bempd_model,
+        length: f64,
+        growth: *mut bempd_growth,
+    ) -> bempd_status;
+}
 /// Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 ///
 /// * since: 0.1
@@ -1249,7 +1438,7 @@ pub struct bempd_statistics {
     pub struct_size: i64,
     /// nodes of all BEM regions
     pub boundary_nodes: i64,
-    /// elements of all BEM regions
+    /// elements of all BEM regions, with those on cracks
     pub boundary_elements: i64,
     /// points of all PD regions
     pub material_points: i64,
@@ -1460,8 +1649,9 @@ extern "C" {
 }
 extern "C" {
     /// Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu
-    /// with displacement, damage and stress, and prefix.pvd, the series of all snapshots this model
-    /// has written with this prefix.
+    /// with displacement, damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in
+    /// BEM regions (left face less right face), and prefix.pvd, the series of all snapshots this
+    /// model has written with this prefix.
     ///
     /// * model \[in\]: the model
     /// * prefix \[in\]: path without ending, UTF-8; the folder must exist

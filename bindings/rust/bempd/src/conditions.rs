@@ -1,7 +1,7 @@
 use std::ops::{Bound, RangeBounds};
 
 use crate::raw::EdgePart;
-use crate::{Component, LoadId, Model, RegionId, Result, SupportId};
+use crate::{Component, CrackId, FaceComponent, LoadId, Model, RegionId, Result, SupportId};
 
 /// Values along a part of an edge: `constant + load_factor * proportional`, each 0 where not given. One value is
 /// uniform, two are linear from start to end, n are values at n equally spaced places with linear ones between.
@@ -143,6 +143,16 @@ impl Model {
         function: impl FnMut(f64, f64) -> Option<BoundaryValue> + Send + 'static,
     ) -> Result<LoadId> {
         self.handle.add_traction_function(edge_part(region, edge, part), Box::new(function)).map(LoadId)
+    }
+
+    /// Adds a traction [Pa] on both faces of a crack in a boundary element region; values run along the crack.
+    pub fn add_crack_traction(
+        &mut self,
+        crack: CrackId,
+        component: FaceComponent,
+        values: Values<'_>,
+    ) -> Result<LoadId> {
+        self.handle.add_crack_traction(crack.0, component as i32, &values).map(LoadId)
     }
 
     /// Adds a force [N], along x or y, on the node or material point at a place [m].

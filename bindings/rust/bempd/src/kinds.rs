@@ -22,6 +22,38 @@ pub enum Component {
     Both = sys::BEMPD_BOTH as i32,
 }
 
+/// What acts on the faces of a crack.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum FaceComponent {
+    /// Pressure that pushes the faces apart.
+    Pressure = sys::BEMPD_PRESSURE as i32,
+    /// Shear along the crack that drives the left face, seen from its first point, forward and the other one back.
+    Shear = sys::BEMPD_SHEAR as i32,
+}
+
+/// End of a crack.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum TipEnd {
+    /// Its first point.
+    Start,
+    /// Its last point.
+    End,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl TipEnd {
+    pub(crate) fn from_raw(end: i32) -> TipEnd {
+        match end as sys::bempd_tip_end {
+            sys::BEMPD_CRACK_START => TipEnd::Start,
+            sys::BEMPD_CRACK_END => TipEnd::End,
+            _ => TipEnd::Other(end),
+        }
+    }
+}
+
 /// A field on a region. Nodes are boundary nodes or material points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]

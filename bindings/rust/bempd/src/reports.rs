@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::StopReason;
+use crate::{CrackId, StopReason, TipEnd};
 
 /// Where a run stands, told after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +48,62 @@ impl FromRaw<i32> for bool {
 impl FromRaw<i32> for StopReason {
     fn from_raw(raw: i32) -> StopReason {
         StopReason::from_raw(raw)
+    }
+}
+
+impl FromRaw<i32> for CrackId {
+    fn from_raw(raw: i32) -> CrackId {
+        CrackId(raw)
+    }
+}
+
+impl FromRaw<i32> for TipEnd {
+    fn from_raw(raw: i32) -> TipEnd {
+        TipEnd::from_raw(raw)
+    }
+}
+
+mirror! {
+    /// The tip of a crack in a boundary element region, at the present load factor.
+    CrackTip of bempd_crack_tip {
+        /// The crack.
+        crack: CrackId,
+        /// Which of its ends.
+        end: TipEnd,
+        /// Place [m].
+        x: f64,
+        /// Place [m].
+        y: f64,
+        /// Unit vector in which the crack would go straight on [-].
+        direction_x: f64,
+        /// [-].
+        direction_y: f64,
+        /// K_I [Pa m^(1/2)]; negative if the faces overlap at the tip.
+        stress_intensity_1: f64,
+        /// K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)].
+        stress_intensity_2: f64,
+        /// G of growth straight on [J/m^2].
+        energy_release_rate: f64,
+        /// Stress along the crack beside the singular one [Pa].
+        t_stress: f64,
+        /// Estimate of the error of the stress intensity factors [Pa m^(1/2)].
+        error: f64,
+        /// Angle from the direction to that of the largest hoop stress, counter-clockwise [rad].
+        kink_angle: f64,
+        /// Smallest load factor >= 0 at which the energy release rate is the fracture energy; infinite if it never is.
+        critical_load_factor: f64,
+    }
+}
+
+mirror! {
+    /// What growth of cracks by a length did.
+    Growth of bempd_growth {
+        /// Tips that have grown.
+        tips: i32,
+        /// Of them those that have reached an edge, a hole or another crack.
+        ended: i32,
+        /// Load factor at which they did [-].
+        load_factor: f64,
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::{BondState, Field, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View};
+use crate::{BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View};
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,6 +27,15 @@ pub struct PointValues {
     pub stress: Vec<[f64; 3]>,
     /// The regions that hold the places.
     pub regions: Vec<RegionId>,
+}
+
+/// Openings of a crack, one entry a place: displacement of its left face less that of its right one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CrackOpening {
+    /// Normal to it, negative where its faces overlap [m].
+    pub normal: Vec<f64>,
+    /// Along it [m].
+    pub tangential: Vec<f64>,
 }
 
 /// # Results
@@ -114,6 +123,56 @@ impl Model {
     /// As [`Model::evaluate`], without the cost of the stress.
     pub fn evaluate_displacement(&self, places: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
         self.handle.evaluate_displacement(places)
+    }
+
+    /// Number of tips that cracks in boundary element regions have.
+    pub fn tip_count(&self) -> Result<usize> {
+        self.handle.tip_count().map(|count| count as usize)
+    }
+
+    /// A tip, from 0.
+    pub fn tip(&self, index: usize) -> Result<CrackTip> {
+        Ok(CrackTip::from_raw(&self.handle.tip(index as i64)?))
+    }
+
+    /// All tips, by crack, with their stress intensity factors.
+    ///
+    /// ```
+    /// use bempd::{Component, FaceComponent, Material, Model, TipEnd, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material::new(70e9, 0.2))?;
+    /// model.add_bem_region(glass, &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-0.01, 0.0], [0.01, 0.0]])?;
+    /// model.fix_point([-1.0, -1.0], Component::Both)?;
+    /// model.fix_point([1.0, -1.0], Component::Y)?;
+    /// model.add_crack_traction(crack, FaceComponent::Pressure, Values::constant(&[1e6]))?;
+    ///
+    /// let tips = model.tips()?;
+    /// let expected = 1e6 * (std::f64::consts::PI * 0.01).sqrt();
+    /// assert_eq!((tips.len(), tips[1].crack, tips[1].end), (2, crack, TipEnd::End));
+    /// assert!((tips[1].stress_intensity_1 / expected - 1.0).abs() < 3e-4);
+    /// let opening = model.crack_opening(crack, &[0.5, 1.0])?;
+    /// assert!(opening.normal[0] > 0.0 && opening.normal[1].abs() < 1e-15);
+    /// assert!(opening.tangential[0].abs() < 1e-6 * opening.normal[0]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn tips(&self) -> Result<Vec<CrackTip>> {
+        (0..self.tip_count()?).map(|index| self.tip(index)).collect()
+    }
+
+    /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
+    /// The load factor is solved for; the model is there afterwards, with the longer cracks and a new history.
+    pub fn grow_cracks(&mut self, length: f64) -> Result<Growth> {
+        Ok(Growth::from_raw(&self.handle.grow_cracks(length)?))
+    }
+
+    /// Openings of a crack in a boundary element region at places given as fractions of its length.
+    pub fn crack_opening(&self, crack: CrackId, fractions: &[f64]) -> Result<CrackOpening> {
+        let (normal, tangential) = self.handle.crack_opening(crack.0, fractions)?;
+        Ok(CrackOpening { normal, tangential })
     }
 
     /// Present load factor [-].

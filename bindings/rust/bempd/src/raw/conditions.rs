@@ -112,6 +112,13 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_crack_traction(&mut self, crack: i32, component: i32, values: &Values<'_>) -> Result<i32> {
+        let Arrays { count, constant, proportional } = Arrays::of(values)?;
+        self.output(|model, load| unsafe {
+            sys::bempd_add_crack_traction(model, crack, component, count, constant, proportional, load)
+        })
+    }
+
     pub(crate) fn add_point_force(
         &mut self,
         place: [f64; 2],

@@ -135,6 +135,31 @@ impl Handle {
         Ok(displacement)
     }
 
+    pub(crate) fn tip_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_tip_count(model, count) })
+    }
+
+    pub(crate) fn tip(&self, index: i64) -> Result<sys::bempd_crack_tip> {
+        let mut tip = filled(sys::bempd_crack_tip_init)?;
+        self.call(|model| unsafe { sys::bempd_tip(model, index, &mut tip) })?;
+        Ok(tip)
+    }
+
+    pub(crate) fn grow_cracks(&mut self, length: f64) -> Result<sys::bempd_growth> {
+        let mut growth = filled(sys::bempd_growth_init)?;
+        self.call(|model| unsafe { sys::bempd_grow_cracks(model, length, &mut growth) })?;
+        Ok(growth)
+    }
+
+    /// Normal and tangential.
+    pub(crate) fn crack_opening(&self, crack: i32, fractions: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
+        let (mut normal, mut tangential) = (vec![0.0; fractions.len()], vec![0.0; fractions.len()]);
+        let (count, places) = (fractions.len() as i64, fractions.as_ptr());
+        let outputs = (normal.as_mut_ptr(), tangential.as_mut_ptr());
+        self.call(|model| unsafe { sys::bempd_crack_opening(model, crack, count, places, outputs.0, outputs.1) })?;
+        Ok((normal, tangential))
+    }
+
     pub(crate) fn load_factor(&self) -> Result<f64> {
         self.output(|model, load_factor| unsafe { sys::bempd_load_factor(model, load_factor) })
     }

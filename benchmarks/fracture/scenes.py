@@ -1,0 +1,98 @@
+"""Bodies with cracks whose stress intensity factors are known, each as a function that returns a loaded model."""
+
+from __future__ import annotations
+
+import math
+from typing import Sequence
+
+import bempd
+
+Points = Sequence[tuple[float, float]]
+# So large that a crack of length 2 does not notice its edges (the factors of the infinite plate are higher by 1e-6).
+LARGE = 1000.0
+
+
+def plate(half_width: float, half_height: float, element: float, cracks: Sequence[Points], *, stress: tuple[float, float] = (0, 1),
+          radius: float = 0, left: float | None = None, energy: float = 0, modulus: float = 1) -> bempd.Model:
+    """A plate around the origin pulled by stress (x, y), in plane stress; `radius` of a hole in its middle."""
+    model = bempd.Model()
+    material = model.add_material(young_modulus=modulus, poisson_ratio=0.3, fracture_energy=energy or None)
+    low = -half_width if left is None else left
+    corners = bempd.rectangle(low, -half_height, half_width, half_height)
+    body = model.add_bem_region(material, corners, element_length=element)
+    if radius:
+        model.add_circular_hole(body, (0, 0), radius)
+    for crack in cracks:
+        model.add_crack(crack)
+    model.fix_point(corners[0])
+    model.fix_point(corners[1], "y")
+    for edge, component, value in ((2, "x", stress[0]), (4, "x", -stress[0]), (3, "y", stress[1]), (1, "y", -stress[1])):
+        if value:
+            model.add_traction(body, edge, component, value)
+    return model
+
+
+def centre(a: float, element: float = 0.25) -> bempd.Model:
+    return plate(1, 3, element, [[(-a, 0), (a, 0)]])
+
+
+def single_edge(a: float, element: float = 0.125) -> bempd.Model:
+    return plate(1, 3, element, [[(0, 0), (a, 0)]], left=0)
+
+
+def double_edge(a: float, element: float = 0.25) -> bempd.Model:
+    return plate(1, 3, element, [[(-1, 0), (a - 1, 0)], [(1, 0), (1 - a, 0)]])
+
+
+def from_hole(a: float) -> bempd.Model:
+    """Two cracks from a hole of radius 1; their ends lie a from its middle."""
+    return plate(200, 200, 50, [[(1, 0), (a, 0)], [(-1, 0), (-a, 0)]], radius=1)
+
+
+def inclined(degrees: float, element: float = 5) -> bempd.Model:
+    angle = math.radians(degrees)
+    end = (math.cos(angle), math.sin(angle))
+    return plate(20, 20, element, [[(-end[0], -end[1]), end]])
+
+
+def kinked(length: float) -> bempd.Model:
+    """A crack of length 2 with a kink of 45 degrees at its right end; length 0: straight. Pulled from all sides."""
+    kink = length * math.sqrt(0.5)
+    return plate(LARGE, LARGE, 500, [[(-1, 0), (1, 0)] + ([(1 + kink, kink)] if length else [])], stress=(1, 1))
+
+
+def pressure() -> bempd.Model:
+    model = plate(LARGE, LARGE, 500, [[(-1, 0), (1, 0)]], stress=(0, 0))
+    model.add_crack_traction(1, "pressure", 1)
+    return model
+
+
+def shear() -> bempd.Model:
+    model = plate(LARGE, LARGE, 500, [[(-1, 0), (1, 0)]], stress=(0, 0))
+    model.add_crack_traction(1, "shear", 1)
+    return model
+
+
+def collinear(half_gap: float) -> bempd.Model:
+    """Two cracks of length 2."""
+    return plate(LARGE, LARGE, 500, [[(-half_gap - 2, 0), (-half_gap, 0)], [(half_gap, 0), (half_gap + 2, 0)]])
+
+
+def arc(pieces: int = 64) -> bempd.Model:
+    """Along a quarter of a circle of radius 1, by chords that touch it. Pulled from all sides."""
+    half, part = math.pi / 4, math.pi / 2 / pieces
+    points = [(-math.sin(half), math.cos(half))]
+    for i in range(pieces):
+        angle = math.pi / 2 + half - part * (i + 0.5)
+        points.append((math.cos(angle) / math.cos(part / 2), math.sin(angle) / math.cos(part / 2)))
+    points.append((math.sin(half), math.cos(half)))
+    return plate(LARGE, LARGE, 500, [points], stress=(1, 1))
+
+
+def tiny(a: float) -> bempd.Model:
+    return plate(1, 1, 0.5, [[(0.1 - a, 0.2), (0.1 + a, 0.2)]])
+
+
+def next_to_an_edge(gap: float, element: float = 0.25) -> bempd.Model:
+    """The left tip of a crack of length 1 lies `gap` from the edge of a strip."""
+    return plate(1, 3, element, [[(0, 0), (gap - 1, 0)]])

@@ -1,0 +1,174 @@
+#include "bem/crack_grading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/segment.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// Seen from a way s along a crack from the place where it meets another line, that line is something of its own only
+// if it is this much closer than s: a crack that runs back beside it.
+constexpr double aside = 0.3;
+
+// Smaller turns are those of a polygon that stands for a curve.
+constexpr double least_kink = 0.2;
+
+constexpr int most_halvings = 40;
+
+// Longest element over the way to the next thing, along a crack and of an element that ends at the tip: the openings
+// next to it share the energy release rate between the modes (measured on infinitesimal kinks: 4e-4 of K_II with half
+// the way, 2e-5 with a quarter).
+constexpr double longest = 0.5, longest_at_tip = 0.25;
+
+Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
+
+double distance(const CrackLine& line, const Point& x) {
+  double least = infinite;
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+    least = std::min(least, bempd::distance(segment(line, i), x));
+  return least;
+}
+
+double turn(const CrackLine& line, std::size_t vertex) {
+  const Point before = segment(line, vertex - 1).direction(), after = segment(line, vertex).direction();
+  return std::abs(std::atan2(cross(before, after), before.dot(after)));
+}
+
+// Halves an interval until it is no longer than `limit` says for its ends and its middle.
+template <class Limit>
+void halve(double from, double to, double length, const Limit& limit, int depth, std::vector<double>& ends) {
+  const double middle = 0.5 * (from + to);
+  // Rounding must not halve one of two that are alike.
+  constexpr double slack = 1 + 1e-9;
+  if (depth < most_halvings && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
+    halve(from, middle, 0.5 * length, limit, depth + 1, ends);
+    halve(middle, to, 0.5 * length, limit, depth + 1, ends);
+    return;
+  }
+  ends.push_back(to);
+}
+
+}  // namespace
+
+CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& boundary, double tolerance,
+                       const CrackGrading& grading)
+    : cracks_(cracks), boundary_(boundary), tolerance_(tolerance), grading_(grading) {
+  for (const CrackLine& line : cracks.lines) {
+    ways_.push_back({0.0});
+    for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+      ways_.back().push_back(ways_.back().back() + segment(line, i).length());
+  }
+  for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
+}
+
+double CrackSizes::from_kinks(int l, double way) const {
+  const CrackLine& line = cracks_.lines[l];
+  const std::vector<double>& ways = ways_[l];
+  const double largest = 2 * ways.back() / grading_.elements_per_line,
+               halved = std::ldexp(1, -grading_.halvings_at_kinks);
+  double limit = infinite;
+  const auto consider = [&](double at, double shortest) {
+    limit = std::min(limit, std::max(std::abs(way - at), halved * std::min(shortest, largest)));
+  };
+  for (std::size_t v = 1; v + 1 < ways.size(); ++v)
+    if (turn(line, v) > least_kink) consider(ways[v], std::min(ways[v] - ways[v - 1], ways[v + 1] - ways[v]));
+  const auto branches = [&](int joint) { return joint >= 0 && !cracks_.joints[joint].mouth; };
+  if (branches(line.joints[0])) consider(0, ways[1]);
+  if (branches(line.joints[1])) consider(ways.back(), ways.back() - ways[ways.size() - 2]);
+  return limit;
+}
+
+double CrackSizes::on_line(int l, double way) const {
+  const CrackLine& line = cracks_.lines[l];
+  const std::vector<double>& ways = ways_[l];
+  std::size_t own = 0;
+  while (own + 2 < ways.size() && way > ways[own + 1]) ++own;
+  const Point x = segment(line, own).at((way - ways[own]) / (ways[own + 1] - ways[own]));
+  const bool at_tip = (way == 0 && line.joints[0] < 0) || (way == ways.back() && line.joints[1] < 0);
+  const double share = at_tip ? longest_at_tip : longest;
+  double limit = share * from_kinks(l, way);
+  // `apart`: way from here to the thing along the line, infinite if the line does not lead to it. In the angle between
+  // a line and what it leads to elements get no smaller than at kinks.
+  const double least = std::ldexp(ways.back() / grading_.elements_per_line, -grading_.halvings_at_kinks);
+  const auto consider = [&](double gap, double apart) {
+    if (apart == infinite)
+      limit = std::min(limit, share * gap);
+    else if (gap < aside * apart)
+      limit = std::min(limit, std::max(gap, least));
+  };
+  const auto way_to_joint = [&](const auto& is_there) {
+    double apart = infinite;
+    for (int end = 0; end < 2; ++end)
+      if (line.joints[end] >= 0 && is_there(line.joints[end]))
+        apart = std::min(apart, end == 0 ? way : ways.back() - way);
+    return apart;
+  };
+  for (const Edge& edge : boundary_)
+    consider(bempd::distance(edge, x), way_to_joint([&](int joint) {
+               return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_;
+             }));
+  for (int other = 0; other < static_cast<int>(cracks_.lines.size()); ++other) {
+    if (other == l) continue;
+    const CrackLine& them = cracks_.lines[other];
+    consider(distance(them, x),
+             way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; }));
+  }
+  for (std::size_t i = 0; i + 1 < ways.size(); ++i)
+    if (way < ways[i] || way > ways[i + 1])
+      consider(bempd::distance(segment(line, i), x), std::max(ways[i] - way, way - ways[i + 1]));
+  return limit;
+}
+
+std::vector<double> CrackSizes::stations_of(int l) const {
+  const std::vector<double>& ways = ways_[l];
+  const CrackLine& line = cracks_.lines[l];
+  const double target = ways.back() / grading_.elements_per_line;
+  std::vector<double> stations{0.0};
+  for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
+    const double length = ways[i + 1] - ways[i];
+    // An element has one tip at most.
+    const bool two_tips = ways.size() == 2 && line.joints[0] < 0 && line.joints[1] < 0;
+    const int count = std::max(two_tips ? 2 : 1, static_cast<int>(std::ceil(length / target * (1 - 1e-9))));
+    for (int k = 0; k < count; ++k)
+      halve(
+          ways[i] + length * k / count, k + 1 == count ? ways[i + 1] : ways[i] + length * (k + 1) / count,
+          length / count, [&](double way) { return on_line(l, way); }, 0, stations);
+  }
+  return stations;
+}
+
+double CrackSizes::on_boundary(const Point& x) const {
+  // Of the element at a mouth, in a small angle beside it.
+  const double least = std::ldexp(1, -grading_.halvings_at_kinks);
+  double limit = infinite;
+  for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {
+    const CrackLine& line = cracks_.lines[l];
+    const std::vector<double>& stations = stations_[l];
+    double allowed = distance(line, x);
+    for (int end = 0; end < 2; ++end) {
+      if (line.joints[end] < 0 || !cracks_.joints[line.joints[end]].mouth) continue;
+      const double apart = (cracks_.joints[line.joints[end]].place - x).norm();
+      const double element = end == 0 ? stations[1] : stations.back() - stations[stations.size() - 2];
+      allowed = std::max(allowed, distance(line, x) < aside * apart ? least * element : std::max(apart, element));
+    }
+    limit = std::min(limit, allowed);
+  }
+  return limit;
+}
+
+std::vector<double> CrackSizes::refined(const Arc& piece, const std::vector<double>& stations) const {
+  std::vector<double> result{stations.front()};
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i)
+    halve(
+        stations[i], stations[i + 1], (stations[i + 1] - stations[i]) * piece.length(),
+        [&](double fraction) { return on_boundary(piece.at(fraction)); }, 0, result);
+  return result;
+}
+
+}  // namespace bempd::bem

@@ -1,0 +1,156 @@
+#include "bem/crack_tips.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "bem/interior.hpp"
+#include "bem/pair_blocks.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+// Of the tip element's length; the difference quotient is exact to some 1e-7.
+constexpr double step = 1e-3;
+
+Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
+
+// The elements of a body, and behind them for every tip its element with the tip moved on and back.
+class MovedTips {
+ public:
+  explicit MovedTips(const CrackedOperator& body)
+      : body_(body),
+        elements_(with_moved(body)),
+        blocks_(elements_, body.elasticity().effective_poisson_ratio(), body.options().quadrature_tolerance) {}
+
+  // (1/2 u^T D u + t^T B u)' of tip number k in every column; `values` are displacements and openings, tractions are
+  // scaled.
+  Eigen::VectorXd derivatives(int k, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
+    const int first = static_cast<int>(body_.elements().size()) + 2 * k;
+    const double length = 2 * body_.elements()[element_of(k)].geometry.c1.norm();
+    return (forms(k, first, values, tractions) - forms(k, first + 1, values, tractions)) / (2 * step * length);
+  }
+
+ private:
+  int element_of(int k) const {
+    return static_cast<int>(body_.mesh().elements.size()) + body_.cracks().tips[k].element;
+  }
+
+  static std::vector<GalerkinElement> with_moved(const CrackedOperator& body) {
+    std::vector<GalerkinElement> elements = body.elements();
+    const std::size_t first = body.mesh().elements.size();
+    for (const CrackTip& tip : body.cracks().tips) {
+      const GalerkinElement& own = body.elements()[first + tip.element];
+      const Point start = own.geometry.at(-1), end = own.geometry.at(1);
+      for (const double by : {step, -step}) {
+        GalerkinElement moved = own;
+        moved.geometry = tip.end == TipEnd::start ? tip_element(start + by * (start - end), end, tip.end)
+                                                  : tip_element(start, end + by * (end - start), tip.end);
+        elements.push_back(moved);
+      }
+    }
+    return elements;
+  }
+
+  // What the pairs with one variant of the tip's element contribute.
+  Eigen::VectorXd forms(int k, int variant, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
+    const GalerkinElement& tip = elements_[variant];
+    const int own = element_of(k), count = static_cast<int>(body_.elements().size());
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(values.cols());
+    for (int e = 0; e < count; ++e) {
+      const int outer = e == own ? variant : e;
+      const GalerkinElement& x = elements_[outer];
+      const PairMoments m = blocks_.moments(outer, variant, PairPart::everything);
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) {
+          const auto w = values.middleRows<2>(2 * tip.nodes[b]);
+          Eigen::MatrixXd force = blocks_.hypersingular(outer, variant, m, a, b) * values.middleRows<2>(2 * x.nodes[a]);
+          if (!x.crack) force += blocks_.double_layer(m, a, b) * tractions.middleRows<2>(2 * x.traction_nodes[a]);
+          sums += w.cwiseProduct(force).colwise().sum().transpose();
+        }
+    }
+    return sums;
+  }
+
+  const CrackedOperator& body_;
+  std::vector<GalerkinElement> elements_;
+  PairBlocks blocks_;
+};
+
+// The openings next to a tip in its axes, first shearing: the factor of the square root of the distance.
+Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const Eigen::VectorXd& openings) {
+  const CrackElement& element = cracks.elements[tip.element];
+  const bool at_start = tip.end == TipEnd::start;
+  const Point mid = openings.segment<2>(2 * element.nodes[1]);
+  const Point far = openings.segment<2>(2 * element.nodes[at_start ? 2 : 0]);
+  const Point jump = (at_start ? -1.0 : 1.0) * (8 * mid - far) / 3;
+  return {jump.dot(tip.direction), jump.dot(left_of(tip.direction))};
+}
+
+StressIntensity shared_by_modes(const CrackedOperator& body, const CrackTip& tip, double rate,
+                                const Eigen::VectorXd& openings) {
+  const Point opening = opening_at(body.cracks(), tip, openings);
+  const double size = opening.norm();
+  if (size == 0) return {rate, Point::Zero()};
+  return {rate, std::sqrt(plane_modulus(body.elasticity()) * rate) / size * Point(opening.y(), opening.x())};
+}
+
+}  // namespace
+
+double plane_modulus(const PlaneElasticity& elasticity) {
+  return 2 * elasticity.shear_modulus() / (1 - elasticity.effective_poisson_ratio());
+}
+
+std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
+                                                             const std::vector<CrackedState>& states) {
+  const CrackMesh& cracks = body.cracks();
+  const double shear = body.elasticity().shear_modulus(), length = body.boundary().length;
+  const Eigen::Index count = static_cast<Eigen::Index>(states.size());
+  Eigen::MatrixXd values(body.matrices().hypersingular.rows(), count);
+  Eigen::MatrixXd tractions(body.matrices().single_layer.rows(), count);
+  for (Eigen::Index s = 0; s < count; ++s) {
+    values.col(s) << states[s].displacements, states[s].openings;
+    tractions.col(s) = length / shear * states[s].tractions;
+  }
+  const MovedTips moved(body);
+  std::vector<std::vector<StressIntensity>> results;
+  for (int k = 0; k < static_cast<int>(cracks.tips.size()); ++k) {
+    const CrackTip& tip = cracks.tips[k];
+    Eigen::VectorXd rates = -shear / length * moved.derivatives(k, values, tractions);
+    results.emplace_back();
+    for (Eigen::Index s = 0; s < count; ++s) {
+      const CrackedState& state = states[s];
+      if (state.face_traction) rates[s] += work_of_growth(cracks, tip, state.face_traction, state.openings);
+      results.back().push_back(shared_by_modes(body, tip, std::max(rates[s], 0.0), state.openings));
+    }
+  }
+  return results;
+}
+
+std::vector<double> stresses_along_crack(const CrackedOperator& body, const CrackedState& state) {
+  const CrackMesh& cracks = body.cracks();
+  InteriorEvaluator interior(body.mesh(), body.elasticity(), state.displacements, state.tractions);
+  interior.set_cracks(CrackField(body.boundary(), cracks, body.elasticity().effective_poisson_ratio(), state.openings));
+  std::vector<double> results;
+  for (const CrackTip& tip : cracks.tips) {
+    const Eigen::Vector3d s = interior.stress_without(tip.place, tip.element);
+    const Point d = tip.direction;
+    const double c = d.x() * d.x() - d.y() * d.y();
+    double stress = c * (s[0] - s[1]) + 4 * d.x() * d.y() * s[2];
+    // The outward normal of a face that lies on the left of a direction points to the right of it.
+    const Point normal = -left_of(tip.end == TipEnd::end ? d : Point(-d));
+    if (state.face_traction) stress += normal.dot(state.face_traction(tip.line, tip.place, normal));
+    results.push_back(stress);
+  }
+  return results;
+}
+
+Kink kink_of(const Point& factors) {
+  const double one = factors.x(), two = factors.y();
+  double angle = 0;
+  if (two != 0) angle = 2 * std::atan((one - std::sqrt(one * one + 8 * two * two)) / (4 * two));
+  const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+  return {angle, c * c * (one * c - 3 * two * s)};
+}
+
+}  // namespace bempd::bem

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bem/crack_forces.hpp"
+#include "bem/cracked_operator.hpp"
+
+namespace bempd::bem {
+
+// A state of a cracked body.
+struct CrackedState {
+  Eigen::VectorXd displacements;  // [m]
+  Eigen::VectorXd openings;       // [m], all of them
+  Eigen::VectorXd tractions;      // [Pa], of the boundary
+  FaceTraction face_traction;     // of the cracks, if there is any
+};
+
+// In the axes of a tip: the first one leads on, the second one to the left of it.
+struct StressIntensity {
+  double energy_release_rate;  // [J/m^2]
+  Point factors;               // K_I, K_II [Pa m^(1/2)]; K_I < 0: faces would overlap
+};
+
+// Of every tip in each of some states. The energy release rate is the derivative of the energy with respect to the
+// place of the tip, everything else held (virtual crack extension, deLorenzi, Eng. Fract. Mech. 21, 1985, with the
+// boundary's own forms):
+//   G = -(1/h) d/da [1/2 u^T K u - f^T u] = -G_shear [1/2 u^T D' u + t^T B' u] + f'^T u / h.
+// The modes share it as the openings next to the tip do.
+std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
+                                                             const std::vector<CrackedState>& states);
+
+// Of every tip: the stress along the crack that the singular field leaves over [Pa]. On the line of a straight crack
+// its openings give equal stresses along and across it, so that T is the difference of those that all the rest gives at
+// the tip, plus the normal stress that loads press on the faces with.
+std::vector<double> stresses_along_crack(const CrackedOperator& body, const CrackedState& state);
+
+// E' of plane stress or strain.
+double plane_modulus(const PlaneElasticity& elasticity);
+
+// Angle in which a tip goes on by the largest hoop stress, counter-clockwise, and the mode I factor that is worth the
+// two (Erdogan and Sih, J. Basic Eng. 85, 1963).
+struct Kink {
+  double angle, equivalent_factor;
+};
+Kink kink_of(const Point& factors);
+
+}  // namespace bempd::bem

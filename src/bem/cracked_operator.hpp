@@ -1,0 +1,82 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <vector>
+
+#include "bem/boundary_operator.hpp"
+#include "bem/crack_mesh.hpp"
+#include "bem/galerkin_assembly.hpp"
+#include "elasticity/plane_elasticity.hpp"
+#include "geometry/boundary_mesh.hpp"
+
+namespace bempd::bem {
+
+// Galerkin operator of a body with cracks. Openings are further unknowns beside the displacements u of the boundary:
+//   K = h G [D + B^T V^-1 B]  on (u, w),
+// V being that of the body without cracks, D and B having columns for openings, integrated as those of the boundary;
+// the force that belongs to an opening is the traction on its left face (Bonnet, Maier and Polizzotto, Appl. Mech. Rev.
+// 51, 1998, section 6). All that other bodies see of it is the stiffness of the boundary's nodes, the openings being
+// eliminated.
+class CrackedOperator final : public BoundaryOperator {
+ public:
+  // The mesh with its nodes split at mouths.
+  CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
+                  const AssemblyOptions& options = {});
+
+  // Symmetric positive semidefinite, of the boundary's nodes.
+  const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
+  // With faces free of traction.
+  Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
+  std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
+
+  // Of displacements and remaining openings.
+  const Eigen::MatrixXd& full_stiffness() const { return full_; }
+
+  // Forces on all openings [N], as crack_forces.hpp gives them, as forces on the boundary's nodes: what they add to the
+  // right-hand side.
+  Eigen::MatrixXd forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
+  // All openings [m] that belong to displacements and such forces.
+  Eigen::MatrixXd openings(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
+                           const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
+  // Tractions [Pa] of the boundary with all openings.
+  Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
+                            const Eigen::Ref<const Eigen::MatrixXd>& openings) const;
+
+  const std::vector<GalerkinElement>& elements() const { return elements_; }
+  // V, D and B^T of all displacements and openings, as integrated.
+  const GalerkinMatrices& matrices() const { return matrices_; }
+  const CrackMesh& cracks() const { return cracks_; }
+  const BoundaryMesh& mesh() const { return mesh_; }
+  const ScaledBoundary& boundary() const { return boundary_; }
+  const PlaneElasticity& elasticity() const { return elasticity_; }
+  const AssemblyOptions& options() const { return options_; }
+
+ private:
+  void eliminate_openings();
+
+  BoundaryMesh mesh_;
+  CrackMesh cracks_;
+  PlaneElasticity elasticity_;
+  AssemblyOptions options_;
+  ScaledBoundary boundary_;
+  std::vector<GalerkinElement> elements_;
+  GalerkinMatrices matrices_;
+  Eigen::MatrixXd full_, stiffness_;
+  Eigen::LLT<Eigen::MatrixXd> single_layer_, of_openings_;
+  std::int64_t kernel_evaluations_ = 0;
+};
+
+// The elements of the boundary, and behind them those of its cracks.
+std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
+                                                       const CrackMesh& cracks);
+
+// D + B^T V^-1 B on the unknowns; `map` gives all displacements and openings from them. D is to be whole.
+Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const Eigen::LLT<Eigen::MatrixXd>& single_layer,
+                             const Eigen::SparseMatrix<double>& map);
+
+// Displacements and all openings, one below the other, from the unknowns.
+Eigen::SparseMatrix<double> from_unknowns(const BoundaryMesh& mesh, const CrackMesh& cracks);
+
+}  // namespace bempd::bem

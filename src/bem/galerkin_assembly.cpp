@@ -1,0 +1,149 @@
+#include "bem/galerkin_assembly.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "bem/pair_blocks.hpp"
+#include "error.hpp"
+#include "cancellation.hpp"
+#include "parallel.hpp"
+
+namespace bempd::bem {
+
+namespace {
+
+// Groups of elements of which no two share a node: one group can be assembled by many threads without conflict, and
+// sums keep their order.
+std::vector<std::vector<int>> independent_groups(const std::vector<GalerkinElement>& elements, int nodes) {
+  const int count = static_cast<int>(elements.size());
+  std::vector<std::vector<int>> groups, touching(nodes);
+  std::vector<int> group_of(count, -1);
+  for (int e = 0; e < count; ++e)
+    for (const int end : {0, 2}) touching[elements[e].nodes[end]].push_back(e);
+  for (int e = 0; e < count; ++e) {
+    int group = 0;
+    const auto taken = [&] {
+      for (const int end : {0, 2})
+        for (const int other : touching[elements[e].nodes[end]])
+          if (other != e && group_of[other] == group) return true;
+      return false;
+    };
+    while (taken()) ++group;
+    group_of[e] = group;
+    if (group == static_cast<int>(groups.size())) groups.emplace_back();
+    groups[group].push_back(e);
+  }
+  return groups;
+}
+
+class Assembler {
+ public:
+  Assembler(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes, double nu,
+            const AssemblyOptions& options)
+      : elements_(elements), blocks_(elements, nu, options.quadrature_tolerance) {
+    matrices.single_layer.setZero(2 * traction_nodes, 2 * traction_nodes);
+    matrices.hypersingular.setZero(2 * nodes, 2 * nodes);
+    matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);
+  }
+
+  // All pairs whose outer element is given, in columns of it: `single_layer` and `hypersingular` are to be completed by
+  // adding their transposes.
+  std::int64_t add_outer(int outer) {
+    std::int64_t evaluations = 0;
+    const GalerkinElement& x = elements_[outer];
+    // The rows of integral equations belong to the boundary.
+    for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
+      check_cancelled();
+      const PairPart part = inner >= outer ? PairPart::everything : PairPart::double_layer_only;
+      const PairMoments moments = blocks_.moments(outer, inner, part);
+      if (!x.crack) add_double_layer(outer, inner, moments);
+      if (part == PairPart::everything) add_weakly_singular(outer, inner, moments);
+      evaluations += moments.evaluations;
+    }
+    return evaluations;
+  }
+
+  GalerkinMatrices matrices;
+
+ private:
+  void add_weakly_singular(int outer, int inner, const PairMoments& m) {
+    const GalerkinElement &x = elements_[outer], &y = elements_[inner];
+    const bool tractions = !x.crack && !y.crack;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) {
+        if (tractions)
+          matrices.single_layer.block<2, 2>(2 * y.traction_nodes[b], 2 * x.traction_nodes[a]) +=
+              blocks_.single_layer(outer, inner, m, a, b);
+        matrices.hypersingular.block<2, 2>(2 * y.nodes[b], 2 * x.nodes[a]) +=
+            blocks_.hypersingular(outer, inner, m, a, b);
+      }
+  }
+
+  void add_double_layer(int outer, int inner, const PairMoments& m) {
+    const GalerkinElement &x = elements_[outer], &y = elements_[inner];
+    // Nothing is subtracted from openings: the constants whose forces vanish are those of the boundary.
+    const int functions = y.crack ? 3 : 6;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < functions; ++b) {
+        const int node = b < 3 ? y.nodes[b] : x.nodes[b - 3];
+        matrices.double_layer.block<2, 2>(2 * node, 2 * x.traction_nodes[a]) += blocks_.double_layer(m, a, b);
+      }
+  }
+
+  const std::vector<GalerkinElement>& elements_;
+  PairBlocks blocks_;
+};
+
+// Visits the lower triangle by square tiles, so that the rows of a tile and its columns both stay in the cache.
+template <class Visit>
+void each_in_lower(Eigen::Index size, const Visit& visit) {
+  constexpr Eigen::Index tile = 32;
+  for (Eigen::Index column = 0; column < size; column += tile)
+    for (Eigen::Index row = column; row < size; row += tile)
+      for (Eigen::Index j = column; j < std::min(column + tile, size); ++j)
+        for (Eigen::Index i = std::max(row, j); i < std::min(row + tile, size); ++i) visit(i, j);
+}
+
+// Lower triangle of a + a^T, in place.
+void complete_lower(Eigen::MatrixXd& a) {
+  each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(i, j) += a(j, i); });
+}
+
+}  // namespace
+
+std::vector<GalerkinElement> boundary_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary) {
+  std::vector<GalerkinElement> elements;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const BoundaryElement& element = mesh.elements[e];
+    elements.push_back(
+        {boundary.elements[e], element.nodes, element.traction_nodes, {element.nodes[0], element.nodes[2]}});
+  }
+  return elements;
+}
+
+void require_positive(const Eigen::LLT<Eigen::MatrixXd>& single_layer) {
+  if (single_layer.info() == Eigen::Success) return;
+  fail(Failure::unsolvable,
+       "the boundary operator of a region is numerically singular; its shape has parts too thin for its elements, or "
+       "elements of too different length: give these parts shorter elements, or leave them out");
+}
+
+void copy_lower_to_upper(Eigen::MatrixXd& a) {
+  each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(j, i) = a(i, j); });
+}
+
+GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
+                                   double nu, const AssemblyOptions& options) {
+  Assembler assembler(elements, nodes, traction_nodes, nu, options);
+  const int threads = options.threads_for(elements.size());
+  std::atomic<std::int64_t> evaluations = 0;
+  for (const std::vector<int>& group : independent_groups(elements, nodes)) {
+    parallel_for(group.size(), threads, [&](std::size_t i) { evaluations += assembler.add_outer(group[i]); });
+  }
+  assembler.matrices.kernel_evaluations = evaluations;
+  complete_lower(assembler.matrices.single_layer);
+  complete_lower(assembler.matrices.hypersingular);
+  return std::move(assembler.matrices);
+}
+
+}  // namespace bempd::bem

@@ -1,0 +1,54 @@
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size) {
+  return init_struct(__func__, "tip", tip, struct_size, bempd_crack_tip{});
+}
+
+bempd_status bempd_tip_count(bempd_model* model, int64_t* count) {
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.tips().size()); });
+}
+
+bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    struct_bytes(tip, "tip", sizeof(int64_t));
+    const auto count = static_cast<int64_t>(m.tips().size());
+    require(index >= 0 && index < count, "index is ", index, "; cracks in BEM regions have ", count, " tips");
+    const regions::TipValues& t = m.tips()[static_cast<std::size_t>(index)];
+    write_struct(
+        tip,
+        bempd_crack_tip{sizeof(bempd_crack_tip), t.crack, t.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, t.place.x(),
+                        t.place.y(), t.direction.x(), t.direction.y(), t.factors.x(), t.factors.y(),
+                        t.energy_release_rate, t.stress_along, t.error, t.kink_angle, t.critical_load_factor},
+        "tip");
+  });
+}
+
+bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size) {
+  return init_struct(__func__, "growth", growth, struct_size, bempd_growth{});
+}
+
+bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
+    const model::GrowthResult grown = m.grow_cracks(length);
+    if (growth)
+      write_struct(growth, bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor}, "growth");
+  });
+}
+
+bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
+                                 double* normal, double* tangential) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(count >= 1 && count < (int64_t{1} << 31), "count is ", count, "; give at least 1 place");
+    require(fractions != nullptr, "fractions is NULL; give places as fractions of the crack's length");
+    const std::vector<Point> openings = m.crack_openings(crack, {fractions, fractions + count});
+    for (std::size_t i = 0; i < openings.size(); ++i) {
+      if (normal) normal[i] = openings[i].y();
+      if (tangential) tangential[i] = openings[i].x();
+    }
+  });
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/edge.hpp"
+
+namespace bempd {
+
+// A crack as given: a polyline. `id` is for messages.
+struct CrackPath {
+  int id;
+  std::vector<Point> points;
+};
+
+// Piece of a crack between the places where it ends, meets another one or reaches the boundary.
+struct CrackLine {
+  int crack;  // position of the path
+  std::vector<Point> points;
+  double start;               // its way along the path
+  std::array<int, 2> joints;  // at its start and end; -1: a tip
+
+  double length() const;
+};
+
+// A place where lines meet each other or, at a mouth, the boundary.
+struct CrackJoint {
+  Point place;
+  bool mouth;
+};
+
+struct CrackLines {
+  std::vector<CrackLine> lines;
+  std::vector<CrackJoint> joints;
+};
+
+// Parts cracks inside a body where they meet; `boundary` holds all its edges. Throws Error (argument) for cracks that
+// leave the body, run along its boundary or along each other, or fold back onto themselves.
+CrackLines crack_lines(const std::vector<CrackPath>& paths, const std::vector<Edge>& boundary, double tolerance);
+
+}  // namespace bempd

@@ -1,0 +1,54 @@
+#include <algorithm>
+
+#include "error.hpp"
+#include "model/model.hpp"
+
+namespace bempd::model {
+
+const std::vector<regions::TipValues>& Model::tips() {
+  ensure_equilibrium();
+  if (tips_generation_ == generation_) return tips_;
+  tips_.clear();
+  for (const auto& region : prepared_->discretization.regions) {
+    const std::vector<regions::TipValues> found = region->tips(solution());
+    tips_.insert(tips_.end(), found.begin(), found.end());
+  }
+  // By crack, its first point first.
+  std::stable_sort(tips_.begin(), tips_.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
+    return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
+  });
+  tips_generation_ = generation_;
+  return tips_;
+}
+
+std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& fractions) {
+  scene_.crack(crack);
+  for (const double fraction : fractions)
+    require(fraction >= 0 && fraction <= 1, "a fraction of the crack's length is ", fraction,
+            "; it must lie between 0 and 1");
+  prepare();
+  const int region = prepared_->discretization.crack_regions[static_cast<std::size_t>(crack) - 1];
+  require(region > 0, "crack ", crack,
+          " lies in a peridynamic region, where it has no opening of its own; ask for "
+          "displacements on both sides of it");
+  ensure_equilibrium();
+  return this->region(region).crack_openings(crack, fractions, solution());
+}
+
+bool Model::has_crack_elements() const {
+  const std::vector<int>& regions = prepared_->discretization.crack_regions;
+  return std::any_of(regions.begin(), regions.end(), [](int region) { return region > 0; });
+}
+
+void Model::warn_of_overlap() {
+  if (warned_of_overlap_ || !log_ || !has_crack_elements()) return;
+  for (const auto& region : prepared_->discretization.regions) {
+    const auto overlap = region->overlap(solution());
+    if (!overlap) continue;
+    warned_of_overlap_ = true;
+    log(1, text("the faces of crack ", overlap->crack, " overlap by ", overlap->depth, " at (", overlap->place.x(),
+                ", ", overlap->place.y(), "): they do not know contact; what closes a crack makes its results wrong"));
+  }
+}
+
+}  // namespace bempd::model

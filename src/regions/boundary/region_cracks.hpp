@@ -1,0 +1,55 @@
+#pragma once
+
+#include "bem/crack_grading.hpp"
+#include "bem/crack_tips.hpp"
+#include "regions/boundary/boundary_meshing.hpp"
+#include "regions/region.hpp"
+
+namespace bempd::regions {
+
+// The cracks of one boundary element region: where they part, elements on them, and the tractions on their faces.
+class RegionCracks {
+ public:
+  // Throws Error (argument) for cracks that cannot be.
+  RegionCracks(const Preparation& preparation, int region);
+  RegionCracks(const RegionCracks&) = delete;
+  RegionCracks& operator=(const RegionCracks&) = delete;
+
+  // Places on the boundary where cracks start or end.
+  std::vector<Point> mouths() const;
+  const bem::CrackSizes& sizes() const { return sizes_; }
+
+  // Splits nodes of the boundary's mesh.
+  void mesh(BoundaryMesh& boundary);
+  const bem::CrackMesh& elements() const { return mesh_; }
+
+  bool has(int crack) const;
+  int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
+  // Nothing if there are no loads; of the loads' constant part, their proportional part, or both at a load factor.
+  bem::FaceTraction traction(const std::vector<CrackLoad>& loads, double constant, double proportional) const;
+  // The opening at a part of the length of a crack, along it and normal to it.
+  Point opening_at(int crack, double fraction, const Eigen::VectorXd& openings) const;
+  std::vector<CrackPicture> pictures(const Eigen::VectorXd& openings) const;
+  std::optional<Overlap> overlap(const Eigen::VectorXd& openings) const;
+
+ private:
+  double length_of(int path) const;
+  double fraction_at(int line, const Point& x) const;
+  void require_one_piece(const Preparation& preparation, int region) const;
+
+  double tolerance_;
+  std::vector<CrackPath> paths_;
+  std::vector<Edge> edges_;
+  CrackLines lines_;
+  bem::CrackSizes sizes_;
+  bem::CrackMesh mesh_;
+};
+
+// The cracks that a region is to have elements on; null if there are none.
+std::unique_ptr<RegionCracks> cracks_of(const Preparation& preparation, int region);
+
+// Divides elements around cracks, where the host has not chosen them; at interfaces with other boundary elements also
+// around the other side's cracks, so that both sides come to the same.
+void refine_at_cracks(const Preparation& preparation, int region, const RegionCracks* own, BoundaryPanels& panels);
+
+}  // namespace bempd::regions

@@ -1,0 +1,30 @@
+#include "regions/places/crack_faces.hpp"
+
+#include "error.hpp"
+#include "regions/boundary_conditions.hpp"
+
+namespace bempd::regions {
+
+void CrackFaces::check(const scene::Scene& scene) const { scene.crack(crack_); }
+
+std::vector<PlacedNode> CrackFaces::held_nodes(const scene::Scene&, const Discretization&, int support) const {
+  fail(Failure::argument, "support ", support + 1, " holds the faces of crack ", crack_,
+       "; supports hold edges and points");
+}
+
+void CrackFaces::add_load(const scene::Scene& scene, const Discretization& d, int load,
+                          DofConditions& conditions) const {
+  const int region = d.crack_regions[static_cast<std::size_t>(crack_) - 1];
+  require(region > 0, "load ", load + 1, " acts on the faces of crack ", crack_,
+          ", which lies in a peridynamic region; faces can be loaded in BEM regions only");
+  // The condition may get new values while the result of this one is in use.
+  const scene::Condition condition = scene.loads()[load];
+  conditions.crack_loads.push_back({crack_, [condition](double fraction) -> std::array<Point, 2> {
+                                      const auto value = condition.acting_value(Point::Zero(), fraction);
+                                      return {value.constant, value.proportional};
+                                    }});
+  for (int part = 0; part < 2; ++part)
+    d.region(region).add_crack_load(conditions.crack_loads.back(), part, conditions.force.col(part));
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "scene/place.hpp"
+
+namespace bempd::regions {
+
+// Both faces of a crack, loaded by a pressure (component x of a condition) that pushes them apart and by a shear
+// (component y) that drives the left face, seen along the crack, forward and the right one back [Pa].
+class CrackFaces final : public scene::Place {
+ public:
+  explicit CrackFaces(int crack) : crack_(crack) {}
+
+  void check(const scene::Scene& scene) const override;
+  bool needs_crack(int crack) const override { return crack == crack_; }
+  void identify(Hash& hash) const override {
+    hash.add(std::string_view("crack faces"));
+    hash.add(crack_);
+  }
+  std::vector<double> breaks_on(const scene::Scene&, int, int, double) const override { return {}; }
+  bool covers(int, int, double) const override { return false; }
+  std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
+                                     int support) const override;
+  void add_load(const scene::Scene& scene, const Discretization& discretization, int load,
+                DofConditions& conditions) const override;
+
+ private:
+  int crack_;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,81 @@
+"""Cracks in boundary element regions, seen from Python."""
+
+import math
+
+import bempd
+import numpy as np
+import pytest
+
+
+def cracked_plate(points, **material):
+    """A plate 2 x 6 around the origin pulled by 1, with its crack."""
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=1, poisson_ratio=0.3, **material)
+    plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+    crack = model.add_crack(points)
+    model.fix_point((-1, -3))
+    model.fix_point((1, -3), "y")
+    model.add_traction(plate, 3, "y", 1)
+    model.add_traction(plate, 1, "y", -1)
+    return model, crack
+
+
+def test_tips_of_a_centre_crack():
+    model, crack = cracked_plate([(-0.5, 0), (0.5, 0)], fracture_energy=1)
+    model.step(2)
+    start, end = model.tips()
+    assert (start.crack, start.end, end.end) == (crack, bempd.TipEnd.START, bempd.TipEnd.END)
+    assert (end.x, end.y, end.direction_x, end.direction_y) == pytest.approx((0.5, 0, 1, 0))
+    factor = 1.1867 * math.sqrt(0.5 * math.pi)
+    assert end.stress_intensity_1 == pytest.approx(2 * factor, rel=1e-4)
+    assert abs(end.stress_intensity_2) < 1e-4
+    assert end.energy_release_rate == pytest.approx((2 * factor) ** 2, rel=2e-4)
+    assert end.critical_load_factor == pytest.approx(1 / factor, rel=1e-4)
+    assert 0 < end.error < 1e-3 * factor
+    assert abs(end.kink_angle) < 1e-3
+    assert end.t_stress == pytest.approx(-2.514, rel=2e-3)
+
+
+def test_opening_along_a_crack():
+    model, crack = cracked_plate([(-1, 0), (0, 0)])
+    model.step(1)
+    opening = model.crack_opening(crack, np.linspace(0, 1, 11))
+    assert opening.normal.shape == (11,)
+    assert (np.diff(opening.normal) < 0).all() and opening.normal[-1] == pytest.approx(0, abs=1e-12)
+    assert np.abs(opening.tangential).max() < 1e-6 * opening.normal[0]
+    assert model.crack_opening(crack, 0.5).normal == pytest.approx(opening.normal[5:6])
+
+
+def test_loads_on_faces_take_new_values():
+    model, crack = cracked_plate([(-0.01, 0), (0.01, 0)])
+    load = model.add_crack_traction(crack, "pressure", constant=3)
+    model.add_crack_traction(crack, "shear", constant=[2, 2])
+    assert model.tips()[1].stress_intensity_1 == pytest.approx(3 * math.sqrt(math.pi * 0.01), rel=3e-4)
+    assert model.tips()[1].stress_intensity_2 == pytest.approx(2 * math.sqrt(math.pi * 0.01), rel=3e-4)
+    model.set_load_values(load, constant=1)
+    assert model.tips()[1].stress_intensity_1 == pytest.approx(math.sqrt(math.pi * 0.01), rel=3e-4)
+
+
+def test_misuse():
+    model, crack = cracked_plate([(-0.5, 0), (0.5, 0)])
+    with pytest.raises(bempd.ArgumentError, match="pressure"):
+        model.add_crack_traction(crack, "x", 1)
+    with pytest.raises(bempd.ArgumentError, match="crack 2"):
+        model.add_crack_traction(2, "shear", 1)
+    with pytest.raises(bempd.ArgumentError, match="fraction"):
+        model.crack_opening(crack, [1.5])
+    with pytest.raises(bempd.ArgumentError, match="shape"):
+        model.crack_opening(crack, [[0.5]])
+    with pytest.raises(bempd.ArgumentError, match="infinite"):
+        model.evaluate([(0.5, 0)])
+
+
+def test_cracks_grow_straight_on_at_their_fracture_energy():
+    model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
+    first = model.tips()[0].critical_load_factor
+    growth = model.grow_cracks(0.05)
+    assert (growth.tips, growth.ended) == (2, 0)
+    assert growth.load_factor == pytest.approx(first, rel=1e-6)
+    assert model.load_factor == growth.load_factor
+    assert model.tips()[1].x == pytest.approx(0.35) and abs(model.tips()[1].y) < 1e-4
+    assert model.grow_cracks(0.05).load_factor < first

@@ -1,0 +1,3 @@
+bempd_add_engine_test(crack_operator_test crack_operator_test.cpp)
+bempd_add_engine_test(crack_factors_test crack_factors_test.cpp)
+bempd_add_engine_test(crack_extremes_test crack_extremes_test.cpp)
