@@ -4,8 +4,8 @@
 #include <atomic>
 
 #include "bem/pair_blocks.hpp"
-#include "error.hpp"
 #include "cancellation.hpp"
+#include "error.hpp"
 #include "parallel.hpp"
 
 namespace bempd::bem {

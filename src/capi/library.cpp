@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <cstring>
 
 #include "capi/guard.hpp"
@@ -20,7 +21,11 @@ const char* bempd_build_info(void) {
 }
 
 const char* bempd_status_name(bempd_status status) {
-  switch (status) {
+  // A host may ask for any number, also one that no enumerator has.
+  std::int32_t value;
+  static_assert(sizeof value == sizeof status);
+  std::memcpy(&value, &status, sizeof value);
+  switch (value) {
     case BEMPD_OK:
       return "BEMPD_OK";
     case BEMPD_ERROR_ARGUMENT:

@@ -50,9 +50,13 @@ std::vector<regions::BondState> Model::bond_states(int id) {
 
 regions::Solution Model::solution() const {
   const fracture::EvolutionState& state = prepared_->evolution->state();
-  return {state.total_displacement, prepared_->system->terms(), prepared_->system->intact(),
-          prepared_->conditions.body_forces(state.load_factor), &state.displacement,
-          &prepared_->conditions.crack_loads, state.load_factor};
+  return {state.total_displacement,
+          prepared_->system->terms(),
+          prepared_->system->intact(),
+          prepared_->conditions.body_forces(state.load_factor),
+          &state.displacement,
+          &prepared_->conditions.crack_loads,
+          state.load_factor};
 }
 
 const FieldValues& Model::field(int id, Field which) {

@@ -31,6 +31,10 @@ NAMES: dict[str, str] = {
     "bempd_history_count": "Model.history",
     "bempd_history_entry_init": "Model.history",
     "bempd_get_history_entry": "Model.history",
+    "bempd_tip_count": "Model.tips",
+    "bempd_tip": "Model.tips",
+    "bempd_crack_tip_init": "Model.tips",
+    "bempd_growth_init": "Model.grow_cracks",
     "bempd_state_save": "Model.save",
     "bempd_state_restore": "Model.restore",
     "bempd_state_to_bytes": "State.to_bytes",
@@ -44,6 +48,8 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_BOTH": '"both"',
     "BEMPD_PLANE_STRESS": '"stress"',
     "BEMPD_PLANE_STRAIN": '"strain"',
+    "BEMPD_PRESSURE": '"pressure"',
+    "BEMPD_SHEAR": '"shear"',
 }
 OTHER_WORDS: dict[str, str] = {"bempd_field": "name of a field"}
 

@@ -1,4 +1,6 @@
-use crate::{BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View};
+use crate::{
+    BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View,
+};
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
 #[derive(Clone, Debug, PartialEq, Eq)]
