@@ -2,8 +2,9 @@
 # Builds and tests everything; installs missing Debian packages first.
 #   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
 #   tests/run.sh quick  the default backend only
-#   tests/run.sh long   all of it, the library without the scheme paper, then unit tests under the sanitizers, threads, clang, and searches of an hour and more
-#                       (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, and BEMPD_SCENES, 20000, shorten or lengthen them)
+#   tests/run.sh long   all of it, the library without the scheme paper, then unit tests under the sanitizers, threads,
+#                       clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, and
+#                       BEMPD_SCENES, 20000, shorten or lengthen them)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"

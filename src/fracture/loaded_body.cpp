@@ -65,7 +65,8 @@ double force_scale_of_supports(const coupling::EquilibriumSystem& system, double
 }
 
 double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  return force_scale_of_supports(system, load_factor) * moved_by_holds(system, load_factor);
+  const double moved = moved_by_holds(system, load_factor);
+  return scale_without_stress * system.largest_stiffness() * moved * moved;
 }
 
 LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,

@@ -74,6 +74,5 @@ class CholmodHandle {
 
 using CholmodFactor = CholmodHandle<cholmod_factor, cholmod_free_factor>;
 using CholmodDense = CholmodHandle<cholmod_dense, cholmod_free_dense>;
-using CholmodSparse = CholmodHandle<cholmod_sparse, cholmod_free_sparse>;
 
 }  // namespace bempd::linalg
