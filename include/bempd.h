@@ -259,10 +259,10 @@ typedef enum bempd_turn { BEMPD_COUNTER_CLOCKWISE = 1, BEMPD_CLOCKWISE = 2 } bem
 
 /** @brief Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
  *
- * Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It may be
- * any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or bempd_add_circular_hole(), or edges
- * that share it. An edge of an outer loop that bulges out of the body turns counter-clockwise, and so does one of a hole
- * that bulges into the hole.
+ * Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It may
+ * be any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or bempd_add_circular_hole(), or
+ * edges that share it. An edge of an outer loop that bulges out of the body turns counter-clockwise, and so does one of
+ * a hole that bulges into the hole.
  * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
  * @param[in] x centre [m] @param[in] y centre [m] @param[in] radius radius [m], > 0
  * @param[in] turn a bempd_turn: the way from the first vertex to the last one, about the centre
@@ -507,7 +507,10 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_NO_FURTHER_EVENT = 4
 } bempd_stop_reason;
 
-/** @brief What a step did. Fill it with bempd_step_report_init(). @since 0.1 */
+/** @brief What a step did. Fill it with bempd_step_report_init().
+ *
+ * An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it is too small, and
+ * the log warns; energy_balance_error says nothing then, all else is right. @since 0.1 */
 typedef struct bempd_step_report {
   int64_t struct_size;         /**< sizeof(bempd_step_report), set by bempd_step_report_init() */
   int32_t stop_reason;         /**< a bempd_stop_reason */
@@ -590,8 +593,9 @@ typedef enum bempd_field {
   /** BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its traction and the
    * strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ where stress jumps. */
   BEMPD_ELEMENT_STRESS = 7,
-  /** Order of the stress at the nodes, shape [nodes] [-]: 0 where it is bounded; else it grows as r to the power of minus
-   * this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the elements (bempd_singularity). @since 0.3 */
+  /** Order of the stress at the nodes, shape [nodes] [-]: 0 where it is bounded; else it grows as r to the power of
+   * minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the elements (bempd_singularity). @since
+   * 0.3 */
   BEMPD_STRESS_ORDER = 8
 } bempd_field;
 
@@ -671,13 +675,14 @@ BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, doubl
  * @param[out] moment positive counter-clockwise [N m] @return status @since 0.3 */
 BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment);
 
-/** @brief Force that supports exert on the body through one edge of a region at the present load factor, and its moment:
- * of all supports that hold the edge or a part of it.
+/** @brief Force that supports exert on the body through one edge of a region at the present load factor, and its
+ * moment: of all supports that hold the edge or a part of it.
  *
  * Where several edges hold a component of the same node (corners, ends of interfaces), each has the force that the
- * tractions beside the node on its own side make there, and of what then is missing or left of the node's force all have
- * the same share. A node that points are held at too counts for the edges alone. So the edges of all regions and the
- * points that lie on none of them sum to the reactions of all supports, to rounding, in whatever order they were added.
+ * tractions beside the node on its own side make there, and of what then is missing or left of the node's force all
+ * have the same share. A node that points are held at too counts for the edges alone. So the edges of all regions and
+ * the points that lie on none of them sum to the reactions of all supports, to rounding, in whatever order they were
+ * added.
  * @param[in] model the model @param[in] region id of a region @param[in] edge number of an edge that a support holds
  * @param[in] x the point for the moment [m] @param[in] y [m]
  * @param[out] force shape [2], resultant [N]; may be NULL
@@ -691,8 +696,8 @@ BEMPD_API bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, i
  *
  * At an interface the values are those of the peridynamic region, between regions of one kind those of the one with the
  * lower id; on a crack in a BEM region those of its left face, seen from its first point. bempd_evaluate_in() asks for
- * another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and grows as they get
- * smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
+ * another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and grows as
+ * they get smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
  * @param[in] model the model @param[in] count number of places
  * @param[in] points shape [count][2] [m] @param[out] displacement shape [count][2] [m]; may be NULL
  * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
@@ -704,8 +709,8 @@ BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const d
 /** @brief Face of a crack, seen from its first point. @since 0.3 */
 typedef enum bempd_face { BEMPD_FACE_LEFT = 1, BEMPD_FACE_RIGHT = 2 } bempd_face;
 
-/** @brief Displacement and stress as one region has them: at an interface, where stress jumps, on this region's side; on
- * a crack in a BEM region on the face that is asked for. Else as bempd_evaluate().
+/** @brief Displacement and stress as one region has them: at an interface, where stress jumps, on this region's side;
+ * on a crack in a BEM region on the face that is asked for. Else as bempd_evaluate().
  * @param[in] model the model @param[in] region id of a region @param[in] face a bempd_face; of no matter off cracks
  * @param[in] count number of places @param[in] points shape [count][2] [m]
  * @param[out] displacement shape [count][2] [m]; may be NULL
@@ -743,7 +748,8 @@ typedef struct bempd_singularity {
 } bempd_singularity;
 
 /** @brief Set struct_size and zeros. @param[out] singularity the struct to fill
- * @param[in] struct_size sizeof(bempd_singularity) as the caller was compiled: older programs keep working when it grows
+ * @param[in] struct_size sizeof(bempd_singularity) as the caller was compiled: older programs keep working when it
+ * grows
  * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_singularity_init(bempd_singularity* singularity, int64_t struct_size);
 
@@ -868,7 +874,8 @@ BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64
  * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
-/** @brief One line of the history. Fill it with bempd_history_entry_init(). @since 0.1 */
+/** @brief One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold are as in
+ * bempd_step_report. @since 0.1 */
 typedef struct bempd_history_entry {
   int64_t struct_size;         /**< sizeof(bempd_history_entry), set by bempd_history_entry_init() */
   int64_t event;               /**< number of the event, or 0 for the end of a step */

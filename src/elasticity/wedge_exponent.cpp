@@ -81,7 +81,8 @@ class WedgeEquations {
     if (ray < count) add_side(ray, false, -1);
     for (int component = 0; component < 2; ++component) {
       if ((wedge_.held[ray] >> component) & 1) {
-        for (const Side& side : sides) equations.block<1, 4>(row++, side.column) = side.functions.displacement.row(component);
+        for (const Side& side : sides)
+          equations.block<1, 4>(row++, side.column) = side.functions.displacement.row(component);
         continue;
       }
       for (const Side& side : sides)

@@ -104,8 +104,8 @@ std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range,
     else
       box.high = first.low;
   }
-  Complex root = count_roots(f, box) > 1 ? left_of_two(f, box.middle(), precise)
-                                         : refined(f, box.middle(), 20 * precise);
+  Complex root =
+      count_roots(f, box) > 1 ? left_of_two(f, box.middle(), precise) : refined(f, box.middle(), 20 * precise);
   constexpr double imaginary_by_rounding = 1e-7;
   if (std::abs(root.imag()) < imaginary_by_rounding) root.imag(0);
   return Complex(root.real(), std::abs(root.imag()));

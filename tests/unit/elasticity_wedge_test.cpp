@@ -55,7 +55,8 @@ TEST(WedgeExponent, of_free_corners_is_that_of_williams) {
 
 // kappa sin(lambda a) = +- lambda sin a between clamped faces.
 TEST(WedgeExponent, of_clamped_corners_is_that_of_williams) {
-  for (const PlaneElasticity& e : {strained(2, 0.1), strained(2, 0.45), PlaneElasticity{2, 0.3, PlaneState::stress, 3}}) {
+  for (const PlaneElasticity& e :
+       {strained(2, 0.1), strained(2, 0.45), PlaneElasticity{2, 0.3, PlaneState::stress, 3}}) {
     const double a = 1.5 * pi, k = kappa(e);
     const double reference = bisect([&](double l) { return k * std::sin(l * a) + l * std::sin(a); }, 0.3, 0.95);
     const double other = bisect([&](double l) { return k * std::sin(l * a) - l * std::sin(a); }, 0.3, 0.95);
@@ -72,8 +73,7 @@ TEST(WedgeExponent, between_clamped_and_free_is_that_of_williams) {
       const double a = degrees * pi / 180;
       const double reference = bisect(
           [&](double l) {
-            return std::pow(std::sin(l * a), 2) -
-                   ((k + 1) * (k + 1) - std::pow(2 * l * std::sin(a), 2)) / (4 * k);
+            return std::pow(std::sin(l * a), 2) - ((k + 1) * (k + 1) - std::pow(2 * l * std::sin(a), 2)) / (4 * k);
           },
           0.3, 0.99);
       expect_exponent("clamped and free", single(a, clamped, free_face, e), reference, 0);
@@ -122,7 +122,8 @@ TEST(WedgeExponent, of_cracks_between_materials_is_that_of_williams) {
 TEST(WedgeExponent, of_one_material_does_not_depend_on_how_it_is_divided_or_turned) {
   const PlaneElasticity e = strained(2, 0.3);
   for (const double angle : {0.0, 1.3, -2.0, 5.0})
-    expect_exponent("L of three", {angle, {{0.7, e}, {2, e}, {1.5 * pi - 2.7, e}}, {0, 0, 0, 0}, false}, 0.5444837368, 0);
+    expect_exponent("L of three", {angle, {{0.7, e}, {2, e}, {1.5 * pi - 2.7, e}}, {0, 0, 0, 0}, false}, 0.5444837368,
+                    0);
 }
 
 // A crack perpendicular to the interface with a stiffer or softer half-plane (A. R. Zak and M. L. Williams, J. Appl.
@@ -141,7 +142,8 @@ TEST(WedgeExponent, of_cracks_up_to_an_interface_is_that_of_zak_and_williams) {
     const double beta = (g1 * (k2 - 1) - g2 * (k1 - 1)) / (g1 * (k2 + 1) + g2 * (k1 + 1));
     const auto equation = [&](double l) {
       const double s = 1 - l;
-      return std::cos(s * pi) - 2 * (alpha - beta) / (1 - beta) * (1 - s) * (1 - s) + (alpha - beta * beta) / (1 - beta * beta);
+      return std::cos(s * pi) - 2 * (alpha - beta) / (1 - beta) * (1 - s) * (1 - s) +
+             (alpha - beta * beta) / (1 - beta * beta);
     };
     expect_exponent(ratio < 1 ? "crack up to a softer body" : "crack up to a stiffer body", touching(ratio),
                     bisect(equation, 0.05, 0.95), 0);
