@@ -426,7 +426,6 @@ typedef enum bempd_face_component {
 } bempd_face_component;
 
 /** @brief Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
- * Energies and work leave out what such loads do within the crack alone.
  * @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
  * @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
  * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0

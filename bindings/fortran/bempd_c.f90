@@ -1183,7 +1183,6 @@ module bempd_c
     end function bempd_add_point_force
 
     !> Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
-    !> Energies and work leave out what such loads do within the crack alone.
     !>
     !> model [in]: the model
     !> crack [in]: id of a crack

@@ -79,10 +79,8 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
   for (std::size_t l = 0; l < scene.loads().size(); ++l)
     if (!scene.loads()[l].removed()) scene.loads()[l].place->add_load(scene, d, static_cast<int>(l), c);
   for (int id : scene.region_ids()) {
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        c.work_within(i, j) += d.region(id).work_within(c.body_force.col(i).segment<2>(2 * (id - 1)),
-                                                        c.body_force.col(j).segment<2>(2 * (id - 1)));
+    const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (id - 1)); };
+    c.work_within += d.region(id).work_within({body_force(0), body_force(1)}, c.crack_loads);
   }
   return c;
 }

@@ -812,7 +812,7 @@ Shear along the crack: it drives the face on the left, seen from the crack's fir
 the last point and the other face back.""",
     "bempd_add_crack_traction": """\
 Add a traction on both faces of a crack in a BEM region; give it new values with
-bempd_set_load_values(). Energies and work leave out what such loads do within the crack alone.
+bempd_set_load_values().
 
 model [in]: the model
 crack [in]: id of a crack

@@ -108,6 +108,7 @@ class Scene:
         >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
         >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 1, 1), element_length=0.25)
         >>> model.set_edge_arc_about(plate, 3, (0.5, 1), 0.5, "counter-clockwise")
+        >>> support = model.fix_edge(plate, 1)
         >>> round(float(model.field(plate, "position")[:, 1].max()), 12)
         1.5
         """

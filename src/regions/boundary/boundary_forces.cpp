@@ -94,6 +94,14 @@ double BoundaryRegion::work_within(const Point& body_force, const Point& other) 
   return elasticity().thickness * in_volume - force_besides(particular(body_force)).dot(displacement_of(theirs));
 }
 
+Eigen::Matrix2d BoundaryRegion::work_within(const std::array<Point, 2>& body_force,
+                                            const std::vector<CrackLoad>& crack_loads) const {
+  Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) work(i, j) = work_within(body_force[i], body_force[j]);
+  return cracks_ ? Eigen::Matrix2d(work + work_within_cracks(crack_loads)) : work;
+}
+
 Eigen::VectorXd BoundaryRegion::displacement_without(const UniformBodyForce& particular,
                                                      const Solution& solution) const {
   Eigen::VectorXd displacement = trace_ * gather(solution.displacement);

@@ -210,6 +210,8 @@ def test_curved_edges():
         about.set_edge_arc_about(square, 2, (4, 0.5), 0.6, "clockwise")
     with pytest.raises(bempd.ArgumentError, match="set_edge_arc_about: turn"):
         about.set_edge_arc_about(square, 2, (4, 0.5), 0.5, "left")
+    about.fix_edge(disc, 1)
+    about.fix_edge(square, 4)
     assert np.hypot(*(about.field(disc, "position") - (1, 2)).T) == pytest.approx(0.5, abs=1e-14)
     assert about.field(square, "position")[:, 0].max() == pytest.approx(4.5, abs=1e-14)
 

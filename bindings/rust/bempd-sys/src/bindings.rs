@@ -816,8 +816,7 @@ pub const BEMPD_SHEAR: bempd_face_component = 2;
 pub type bempd_face_component = ::std::os::raw::c_uint;
 extern "C" {
     /// Add a traction on both faces of a crack in a BEM region; give it new values with
-    /// bempd_set_load_values(). Energies and work leave out what such loads do within the crack
-    /// alone.
+    /// bempd_set_load_values().
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack

@@ -150,6 +150,8 @@ fn arcs_are_given_by_centre_and_radius() {
     model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.5, Turn::CounterClockwise).unwrap();
     assert!(model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.6, Turn::Clockwise).is_err());
     let disc = model.add_bem_disc(material, [3.0, 0.0], 0.5, 0.2).unwrap();
+    model.fix_edge(square, 4, Component::Both).unwrap();
+    model.fix_edge(disc, 1, Component::Both).unwrap();
     let view = model.view(disc, Field::Position).unwrap();
     assert!(view.values().chunks(2).all(|p| ((p[0] - 3.0).hypot(p[1]) - 0.5).abs() < 1e-14));
 }

@@ -153,9 +153,7 @@ impl Handle {
         let mut stress = vec![[0.0; 3]; places.len()];
         let (count, places) = points(places);
         let outputs = (displacement.as_mut_ptr().cast(), stress.as_mut_ptr().cast());
-        self.call(|model| unsafe {
-            sys::bempd_evaluate_in(model, region, face, count, places, outputs.0, outputs.1)
-        })?;
+        self.call(|model| unsafe { sys::bempd_evaluate_in(model, region, face, count, places, outputs.0, outputs.1) })?;
         Ok((displacement, stress))
     }
 
