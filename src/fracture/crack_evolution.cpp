@@ -91,9 +91,13 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   for (;;) {
     if (goal == Goal::separation && state_.separated) return StopReason::separated;
     const Event* next = sources_.next(target, options);
-    if (!next && goal != Goal::load_factor) {
-      end_step();
-      return StopReason::no_further_event;
+    if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
+      sources_.bring_up_to_date();
+      const bool none = options.control == Control::path && body_.admissible().is_empty();
+      if (none || goal != Goal::load_factor) {
+        end_step();
+        return none ? StopReason::no_admissible_load : StopReason::no_further_event;
+      }
     }
     const bool upwards = target >= state_.load_factor;
     if (!next || (upwards ? next->load_factor > target : next->load_factor < target)) break;
@@ -123,6 +127,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   state_.work += outcome.work_before;
   state_.work = in_range(state_.work + outcome.work);
   state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
+  state_.bond_energy = in_range(state_.bond_energy + outcome.bond_energy);
   ++state_.events;
   state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
@@ -131,6 +136,8 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   line.event = state_.events;
   line.stretch_ratio = event.ratio;
   line.stored_energy = outcome.stored_energy;
+  line.critical_load_factor = event.critical_load_factor;
+  line.critical_stored_energy = in_range(outcome.critical_stored_energy);
   line.residual = outcome.residual;
   write_line(line, outcome.energy_scale, outcome.reactions);
 }
@@ -139,6 +146,8 @@ void CrackEvolution::end_step() {
   sources_.bring_up_to_date();
   HistoryEntry line;
   line.stored_energy = body_.stored_energy();
+  line.critical_load_factor = state_.load_factor;
+  line.critical_stored_energy = in_range(line.stored_energy);
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }
@@ -149,6 +158,7 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   line.load_factor = state_.load_factor;
   line.stored_energy = in_range(line.stored_energy);
   line.released_energy = state_.released_energy;
+  line.bond_energy = state_.bond_energy;
   line.work = state_.work;
   state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
   const double scale = std::max(state_.largest_work, energy_scale);

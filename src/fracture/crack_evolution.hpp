@@ -14,7 +14,7 @@
 namespace bempd::fracture {
 
 enum class Goal { load_factor, next_event, separation };
-enum class StopReason { load_factor, event, separated, no_further_event };
+enum class StopReason { load_factor, event, separated, no_further_event, no_admissible_load };
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
 // found in closed form; a break is a low-rank change of the system. An event is one batch of bonds broken at one load
@@ -61,6 +61,12 @@ class CrackEvolution {
     return body_.reaction_moment(support, about);
   }
   double seconds_search() { return body_.seconds_search(); }
+
+  // In the present state of the bonds, under the present loads.
+  LoadInterval admissible_load_factors() {
+    sources_.bring_up_to_date();
+    return body_.admissible();
+  }
 
   // Whether displacements and forces have products beyond the range of numbers.
   bool energies_are_lost() const;

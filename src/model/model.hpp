@@ -27,6 +27,7 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
+  std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
 
@@ -92,6 +93,7 @@ class Model {
   }
 
   double load_factor() const;
+  fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
   // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
