@@ -483,7 +483,11 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
   /** With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
    * load factor, so that the path ends here; see bempd_admissible_load_factors(). @since 0.2 */
-  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
+  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
+  /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
+   * step keeps the increments before. Where already its first one leaves none the step fails instead, as
+   * BEMPD_ERROR_UNSOLVABLE. @since 0.2 */
+  BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 
 /** @brief What a step did. Fill it with bempd_step_report_init(). @since 0.1 */
@@ -509,8 +513,8 @@ typedef struct bempd_step_report {
   double seconds_update; /**< of it: changes of the factorization [s] */
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
   /* Since 0.2. */
-  double bond_energy; /**< of the energy released since the beginning, what bonds take where they just reach their
-                         critical stretch; the rest would have become motion [J] */
+  double bond_energy;     /**< of the energy released since the beginning, what bonds take where they just reach their
+                             critical stretch; the rest would have become motion [J] */
   int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
                              stretched beyond what they bear; 0 if each event was in equilibrium */
 } bempd_step_report;

@@ -83,6 +83,12 @@ module bempd_c
   !>
   !> since: 0.2
   integer(c_int), parameter :: BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
+  !> With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
+  !> step keeps the increments before. Where already its first one leaves none the step fails instead, as
+  !> BEMPD_ERROR_UNSOLVABLE.
+  !>
+  !> since: 0.2
+  integer(c_int), parameter :: BEMPD_STOP_NO_EQUILIBRIUM = 6
 
   !> A field on a region. Nodes are boundary nodes or material points.
   !>

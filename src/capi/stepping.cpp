@@ -23,6 +23,9 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
     case fracture::StopReason::no_admissible_load:
       r.stop_reason = BEMPD_STOP_NO_ADMISSIBLE_LOAD;
       break;
+    case fracture::StopReason::no_equilibrium:
+      r.stop_reason = BEMPD_STOP_NO_EQUILIBRIUM;
+      break;
   }
   r.separated = state.separated ? 1 : 0;
   r.events = result.events;

@@ -106,7 +106,11 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
            " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
     }
     sources_.mark();
-    book(*next, sources_.perform());
+    const bool increments = options.mode == SteppingMode::increments;
+    if (!perform(*next, increments && state_.events > events_before)) {
+      end_step();
+      return StopReason::no_equilibrium;
+    }
     if (on_event) on_event(state_);
     if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
   }
@@ -116,10 +120,36 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   return state_.separated ? StopReason::separated : StopReason::load_factor;
 }
 
-void CrackEvolution::return_to(const Start& start) {
+// False if no equilibrium is left after the event, and what was reached before it is to be kept: then it did not
+// happen.
+bool CrackEvolution::perform(const Event& event, bool keep_what_was_reached) {
+  if (!keep_what_was_reached) {
+    book(event, sources_.perform());
+    return true;
+  }
+  BodyState before = state_;
+  const Start start{state_, state_.history.size(), state_.reactions.size()};
+  try {
+    book(event, sources_.perform());
+    return true;
+  } catch (const Error& error) {
+    if (error.failure() != Failure::unsolvable) throw;
+    forget_lines(start);
+    static_cast<BodyState&>(state_) = std::move(before);
+    sources_.forget();
+    body_.restore();
+    return false;
+  }
+}
+
+void CrackEvolution::forget_lines(const Start& start) {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
   state_.reactions.resize(start.reactions_size);
+}
+
+void CrackEvolution::return_to(const Start& start) {
+  forget_lines(start);
   sources_.return_to_mark();
 }
 

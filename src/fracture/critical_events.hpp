@@ -36,7 +36,8 @@ struct AffineRatios {
   std::optional<double> next_proportional_break(double from) const;
 
   LoadInterval admissible(const std::vector<char>& intact) const;
-  // Where a bond that has reached its critical stretch at a load factor just reaches it; there, if it always exceeds it.
+  // Where a bond that has reached its critical stretch at a load factor just reaches it; there, if it always exceeds
+  // it.
   double critical_load_factor(std::size_t bond, double load_factor) const;
   double steepest() const;  // largest proportional part
 

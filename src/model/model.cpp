@@ -110,6 +110,7 @@ void Model::prepare() {
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement);
+  p->interface_bonds.emplace(*p->system, d.positions);
   prepared_ = std::move(p);
   ++generation_;
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
@@ -183,6 +184,18 @@ void Model::warn_of_held_parts() {
   log(1, "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
 }
 
+void Model::warn_of_interface() {
+  if (warned_of_interface_) return;
+  const std::optional<int> node = prepared_->interface_bonds->reached();
+  if (!node) return;
+  warned_of_interface_ = true;
+  const Point& place = prepared_->discretization.positions[*node];
+  log(1, text("bonds have broken where ", regions_with(prepared_->discretization, {*node}), " meet, at (", place.x(),
+              ", ", place.y(),
+              "): a crack cannot go on into a boundary element region and runs along it; give the "
+              "peridynamic region more room there if it should go on"));
+}
+
 void Model::reload() {
   if (!prepared_) return;
   regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
@@ -251,6 +264,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "and their balance are not; choose other units");
   }
   warn_of_equilibrium();
+  if (result.broken_bonds > 0) warn_of_interface();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

@@ -31,11 +31,12 @@ const scene::OptionGroup group(scene::OptionPlace::stepping, [] {
           "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose, as "
           "it always does for the first window at initial cracks.",
           0, 0, 1e4, false),
-      scene::text_option("stepping.control",
-                         "What is held while bonds break: load, the load factor, so that where growth is unstable events "
-                         "follow each other at one load factor, out of equilibrium; path, the equilibrium: the load "
-                         "factor falls where growth is unstable, and each event is at exactly its critical load.",
-                         "load | path", "load"),
+      scene::text_option(
+          "stepping.control",
+          "What is held while bonds break: load, the load factor, so that where growth is unstable events "
+          "follow each other at one load factor, out of equilibrium; path, the equilibrium: the load "
+          "factor falls where growth is unstable, and each event is at exactly its critical load.",
+          "load | path", "load"),
       scene::number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0,
                            1e9, true),
       scene::number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true)};

@@ -136,7 +136,8 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_EVENT = 2,
   BEMPD_STOP_SEPARATED = 3,
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
-  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
+  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
+  BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 typedef struct bempd_step_report {
   int64_t struct_size;
@@ -852,6 +853,12 @@ since: 0.1""",
     "BEMPD_STOP_NO_ADMISSIBLE_LOAD": """\
 With the option stepping.control = "path": what is constant of loads and supports stretches bonds
 too far at every load factor, so that the path ends here; see bempd_admissible_load_factors().
+
+since: 0.2""",
+    "BEMPD_STOP_NO_EQUILIBRIUM": """\
+With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
+equilibrium. The step keeps the increments before. Where already its first one leaves none the step
+fails instead, as BEMPD_ERROR_UNSOLVABLE.
 
 since: 0.2""",
     "bempd_step_report": """What a step did. Fill it with bempd_step_report_init().

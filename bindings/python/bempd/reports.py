@@ -20,6 +20,7 @@ class StopReason(enum.IntEnum):
     SEPARATED = 3  #: the body is separated
     NO_FURTHER_EVENT = 4  #: no bond can break however far the load goes
     NO_ADMISSIBLE_LOAD = 5  #: on the equilibrium path: constant loads stretch bonds too far at every load factor
+    NO_EQUILIBRIUM = 6  #: in increments: what breaks at the end of the next one leaves no equilibrium
 
 
 class BondState(enum.IntEnum):

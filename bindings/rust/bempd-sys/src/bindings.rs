@@ -924,6 +924,12 @@ pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
 ///
 /// * since: 0.2
 pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
+/// With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
+/// equilibrium. The step keeps the increments before. Where already its first one leaves none the
+/// step fails instead, as BEMPD_ERROR_UNSOLVABLE.
+///
+/// * since: 0.2
+pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
 /// Why a step ended.
 ///
 /// * since: 0.1
