@@ -482,11 +482,11 @@ typedef enum bempd_stop_reason {
   /** No bond can break however far the load factor goes in this direction. */
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
   /** With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
-   * load factor, so that the path ends here; see bempd_admissible_load_factors(). @since 0.2 */
+   * load factor, so that the path ends here; see bempd_admissible_load_factors(). @since 0.3 */
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
   /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
    * step keeps the increments before. Where already its first one leaves none the step fails instead, as
-   * BEMPD_ERROR_UNSOLVABLE. @since 0.2 */
+   * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
   BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 
@@ -512,7 +512,7 @@ typedef struct bempd_step_report {
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
-  /* Since 0.2. */
+  /* Since 0.3. */
   double bond_energy;     /**< of the energy released since the beginning, what bonds take where they just reach their
                              critical stretch; the rest would have become motion [J] */
   int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
@@ -602,7 +602,7 @@ BEMPD_API bempd_status bempd_load_factor(const bempd_model* model, double* load_
  * Where the loads of the scene are proportional this is 0 and what is around it; constant ones may leave nothing:
  * lowest > highest then. Where nothing bounds them they are -1.7976931348623157e308 and 1.7976931348623157e308.
  * @param[in] model the model, which is prepared if needed @param[out] lowest [-] @param[out] highest [-]
- * @return status @since 0.2 */
+ * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, double* highest);
 
 /** @brief Number that changes whenever the model's fields may have changed. @param[in] model the model
@@ -804,7 +804,7 @@ typedef struct bempd_history_entry {
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
-  /* Since 0.2: the equilibrium path, whatever the option stepping.control. */
+  /* Since 0.3: the equilibrium path, whatever the option stepping.control. */
   double critical_load_factor;   /**< at which the most stretched bond of the event just reaches its critical
                                     stretch; at the end of a step the load factor [-] */
   double critical_stored_energy; /**< elastic energy at that load factor, after the event [J] */
