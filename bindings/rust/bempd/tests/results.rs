@@ -118,7 +118,7 @@ fn the_path_of_equilibrium_costs_what_bonds_take() {
     assert!(lowest < 0.0 && highest > 0.0);
     let held = held.model.run_to_separation(1000.0).unwrap();
     let mut path = common::plate();
-    path.model.set_option("stepping.control", "path").unwrap();
+    path.model.set_option_text("stepping.control", "path").unwrap();
     let path = path.model.run_to_separation(1000.0).unwrap();
     assert_eq!(path.unstable_event, 0);
     assert!(held.unstable_event > 0);
