@@ -208,6 +208,14 @@ BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_materi
 BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count,
                                             const double* vertices, double element_length, int32_t* region);
 
+/** @brief Add a round region treated by boundary elements. Its edges are four quarter circles: the first begins at the
+ * place with the largest x, and they run counter-clockwise. It fits into a circular hole of the same centre and radius.
+ * @param[in] model the model @param[in] material id of a material @param[in] x centre [m] @param[in] y centre [m]
+ * @param[in] radius radius [m], > 0 @param[in] element_length longest element on any edge [m], > 0
+ * @param[out] region its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, double y, double radius,
+                                          double element_length, int32_t* region);
+
 /** @brief Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
  *
  * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges. Peridynamic
@@ -245,6 +253,22 @@ BEMPD_API bempd_status bempd_add_circular_hole(bempd_model* model, int32_t regio
  * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
  * @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y);
+
+/** @brief Sense of turning. @since 0.3 */
+typedef enum bempd_turn { BEMPD_COUNTER_CLOCKWISE = 1, BEMPD_CLOCKWISE = 2 } bempd_turn;
+
+/** @brief Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
+ *
+ * Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It may
+ * be any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or bempd_add_circular_hole(), or
+ * edges that share it. An edge of an outer loop that bulges out of the body turns counter-clockwise, and so does one of
+ * a hole that bulges into the hole.
+ * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ * @param[in] x centre [m] @param[in] y centre [m] @param[in] radius radius [m], > 0
+ * @param[in] turn a bempd_turn: the way from the first vertex to the last one, about the centre
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_edge_arc_about(bempd_model* model, int32_t region, int32_t edge, double x, double y,
+                                                double radius, int32_t turn);
 
 /** @brief Make a row of edges of a BEM region a smooth curve through their vertices.
  *
@@ -402,7 +426,6 @@ typedef enum bempd_face_component {
 } bempd_face_component;
 
 /** @brief Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
- * Energies and work leave out what such loads do within the crack alone.
  * @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
  * @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
  * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
@@ -490,7 +513,10 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 
-/** @brief What a step did. Fill it with bempd_step_report_init(). @since 0.1 */
+/** @brief What a step did. Fill it with bempd_step_report_init().
+ *
+ * An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it is too small, and
+ * the log warns; energy_balance_error says nothing then, all else is right. @since 0.1 */
 typedef struct bempd_step_report {
   int64_t struct_size;         /**< sizeof(bempd_step_report), set by bempd_step_report_init() */
   int32_t stop_reason;         /**< a bempd_stop_reason */
@@ -583,7 +609,11 @@ typedef enum bempd_field {
   BEMPD_BOND_STRETCH = 6,
   /** BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its traction and the
    * strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ where stress jumps. */
-  BEMPD_ELEMENT_STRESS = 7
+  BEMPD_ELEMENT_STRESS = 7,
+  /** Order of the stress at the nodes, shape [nodes] [-]: 0 where it is bounded; else it grows as r to the power of
+   * minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the elements (bempd_singularity). @since
+   * 0.3 */
+  BEMPD_STRESS_ORDER = 8
 } bempd_field;
 
 /** @brief State of a bond. @since 0.1 */
@@ -670,14 +700,91 @@ BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, doubl
  * @param[out] moment positive counter-clockwise [N m] @return status @since 0.3 */
 BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment);
 
+/** @brief Force that supports exert on the body through one edge of a region at the present load factor, and its
+ * moment: of all supports that hold the edge or a part of it.
+ *
+ * Where several edges hold a component of the same node (corners, ends of interfaces), each has the force that the
+ * tractions beside the node on its own side make there, and of what then is missing or left of the node's force all
+ * have the same share. A node that points are held at too counts for the edges alone. So the edges of all regions and
+ * the points that lie on none of them sum to the reactions of all supports, to rounding, in whatever order they were
+ * added.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge number of an edge that a support holds
+ * @param[in] x the point for the moment [m] @param[in] y [m]
+ * @param[out] force shape [2], resultant [N]; may be NULL
+ * @param[out] moment positive counter-clockwise [N m]; may be NULL
+ * @return status; an edge without a support is an argument error @since 0.3 */
+BEMPD_API bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y,
+                                           double* force, double* moment);
+
 /** @brief Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
- * between material points in PD regions. @param[in] model the model @param[in] count number of places
+ * between material points in PD regions.
+ *
+ * At an interface the values are those of the peridynamic region, between regions of one kind those of the one with the
+ * lower id; on a crack in a BEM region those of its left face, seen from its first point. bempd_evaluate_in() asks for
+ * another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and grows as
+ * they get smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
+ * @param[in] model the model @param[in] count number of places
  * @param[in] points shape [count][2] [m] @param[out] displacement shape [count][2] [m]; may be NULL
  * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
  * @param[out] regions shape [count], id of the region that holds each place; may be NULL
  * @return status; a place outside the body is an argument error @since 0.1 */
 BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                                       double* stress, int32_t* regions);
+
+/** @brief Face of a crack, seen from its first point. @since 0.3 */
+typedef enum bempd_face { BEMPD_FACE_LEFT = 1, BEMPD_FACE_RIGHT = 2 } bempd_face;
+
+/** @brief Displacement and stress as one region has them: at an interface, where stress jumps, on this region's side;
+ * on a crack in a BEM region on the face that is asked for. Else as bempd_evaluate().
+ * @param[in] model the model @param[in] region id of a region @param[in] face a bempd_face; of no matter off cracks
+ * @param[in] count number of places @param[in] points shape [count][2] [m]
+ * @param[out] displacement shape [count][2] [m]; may be NULL
+ * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
+ * @return status; a place outside the region and its boundary is an argument error @since 0.3 */
+BEMPD_API bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face, int64_t count,
+                                         const double* points, double* displacement, double* stress);
+
+/** @brief Why stress is unbounded at a place. @since 0.3 */
+typedef enum bempd_singularity_kind {
+  /** A corner of the boundary of one material, or a place on it where what supports hold changes. */
+  BEMPD_SINGULAR_CORNER = 1,
+  /** A place where materials meet: an end or a corner of an interface. */
+  BEMPD_SINGULAR_INTERFACE = 2,
+  /** A tip, a kink or a branch of a crack in a BEM region. */
+  BEMPD_SINGULAR_CRACK = 3,
+  /** A single point that is held or loaded. */
+  BEMPD_SINGULAR_POINT = 4
+} bempd_singularity_kind;
+
+/** @brief A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
+ *
+ * At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there depend on the elements or
+ * the lattice spacing alone. The exponent is the least solution with a real part below 0.99 of the equations of the
+ * wedges that meet there (M. L. Williams, J. Appl. Mech. 19, 1952), with their angles, materials and supports; loads do
+ * not enter, and may leave the strongest term out. Cracks in peridynamic regions are not listed. @since 0.3 */
+typedef struct bempd_singularity {
+  int64_t struct_size; /**< sizeof(bempd_singularity), set by bempd_singularity_init() */
+  int32_t kind;        /**< a bempd_singularity_kind */
+  int32_t region;      /**< id of a region there */
+  double x;            /**< place [m] */
+  double y;            /**< place [m] */
+  double exponent;     /**< of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-] */
+  double oscillation;  /**< imaginary part of the exponent, >= 0: stress changes its sign with its times ln r [-] */
+} bempd_singularity;
+
+/** @brief Set struct_size and zeros. @param[out] singularity the struct to fill
+ * @param[in] struct_size sizeof(bempd_singularity) as the caller was compiled: older programs keep working when it
+ * grows
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_singularity_init(bempd_singularity* singularity, int64_t struct_size);
+
+/** @brief Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER marks them.
+ * @param[in] model the model @param[out] count their number @return status @since 0.3 */
+BEMPD_API bempd_status bempd_singularity_count(bempd_model* model, int64_t* count);
+
+/** @brief A place where stress is unbounded. @param[in] model the model @param[in] index 0 .. count-1
+ * @param[in,out] singularity struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity);
 
 /** @brief End of a crack. @since 0.2 */
 typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
@@ -792,7 +899,8 @@ BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64
  * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
-/** @brief One line of the history. Fill it with bempd_history_entry_init(). @since 0.1 */
+/** @brief One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold are as in
+ * bempd_step_report. @since 0.1 */
 typedef struct bempd_history_entry {
   int64_t struct_size;         /**< sizeof(bempd_history_entry), set by bempd_history_entry_init() */
   int64_t event;               /**< number of the event, or 0 for the end of a step */

@@ -109,7 +109,7 @@ void Model::prepare() {
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
-  p->evolution->set_load(p->conditions.force, p->conditions.displacement);
+  p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within);
   p->interface_bonds.emplace(*p->system, d.positions);
   prepared_ = std::move(p);
   ++generation_;
@@ -199,7 +199,7 @@ void Model::warn_of_interface() {
 void Model::reload() {
   if (!prepared_) return;
   regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
-  prepared_->evolution->set_load(conditions.force, conditions.displacement);
+  prepared_->evolution->set_load(conditions.force, conditions.displacement, conditions.work_within);
   prepared_->conditions = std::move(conditions);
   ++generation_;
 }

@@ -17,6 +17,7 @@
 #include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
+#include "regions/singular_places.hpp"
 #include "results/field_cache.hpp"
 #include "results/point_values.hpp"
 #include "results/snapshots.hpp"
@@ -50,6 +51,7 @@ struct PreparedScene {
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
   std::int64_t interior_kernel_evaluations = 0;
+  std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
 
 struct GrowthResult {
@@ -111,9 +113,18 @@ class Model {
 
   Eigen::Vector2d reaction(int support);
   double reaction_moment(int support, const Point& about);
+  struct EdgeReaction {
+    Eigen::Vector2d force;
+    double moment;
+  };
+  // Of all supports on an edge (edge_reactions.cpp).
+  EdgeReaction edge_reaction(int region, int edge, const Point& about);
 
   // Values at places in the body; stress only if asked for.
-  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);
+  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress,
+                                            const results::Side& side = {});
+  // Places where stress is unbounded.
+  const std::vector<regions::SingularPlace>& singular_places();
 
   // Tips of cracks that have elements, by crack; computed once per generation (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();

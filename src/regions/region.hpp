@@ -138,6 +138,19 @@ class Region {
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
   // Adds nodal forces [N] of a constant force per volume [N/m^3].
   virtual void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
+  // What the constant and the proportional part of the loads on its inside, forces per volume and tractions on cracks,
+  // do to each other's displacements [J] beside the work of the nodal forces, of which the nodes know nothing.
+  virtual Eigen::Matrix2d work_within(const std::array<Point, 2>& /*body_force*/,
+                                      const std::vector<CrackLoad>& /*crack_loads*/) const {
+    return Eigen::Matrix2d::Zero();
+  }
+
+  // Force [N] of the body's own stress on one side of each of some nodes: what its tractions on this edge add up to
+  // there. Where edges share a node it tells their parts of the force.
+  virtual std::vector<Point> forces_on_edge(const EdgeSpan& /*span*/, const std::vector<int>& nodes_of_scene,
+                                            const FieldsOfRegion& /*fields*/) const {
+    return std::vector<Point>(nodes_of_scene.size(), Point::Zero());
+  }
 
   // --- Cracks and bonds
 

@@ -36,8 +36,11 @@ from .reports import (
     BondState,
     CrackOpening,
     CrackTip,
+    EdgeReaction,
     Growth,
     PointValues,
+    Singularity,
+    SingularityKind,
     Statistics,
     StepReport,
     StopReason,
@@ -48,8 +51,8 @@ from .state import State
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip", "Error",
-    "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
-    "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
+    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip",
+    "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
+    "OutOfMemoryError", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

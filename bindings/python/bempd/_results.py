@@ -13,7 +13,20 @@ from ._arguments import FloatArray
 from ._handle import Handle
 from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
-from .reports import Bonds, CrackOpening, CrackTip, Growth, PointValues, Statistics, crack_tip, rows, values_of
+from .reports import (
+    Bonds,
+    CrackOpening,
+    CrackTip,
+    EdgeReaction,
+    Growth,
+    PointValues,
+    Singularity,
+    Statistics,
+    crack_tip,
+    rows,
+    singularity,
+    values_of,
+)
 
 FIELDS = {
     "position": lib.BEMPD_POSITION,
@@ -23,7 +36,9 @@ FIELDS = {
     "traction": lib.BEMPD_TRACTION,
     "bond_stretch": lib.BEMPD_BOND_STRETCH,
     "element_stress": lib.BEMPD_ELEMENT_STRESS,
+    "stress_order": lib.BEMPD_STRESS_ORDER,
 }
+FACES = {"left": lib.BEMPD_FACE_LEFT, "right": lib.BEMPD_FACE_RIGHT}
 IntArray = npt.NDArray[np.int32]
 
 
@@ -31,7 +46,8 @@ class Results:
     """What can be asked of a model. Asking prepares it if need be.
 
     Fields are "position", "displacement", "stress" (xx, yy, xy), "damage" (PD), "traction" (BEM, at the three nodes of
-    every element), "element_stress" (BEM, there too) and "bond_stretch" (PD). There are three ways to a field:
+    every element), "element_stress" (BEM, there too), "bond_stretch" (PD) and "stress_order" (0 where stress is
+    bounded). There are three ways to a field:
 
     field()       a read-only array that keeps the values of the moment; asked again before the model changes, the same
                   array. Yours for as long as you like, whatever becomes of the model.
@@ -150,6 +166,13 @@ class Results:
         return float(self._number("bempd_reaction_moment", "double", support,
                                   *arguments.place("reaction_moment: about", about)))
 
+    def edge_reaction(self, region: int, edge: int, about: Sequence[float] = (0.0, 0.0)) -> EdgeReaction:
+        """Force and moment about a place that supports exert through one edge; corners are shared among edges."""
+        force, moment = np.empty(2), ffi.new("double *")
+        self._open().call("bempd_edge_reaction", region, edge, *arguments.place("edge_reaction: about", about),
+                          ffi.from_buffer("double[]", force), moment)
+        return EdgeReaction(force, float(moment[0]))
+
     def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues:
         """Displacement, stress and region at places in the body; without `stress` it is faster."""
         places = arguments.point_array("evaluate: points", points)
@@ -159,6 +182,36 @@ class Results:
         self._open().call("bempd_evaluate", count, arguments.doubles(places), arguments.doubles(displacement),
                           arguments.doubles(tensor), ffi.from_buffer("int32_t[]", regions))
         return PointValues(displacement, tensor, regions)
+
+    def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: str = "left",
+                    stress: bool = True) -> PointValues:
+        """As evaluate(), as one region has it: on its side of interfaces, and on the "left" or "right" face of cracks."""
+        places = arguments.point_array("evaluate_in: points", points)
+        count = len(places)
+        displacement, tensor = np.empty((count, 2)), np.empty((count, 3)) if stress else None
+        self._open().call("bempd_evaluate_in", region, arguments.choice("evaluate_in: face", face, FACES), count,
+                          arguments.doubles(places), arguments.doubles(displacement), arguments.doubles(tensor))
+        return PointValues(displacement, tensor, np.full(count, region, dtype=np.int32))
+
+    def singularities(self) -> list[Singularity]:
+        """Places where stress is unbounded, so that its number there depends on the elements.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> corner = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+        >>> bracket = model.add_bem_region(glass, corner, element_length=0.25)
+        >>> support = model.fix_edge(bracket, 5, "y"), model.fix_point((0, 0), "x")
+        >>> [(place.kind.name, place.x, place.y, round(place.exponent, 4)) for place in model.singularities()]
+        [('CORNER', 1.0, 1.0, 0.5445), ('POINT', 0.0, 0.0, 0.0)]
+        """
+        count = int(self._number("bempd_singularity_count", "int64_t"))
+        found = []
+        for index in range(count):
+            struct = new_struct("bempd_singularity", "bempd_singularity_init")
+            self._open().call("bempd_get_singularity", index, struct)
+            found.append(singularity(struct))
+        return found
 
     def tips(self) -> list[CrackTip]:
         """Tips of cracks in BEM regions with their stress intensity factors, by crack.

@@ -38,6 +38,27 @@ class TipEnd(enum.IntEnum):
     END = 2
 
 
+class SingularityKind(enum.IntEnum):
+    """Why stress is unbounded at a place."""
+
+    CORNER = 1  #: of the boundary of one material, or where what supports hold changes
+    INTERFACE = 2  #: where materials meet
+    CRACK = 3  #: tip, kink or branch of a crack in a BEM region
+    POINT = 4  #: held or loaded
+
+
+@dataclasses.dataclass(frozen=True)
+class Singularity:
+    """A place where the stress of the elastic body is unbounded: it grows as r to the power of exponent - 1."""
+
+    kind: SingularityKind
+    region: int  #: id of a region there
+    x: float  #: place [m]
+    y: float
+    exponent: float  #: of the displacement beside it; 1/2 at crack tips, 0 at points under a force
+    oscillation: float  #: imaginary part of the exponent
+
+
 @dataclasses.dataclass(frozen=True)
 class CrackTip:
     """The tip of a crack in a BEM region, at the present load factor."""
@@ -134,6 +155,13 @@ class PointValues(NamedTuple):
     region: npt.NDArray[np.int32]  #: shape (n,): the region that holds each place
 
 
+class EdgeReaction(NamedTuple):
+    """What supports exert on the body through one edge."""
+
+    force: npt.NDArray[np.float64]  #: shape (2,) [N]
+    moment: float  #: positive counter-clockwise [N m]
+
+
 class CrackOpening(NamedTuple):
     """Displacement of a crack's left face less that of its right one."""
 
@@ -160,6 +188,13 @@ def crack_tip(struct: Any) -> CrackTip:
     values = values_of(struct, "bempd_crack_tip", CrackTip)
     values["end"] = TipEnd(values["end"])
     return CrackTip(**values)
+
+
+def singularity(struct: Any) -> Singularity:
+    """A singular place as a value."""
+    values = values_of(struct, "bempd_singularity", Singularity)
+    values["kind"] = SingularityKind(values["kind"])
+    return Singularity(**values)
 
 
 def rows(structs: Any, name: str) -> npt.NDArray[Any]:

@@ -77,6 +77,20 @@ void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<
   scatter(trace_.transpose() * cracked().forces_on_boundary(forces), force);
 }
 
+// With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
+// the part that depends on u.
+Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::vector<CrackLoad>& loads) const {
+  const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
+  Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
+  for (int part = 0; part < 2; ++part) {
+    const auto traction = cracks_->traction(loads, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
+    if (traction) forces.col(part) = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
+  }
+  if (forces.isZero(0)) return Eigen::Matrix2d::Zero();
+  const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
+  return forces.transpose() * cracked().openings(held, forces);
+}
+
 std::vector<TipValues> BoundaryRegion::tips(const Solution& solution) const {
   if (!cracks_ || cracks_->elements().tips.empty()) return {};
   const bem::CrackedState whole = cracked_state(solution);

@@ -302,6 +302,30 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a round region treated by boundary elements. Its edges are four quarter circles: the
+    /// first begins at the place with the largest x, and they run counter-clockwise. It fits into a
+    /// circular hole of the same centre and radius.
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material
+    /// * x \[in\]: centre \[m\]
+    /// * y \[in\]: centre \[m\]
+    /// * radius \[in\]: radius \[m\], \> 0
+    /// * element_length \[in\]: longest element on any edge \[m\], \> 0
+    /// * region \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_bem_disc(
+        model: *mut bempd_model,
+        material: i32,
+        x: f64,
+        y: f64,
+        radius: f64,
+        element_length: f64,
+        region: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice
     /// cells.
     ///
@@ -388,6 +412,41 @@ extern "C" {
         edge: i32,
         x: f64,
         y: f64,
+    ) -> bempd_status;
+}
+pub const BEMPD_COUNTER_CLOCKWISE: bempd_turn = 1;
+pub const BEMPD_CLOCKWISE: bempd_turn = 2;
+/// Sense of turning.
+///
+/// * since: 0.3
+pub type bempd_turn = ::std::os::raw::c_uint;
+extern "C" {
+    /// Make an edge of a BEM region the circular arc about a centre, from its first vertex to its
+    /// last one.
+    ///
+    /// Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends
+    /// exactly at them. It may be any part of the circle short of all of it: a full circle is
+    /// bempd_add_bem_disc() or bempd_add_circular_hole(), or edges that share it. An edge of an
+    /// outer loop that bulges out of the body turns counter-clockwise, and so does one of a hole
+    /// that bulges into the hole.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a BEM region
+    /// * edge \[in\]: edge number
+    /// * x \[in\]: centre \[m\]
+    /// * y \[in\]: centre \[m\]
+    /// * radius \[in\]: radius \[m\], \> 0
+    /// * turn \[in\]: a bempd_turn: the way from the first vertex to the last one, about the centre
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_edge_arc_about(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        x: f64,
+        y: f64,
+        radius: f64,
+        turn: i32,
     ) -> bempd_status;
 }
 extern "C" {
@@ -757,8 +816,7 @@ pub const BEMPD_SHEAR: bempd_face_component = 2;
 pub type bempd_face_component = ::std::os::raw::c_uint;
 extern "C" {
     /// Add a traction on both faces of a crack in a BEM region; give it new values with
-    /// bempd_set_load_values(). Energies and work leave out what such loads do within the crack
-    /// alone.
+    /// bempd_set_load_values().
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
@@ -922,19 +980,22 @@ pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
 /// bonds too far at every load factor, so that the path ends here; see
 /// bempd_admissible_load_factors().
 ///
-/// * since: 0.2
+/// * since: 0.3
 pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
 /// With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
 /// equilibrium. The step keeps the increments before. Where already its first one leaves none the
 /// step fails instead, as BEMPD_ERROR_UNSOLVABLE.
 ///
-/// * since: 0.2
+/// * since: 0.3
 pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
 /// Why a step ended.
 ///
 /// * since: 0.1
 pub type bempd_stop_reason = ::std::os::raw::c_uint;
 /// What a step did. Fill it with bempd_step_report_init().
+///
+/// An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it
+/// is too small, and the log warns; energy_balance_error says nothing then, all else is right.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -1089,6 +1150,12 @@ pub const BEMPD_BOND_STRETCH: bempd_field = 6;
 /// traction and the strain along it, shape \[elements \* 3\]\[3\] \[Pa\]; at corners the two sides differ
 /// where stress jumps.
 pub const BEMPD_ELEMENT_STRESS: bempd_field = 7;
+/// Order of the stress at the nodes, shape \[nodes\] \[-\]: 0 where it is bounded; else it grows as r
+/// to the power of minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the
+/// elements (bempd_singularity).
+///
+/// * since: 0.3
+pub const BEMPD_STRESS_ORDER: bempd_field = 8;
 /// A field on a region. Nodes are boundary nodes or material points.
 ///
 /// * since: 0.1
@@ -1122,7 +1189,7 @@ extern "C" {
     /// * lowest \[out\]: \[-\]
     /// * highest \[out\]: \[-\]
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_admissible_load_factors(
         model: *mut bempd_model,
         lowest: *mut f64,
@@ -1302,8 +1369,44 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Force that supports exert on the body through one edge of a region at the present load
+    /// factor, and its moment: of all supports that hold the edge or a part of it.
+    ///
+    /// Where several edges hold a component of the same node (corners, ends of interfaces), each
+    /// has the force that the tractions beside the node on its own side make there, and of what
+    /// then is missing or left of the node's force all have the same share. A node that points are
+    /// held at too counts for the edges alone. So the edges of all regions and the points that lie
+    /// on none of them sum to the reactions of all supports, to rounding, in whatever order they
+    /// were added.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: number of an edge that a support holds
+    /// * x \[in\]: the point for the moment \[m\]
+    /// * y \[in\]: \[m\]
+    /// * force \[out\]: shape \[2\], resultant \[N\]; may be NULL
+    /// * moment \[out\]: positive counter-clockwise \[N m\]; may be NULL
+    /// * return: status; an edge without a support is an argument error
+    /// * since: 0.3
+    pub fn bempd_edge_reaction(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        x: f64,
+        y: f64,
+        force: *mut f64,
+        moment: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Displacement and stress at places in the body: by the interior identities in BEM regions, by
     /// interpolation between material points in PD regions.
+    ///
+    /// At an interface the values are those of the peridynamic region, between regions of one kind
+    /// those of the one with the lower id; on a crack in a BEM region those of its left face, seen
+    /// from its first point. bempd_evaluate_in() asks for another side. Where stress is unbounded
+    /// (bempd_get_singularity()) the number depends on the elements and grows as they get smaller;
+    /// the option results.singular_stress refuses it. At crack tips it is refused always.
     ///
     /// * model \[in\]: the model
     /// * count \[in\]: number of places
@@ -1320,6 +1423,113 @@ extern "C" {
         displacement: *mut f64,
         stress: *mut f64,
         regions: *mut i32,
+    ) -> bempd_status;
+}
+pub const BEMPD_FACE_LEFT: bempd_face = 1;
+pub const BEMPD_FACE_RIGHT: bempd_face = 2;
+/// Face of a crack, seen from its first point.
+///
+/// * since: 0.3
+pub type bempd_face = ::std::os::raw::c_uint;
+extern "C" {
+    /// Displacement and stress as one region has them: at an interface, where stress jumps, on this
+    /// region's side; on a crack in a BEM region on the face that is asked for. Else as
+    /// bempd_evaluate().
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * face \[in\]: a bempd_face; of no matter off cracks
+    /// * count \[in\]: number of places
+    /// * points \[in\]: shape \[count\]\[2\] \[m\]
+    /// * displacement \[out\]: shape \[count\]\[2\] \[m\]; may be NULL
+    /// * stress \[out\]: shape \[count\]\[3\], xx, yy, xy \[Pa\]; may be NULL
+    /// * return: status; a place outside the region and its boundary is an argument error
+    /// * since: 0.3
+    pub fn bempd_evaluate_in(
+        model: *mut bempd_model,
+        region: i32,
+        face: i32,
+        count: i64,
+        points: *const f64,
+        displacement: *mut f64,
+        stress: *mut f64,
+    ) -> bempd_status;
+}
+/// A corner of the boundary of one material, or a place on it where what supports hold changes.
+pub const BEMPD_SINGULAR_CORNER: bempd_singularity_kind = 1;
+/// A place where materials meet: an end or a corner of an interface.
+pub const BEMPD_SINGULAR_INTERFACE: bempd_singularity_kind = 2;
+/// A tip, a kink or a branch of a crack in a BEM region.
+pub const BEMPD_SINGULAR_CRACK: bempd_singularity_kind = 3;
+/// A single point that is held or loaded.
+pub const BEMPD_SINGULAR_POINT: bempd_singularity_kind = 4;
+/// Why stress is unbounded at a place.
+///
+/// * since: 0.3
+pub type bempd_singularity_kind = ::std::os::raw::c_uint;
+/// A place where the stress of the elastic body is unbounded. Fill it with
+/// bempd_singularity_init().
+///
+/// At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there
+/// depend on the elements or the lattice spacing alone. The exponent is the least solution with a
+/// real part below 0.99 of the equations of the wedges that meet there (M. L. Williams, J. Appl.
+/// Mech. 19, 1952), with their angles, materials and supports; loads do not enter, and may leave
+/// the strongest term out. Cracks in peridynamic regions are not listed.
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_singularity {
+    /// sizeof(bempd_singularity), set by bempd_singularity_init()
+    pub struct_size: i64,
+    /// a bempd_singularity_kind
+    pub kind: i32,
+    /// id of a region there
+    pub region: i32,
+    /// place \[m\]
+    pub x: f64,
+    /// place \[m\]
+    pub y: f64,
+    /// of the displacement beside it, 1/2 at crack tips, 0 at points under a force \[-\]
+    pub exponent: f64,
+    /// imaginary part of the exponent, \>= 0: stress changes its sign with its times ln r \[-\]
+    pub oscillation: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * singularity \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_singularity) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_singularity_init(
+        singularity: *mut bempd_singularity,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER
+    /// marks them.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: their number
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_singularity_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// A place where stress is unbounded.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * singularity \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_singularity(
+        model: *mut bempd_model,
+        index: i64,
+        singularity: *mut bempd_singularity,
     ) -> bempd_status;
 }
 pub const BEMPD_CRACK_START: bempd_tip_end = 1;
@@ -1551,7 +1761,8 @@ extern "C" {
         statistics: *mut bempd_statistics,
     ) -> bempd_status;
 }
-/// One line of the history. Fill it with bempd_history_entry_init().
+/// One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can
+/// hold are as in bempd_step_report.
 ///
 /// * since: 0.1
 #[repr(C)]

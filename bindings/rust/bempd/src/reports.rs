@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::{CrackId, StopReason, TipEnd};
+use crate::{CrackId, RegionId, SingularityKind, StopReason, TipEnd};
 
 /// Where a run stands, told after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,18 @@ impl FromRaw<i32> for CrackId {
     }
 }
 
+impl FromRaw<i32> for RegionId {
+    fn from_raw(raw: i32) -> RegionId {
+        RegionId(raw)
+    }
+}
+
+impl FromRaw<i32> for SingularityKind {
+    fn from_raw(raw: i32) -> SingularityKind {
+        SingularityKind::from_raw(raw)
+    }
+}
+
 impl FromRaw<i32> for TipEnd {
     fn from_raw(raw: i32) -> TipEnd {
         TipEnd::from_raw(raw)
@@ -92,6 +104,24 @@ mirror! {
         kink_angle: f64,
         /// Smallest load factor >= 0 at which the energy release rate is the fracture energy; infinite if it never is.
         critical_load_factor: f64,
+    }
+}
+
+mirror! {
+    /// A place where the stress of the elastic body is unbounded: it grows as r to the power of exponent - 1.
+    Singularity of bempd_singularity {
+        /// Why it is.
+        kind: SingularityKind,
+        /// A region there.
+        region: RegionId,
+        /// Place [m].
+        x: f64,
+        /// Place [m].
+        y: f64,
+        /// Of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-].
+        exponent: f64,
+        /// Imaginary part of the exponent [-].
+        oscillation: f64,
     }
 }
 

@@ -1,5 +1,6 @@
 use crate::{
-    BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View,
+    BondState, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, Model, RegionId, Result, Singularity, Statistics,
+    SupportId, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -29,6 +30,15 @@ pub struct PointValues {
     pub stress: Vec<[f64; 3]>,
     /// The regions that hold the places.
     pub regions: Vec<RegionId>,
+}
+
+/// What supports exert on the body through one edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeReaction {
+    /// Resultant [N].
+    pub force: [f64; 2],
+    /// Moment, positive counter-clockwise [N m].
+    pub moment: f64,
 }
 
 /// Openings of a crack, one entry a place: displacement of its left face less that of its right one.
@@ -131,6 +141,25 @@ impl Model {
     /// As [`Model::evaluate`], without the cost of the stress.
     pub fn evaluate_displacement(&self, places: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
         self.handle.evaluate_displacement(places)
+    }
+
+    /// Force, and moment about a place, that all supports of an edge exert through it; what corners carry is shared among
+    /// the edges that meet there.
+    pub fn edge_reaction(&self, region: RegionId, edge: i32, about: [f64; 2]) -> Result<EdgeReaction> {
+        let (force, moment) = self.handle.edge_reaction(region.0, edge, about)?;
+        Ok(EdgeReaction { force, moment })
+    }
+
+    /// As [`Model::evaluate`], as one region has it: on its side of interfaces, and on one face of cracks.
+    pub fn evaluate_in(&self, region: RegionId, face: Face, places: &[[f64; 2]]) -> Result<PointValues> {
+        let (displacement, stress) = self.handle.evaluate_in(region.0, face as i32, places)?;
+        Ok(PointValues { displacement, stress, regions: vec![region; places.len()] })
+    }
+
+    /// All places where stress is unbounded, so that its number there depends on the elements.
+    pub fn singularities(&self) -> Result<Vec<Singularity>> {
+        let count = self.handle.singularity_count()?;
+        (0..count).map(|index| Ok(Singularity::from_raw(&self.handle.singularity(index)?))).collect()
     }
 
     /// Number of tips that cracks in boundary element regions have.

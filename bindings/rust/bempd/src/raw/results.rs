@@ -141,6 +141,38 @@ impl Handle {
         Ok(displacement)
     }
 
+    pub(crate) fn edge_reaction(&self, region: i32, edge: i32, [x, y]: [f64; 2]) -> Result<([f64; 2], f64)> {
+        let mut force = [0.0; 2];
+        let moment = self.output(|model, moment| unsafe {
+            sys::bempd_edge_reaction(model, region, edge, x, y, force.as_mut_ptr(), moment)
+        })?;
+        Ok((force, moment))
+    }
+
+    pub(crate) fn evaluate_in(
+        &self,
+        region: i32,
+        face: i32,
+        places: &[[f64; 2]],
+    ) -> Result<(Vec<[f64; 2]>, Vec<[f64; 3]>)> {
+        let mut displacement = vec![[0.0; 2]; places.len()];
+        let mut stress = vec![[0.0; 3]; places.len()];
+        let (count, places) = points(places);
+        let outputs = (displacement.as_mut_ptr().cast(), stress.as_mut_ptr().cast());
+        self.call(|model| unsafe { sys::bempd_evaluate_in(model, region, face, count, places, outputs.0, outputs.1) })?;
+        Ok((displacement, stress))
+    }
+
+    pub(crate) fn singularity_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_singularity_count(model, count) })
+    }
+
+    pub(crate) fn singularity(&self, index: i64) -> Result<sys::bempd_singularity> {
+        let mut singularity = filled(sys::bempd_singularity_init)?;
+        self.call(|model| unsafe { sys::bempd_get_singularity(model, index, &mut singularity) })?;
+        Ok(singularity)
+    }
+
     pub(crate) fn tip_count(&self) -> Result<i64> {
         self.output(|model, count| unsafe { sys::bempd_tip_count(model, count) })
     }

@@ -1,0 +1,1 @@
+bempd_add_engine_test(elasticity_wedge_test elasticity_wedge_test.cpp)
