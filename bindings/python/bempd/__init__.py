@@ -42,6 +42,8 @@ from .reports import (
     StepReport,
     StopReason,
     TipEnd,
+    TipMethod,
+    TipRecord,
 )
 from .state import State
 
@@ -50,6 +52,6 @@ __version__ = version()
 __all__ = [
     "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip", "Error",
     "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
-    "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
-    "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
+    "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "UnknownOptionError",
+    "UnsolvableError", "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

@@ -1,5 +1,6 @@
 use crate::{
-    BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View,
+    BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId,
+    TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -127,7 +128,7 @@ impl Model {
         self.handle.evaluate_displacement(places)
     }
 
-    /// Number of tips that cracks in boundary element regions have.
+    /// Number of tips that cracks have.
     pub fn tip_count(&self) -> Result<usize> {
         self.handle.tip_count().map(|count| count as usize)
     }
@@ -137,7 +138,7 @@ impl Model {
         Ok(CrackTip::from_raw(&self.handle.tip(index as i64)?))
     }
 
-    /// All tips, by crack, with their stress intensity factors.
+    /// All tips with their stress intensity factors: those in boundary element regions first, by crack.
     ///
     /// ```
     /// use bempd::{Component, FaceComponent, Material, Model, TipEnd, Values};
@@ -163,6 +164,16 @@ impl Model {
     /// ```
     pub fn tips(&self) -> Result<Vec<CrackTip>> {
         (0..self.tip_count()?).map(|index| self.tip(index)).collect()
+    }
+
+    /// The tips that were recorded: at every n-th event and at the ends of steps with the option `tips.record` = n.
+    pub fn tip_history(&self) -> Result<Vec<TipRecord>> {
+        let count = self.handle.tip_history_count()?;
+        let record = |index| {
+            let (event, total_broken_bonds, load_factor, tip) = self.handle.tip_record(index)?;
+            Ok(TipRecord { event, total_broken_bonds, load_factor, tip: CrackTip::from_raw(&tip) })
+        };
+        (0..count).map(record).collect()
     }
 
     /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
