@@ -1,5 +1,6 @@
 #include "regions/tips/tip_rings.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -123,27 +124,33 @@ TipRings::View TipRings::about(double ahead) const {
   return view;
 }
 
-// To move as one does no work on any field; but where the crack has left fewer bonds at its faces the dual fields are
-// in balance far from the tip only.
+// To move as one does no work on any field; but where the crack has left fewer bonds at its faces the dual fields are in
+// balance far from the tip only. So it is taken out beforehand: what a fit by the first terms of Williams' expansion
+// has of it, without which the terms of power 1/2 would be taken for some of it.
 Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
-  const std::vector<Point>& positions = body_.discretization.positions;
-  const auto count = static_cast<double>(nodes_.size());
-  Eigen::VectorXd own(2 * static_cast<Eigen::Index>(nodes_.size()));
-  Point mean = Point::Zero(), middle = Point::Zero();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    own.segment<2>(2 * i) = displacement.segment<2>(2 * nodes_[i]);
-    mean += own.segment<2>(2 * i) / count, middle += positions[nodes_[i]] / count;
+  const auto count = static_cast<Eigen::Index>(nodes_.size());
+  Eigen::VectorXd own(2 * count);
+  for (Eigen::Index i = 0; i < count; ++i) own.segment<2>(2 * i) = displacement.segment<2>(2 * nodes_[i]);
+  Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(2 * count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Point arm = (body_.discretization.positions[nodes_[i]] - axes_.place) / radius_;
+    terms.block<2, 3>(2 * i, 0) << 1, 0, -arm.y(), 0, 1, arm.x();
   }
-  double moment = 0, inertia = 0;
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Point arm = positions[nodes_[i]] - middle;
-    moment += cross(arm, Point(own.segment<2>(2 * i)) - mean), inertia += arm.squaredNorm();
+  const Eigen::MatrixXd rigid = terms;
+  for (const double power : {-0.5, 0.5, 1.0, 1.5, 2.0, 2.5}) {
+    for (const std::complex<double> factor : {std::complex<double>(1, 0), std::complex<double>(0, 1)}) {
+      if (power == 1 && factor.imag() != 0) continue;  // a turn
+      const CrackTipField field(axes_.elasticity, power, factor * axes_.elasticity.shear_modulus());
+      terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        TipPolar place = polar(body_.discretization.positions[nodes_[i]], axes_.place);
+        place.radius = std::max(place.radius, axes_.spacing) / radius_;
+        terms.block<2, 1>(2 * i, terms.cols() - 1) = axes_.out_of(field.displacement(place));
+      }
+    }
   }
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const Point arm = positions[nodes_[i]] - middle;
-    own.segment<2>(2 * i) -= mean + moment / inertia * Point(-arm.y(), arm.x());
-  }
-  return own;
+  const Eigen::VectorXd fit = (terms.transpose() * terms).ldlt().solve(terms.transpose() * own);
+  return own - rigid * fit.head<3>();
 }
 
 TipRings::Expansion TipRings::expansion(const View& view, double inner, double outer,
