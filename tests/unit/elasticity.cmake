@@ -1,0 +1,1 @@
+bempd_add_engine_test(elasticity_crack_tip_field_test elasticity_crack_tip_field_test.cpp)
