@@ -81,13 +81,13 @@ static void ends_at_edges_are_no_tips(void) {
 }
 
 static void short_cracks_have_no_contours(void) {
-  bempd_model* model = plate(-3, 3, 1);
+  bempd_model* model = plate(-2, 2, 1);
   CHECK_OK(model, bempd_step(model, 1e-3, NULL));
   CHECK(tips_of(model) == 2);
   {
     const bempd_crack_tip tip = tip_of(model, 1);
     CHECK(tip.contours == 0 && tip.contour_radius == 0 && tip.felt_ahead == 0);
-    CHECK_CLOSE(tip.x, 3, 1e-12);
+    CHECK_CLOSE(tip.x, 2, 1e-12);
     CHECK(isnan(tip.stress_intensity_1) && isnan(tip.stress_intensity_2) && isnan(tip.energy_release_rate));
     CHECK(isnan(tip.t_stress) && isnan(tip.error) && isnan(tip.kink_angle) && isnan(tip.critical_load_factor));
   }

@@ -158,8 +158,10 @@ class TipSearch {
       tip.grown = true;
       for (const Point& cell : way.cells)
         if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
-      // What is broken through has no tip there any more.
-      if (!is_in(body_.scene, body_.discretization, tip.axes.path.back(), false)) return;
+      // What has broken through to an edge has no tip any more.
+      if (!std::all_of(way.all.begin(), way.all.end(),
+                       [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
+        return;
       fit_end(tip.axes, 2 * tip.horizon);
       tip.branched = std::any_of(way.all.begin(), way.all.end(),
                                  [&](const Point& cell) { return distance_to(tip.axes.path, cell) > tip.horizon; });
