@@ -124,8 +124,8 @@ TipRings::View TipRings::about(double ahead) const {
   return view;
 }
 
-// To move as one does no work on any field; but where the crack has left fewer bonds at its faces the dual fields are in
-// balance far from the tip only. So it is taken out beforehand: what a fit by the first terms of Williams' expansion
+// To move as one does no work on any field; but where the crack has left fewer bonds at its faces the dual fields are
+// in balance far from the tip only. So it is taken out beforehand: what a fit by the first terms of Williams' expansion
 // has of it, without which the terms of power 1/2 would be taken for some of it.
 Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const auto count = static_cast<Eigen::Index>(nodes_.size());

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <queue>
+#include <set>
 #include <utility>
 
 #include "geometry/segment.hpp"
@@ -30,8 +31,7 @@ class BrokenFaces {
       middles_.push_back(middle);
       if (is_cut[b]) continue;
       const Point across = 0.5 * grid.spacing * Point(-body.bonds.sine[b], body.bonds.cosine[b]);
-      const Cell one = cell_at(middle + across), other = cell_at(middle - across);
-      beyond_[one].push_back(other), beyond_[other].push_back(one);
+      broken_.insert(cell_at(middle + across)), broken_.insert(cell_at(middle - across));
     }
   }
 
@@ -48,23 +48,20 @@ class BrokenFaces {
     std::vector<Point> cells;  // to the farthest one, empty if there is none
     std::vector<Point> all;    // that can be reached
   };
-  // From the cells around an end through broken bonds.
+  // From the cells around an end. Cells that meet at a corner follow each other, too: bonds along a crack that runs
+  // aslant are broken later or never.
   Way way_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
     const Cell own = cell_at(end);
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y) {
-        const Cell cell{own.first + x, own.second + y};
-        if (beyond_.count(cell) > 0) came_from.emplace(cell, cell), next.push(cell);
-      }
+    for (const Cell& cell : broken_around(own)) came_from.emplace(cell, cell), next.push(cell);
     Way way;
     Cell last = own;
     while (!next.empty()) {
       last = next.front();
       next.pop();
       way.all.push_back(middle_of(last));
-      for (const Cell& cell : beyond_.at(last))
+      for (const Cell& cell : broken_around(last))
         if (came_from.emplace(cell, last).second) next.push(cell);
     }
     if (way.all.empty()) return way;
@@ -77,9 +74,17 @@ class BrokenFaces {
   }
 
  private:
+  std::vector<Cell> broken_around(const Cell& own) const {
+    std::vector<Cell> found;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        if (const Cell cell{own.first + x, own.second + y}; broken_.count(cell) > 0) found.push_back(cell);
+    return found;
+  }
+
   LatticeGrid grid_;
   std::vector<Point> middles_;
-  std::map<Cell, std::vector<Cell>> beyond_;
+  std::set<Cell> broken_;  // cells with a side that has broken
 };
 
 bool is_in(const scene::Scene& scene, const Discretization& d, const Point& place, bool lattices_only) {

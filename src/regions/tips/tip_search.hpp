@@ -20,8 +20,9 @@ struct LatticeTip {
 // One for each end of a crack among bonds that lies inside the body.
 //
 // A crack passes from cell to cell of the lattice through the bonds of nearest neighbours that it breaks. An end has
-// grown if such cells join on to it; the tip is the middle of the one that is farthest along them, and its direction
-// that of the line that lies best through the last two horizons of the way. Until then it is the end as described.
+// grown if such cells join on to it, side by side or at corners; the tip is the middle of the one that is farthest
+// along them, and its direction that of the line that lies best through the last two horizons of the way. Until then it
+// is the end as described.
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
 
 }  // namespace bempd::regions
