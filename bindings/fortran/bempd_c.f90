@@ -234,13 +234,13 @@ module bempd_c
   !> boundary's elements are no longer than what they border on.
   !>
   !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
-  !> rings around the tip on the singular dual fields of Williams' expansion, and reversely: interaction integrals,
-  !> T-stress by the dual field of power -1. Factors are those about the place where the tip is felt, `felt_ahead` of
-  !> the one given. A crack in a lattice acts like one that is 0.3 to 0.9 spacings longer at each tip, so that factors
-  !> are 0.5 to 2 % above those of a crack of 20 spacings to the middle; `error`, the spread among rings, does not count
-  !> that. Where less than two horizons around a tip are free of other cracks, bends and branches, and behind it of its
-  !> own crack's other end, no ring fits: `contours` is 0, and factors, T, their error, the kink angle and the critical
-  !> load factor are NaN.
+  !> rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field
+  !> of power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one
+  !> given, and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the
+  !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
+  !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
+  !> two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring
+  !> fits: `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
   !>
   !> Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has
   !> grown: to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end.
@@ -1595,7 +1595,7 @@ module bempd_c
     !> Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and at
     !> the end of every step, also where bempd_grow_cracks() has made one.
     !>
-    !> A tip in a peridynamic region costs 10 to 100 ms each time, one in a BEM region some ms; without the option
+    !> A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option
     !> nothing. States in memory carry the records; those from bytes have none.
     !>
     !> model [in]: the model

@@ -167,6 +167,29 @@ impl Model {
     }
 
     /// The tips that were recorded: at every n-th event and at the ends of steps with the option `tips.record` = n.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, TipMethod, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// model.set_option("tips.record", 1.0)?;
+    /// let glass = model.add_material(&Material::new(1.0, 1.0 / 3.0))?;
+    /// let square = [[-20.5, -20.5], [20.5, -20.5], [20.5, 20.5], [-20.5, 20.5]];
+    /// let plate = model.add_pd_region(glass, &square, 1.0, 3)?;
+    /// model.add_crack(&[[-10.0, 0.0], [10.0, 0.0]])?;
+    /// model.fix_point([-20.5, -20.5], Component::Both)?;
+    /// model.fix_point([20.5, -20.5], Component::Y)?;
+    /// model.add_traction(plate, 3, Component::Y, Values::proportional(&[1.0]))?;
+    /// model.add_traction(plate, 1, Component::Y, Values::proportional(&[-1.0]))?;
+    /// model.step(0.01)?;
+    ///
+    /// let recorded = model.tip_history()?;
+    /// assert_eq!((recorded.len(), recorded[1].event, recorded[1].load_factor), (2, 0, 0.01));
+    /// assert_eq!((recorded[1].tip.method, recorded[1].tip.contours), (TipMethod::Contours, 3));
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn tip_history(&self) -> Result<Vec<TipRecord>> {
         let count = self.handle.tip_history_count()?;
         let record = |index| {
