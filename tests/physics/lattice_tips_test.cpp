@@ -158,6 +158,31 @@ TEST(LatticeTips, move_on_with_the_broken_bonds) {
   }
 }
 
+// Rings reach into the stiffer half, where their fields do not belong.
+TEST(LatticeTips, beside_another_material_have_their_factors) {
+  const auto tip = [](double spacing, double longer) {
+    Model model;
+    const int32_t soft = model.add(material(1, 1.0 / 3)), stiff = model.add(material(4, 1.0 / 3));
+    const Outline left = rectangle(-2, -2.05, 0, 2.05), right = rectangle(0, -2.05, 1, 2.05);
+    const int32_t a = spacing > 0 ? model.pd(soft, left, spacing, 3) : model.bem(soft, left, 0.25);
+    const int32_t b = spacing > 0 ? model.pd(stiff, right, spacing, 3) : model.bem(stiff, right, 0.25);
+    model.crack({{-2, 0}, {-0.625 + longer, 0}});
+    model.fix_point({-2, -2.05}, BEMPD_BOTH);
+    model.fix_point({1, -2.05}, BEMPD_Y);
+    for (const int32_t body : {a, b}) {
+      model.traction(body, 3, 0, 1, BEMPD_Y, 0, 1);
+      model.traction(body, 1, 0, 1, BEMPD_Y, 0, -1);
+    }
+    model.step(1);
+    return tips(model)[0];
+  };
+  const bempd_crack_tip found = tip(0.05, 0), felt = tip(0, found.felt_ahead);
+  EXPECT_GT(found.contour_radius, 0.7);
+  EXPECT_LT(std::abs(report("K_I", found.stress_intensity_1, felt.stress_intensity_1, "boundary elements")),
+            1e-2 * felt.stress_intensity_1);
+  EXPECT_LT(std::abs(report("T", found.t_stress, felt.t_stress, "boundary elements")), 0.15);
+}
+
 TEST(LatticeTips, are_gone_when_the_body_is_in_two) {
   Model model;
   bempd_material solid = material(1, 1.0 / 3);

@@ -37,6 +37,7 @@ bool is_left_of(const std::vector<Point>& path, const Point& place) {
 TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
     : body_(body), axes_(std::move(axes)), radius_(radius) {
   const coupling::Terms& terms = body.bonds;
+  const std::vector<char> usable = bonds_of_material();
   const std::vector<Point>& positions = body.discretization.positions;
   std::vector<int> local(positions.size(), -1);
   const auto near = [&](int node) { return (positions[node] - axes_.place).norm() < radius_; };
@@ -45,17 +46,33 @@ TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
     return local[node];
   };
   for (std::size_t b = 0; b < terms.size(); ++b) {
-    if (!body.intact[b] || terms.is_wide(b) || (!near(terms.first[b]) && !near(terms.second[b]))) continue;
+    if (!body.intact[b] || !usable[b] || (!near(terms.first[b]) && !near(terms.second[b]))) continue;
     bonds_.push_back(
         {number(terms.first[b]), number(terms.second[b]), body.stiffness[b], Point(terms.cosine[b], terms.sine[b])});
   }
   collect_faces();
 }
 
-// Parts of lattices' edges near the tip that do not lie on other lattices.
+// One entry a bond. The dual fields are those of one material: lattices of another one are what boundary elements are,
+// something beyond the outline.
+std::vector<char> TipRings::bonds_of_material() const {
+  const coupling::Terms& terms = body_.bonds;
+  std::vector<char> inside(body_.discretization.positions.size(), 0), usable(terms.size(), 1);
+  for (const auto& region : body_.discretization.regions) {
+    if (is_of_material(*region))
+      for (const int node : region->nodes()) inside[node] = 1;
+    else if (const auto listed = region->bonds())
+      std::fill_n(usable.begin() + static_cast<std::ptrdiff_t>(region->first_bond()), listed->size(), 0);
+  }
+  for (std::size_t b = 0; b < terms.size(); ++b)
+    if (terms.is_wide(b) || !inside[terms.first[b]] || !inside[terms.second[b]]) usable[b] = 0;
+  return usable;
+}
+
+// Parts of lattices' edges near the tip that do not lie on other lattices of the same material.
 void TipRings::collect_faces() {
   for (const auto& region : body_.discretization.regions) {
-    if (!region->lattice_grid()) continue;
+    if (!is_of_material(*region)) continue;
     const std::vector<Edge> edges = edges_of(body_.scene.region(region->id()).outline());
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (distance(edges[e], axes_.place) > radius_) continue;
@@ -65,7 +82,7 @@ void TipRings::collect_faces() {
       };
       for (const Contact& contact : body_.discretization.arrangement.contacts) {
         if (contact.region != region->id() - 1 || contact.edge != static_cast<int>(e)) continue;
-        if (!body_.discretization.region(contact.other_region + 1).lattice_grid()) continue;
+        if (!is_of_material(body_.discretization.region(contact.other_region + 1))) continue;
         add_until(contact.from);
         from = contact.to;
       }

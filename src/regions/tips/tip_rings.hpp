@@ -83,6 +83,10 @@ class TipRings {
     EdgeSpan span;
   };
 
+  bool is_of_material(const Region& region) const {
+    return region.lattice_grid().has_value() && region.elasticity() == axes_.elasticity;
+  }
+  std::vector<char> bonds_of_material() const;
   void collect_faces();
   TipPolar polar(const Point& place, const Point& centre) const;
   View::Dual dual_at(const Point& centre, double power, std::complex<double> factor) const;
