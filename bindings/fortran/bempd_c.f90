@@ -162,6 +162,13 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_CRACK_START = 1
   integer(c_int), parameter :: BEMPD_CRACK_END = 2
 
+  !> What the values of a tip come from.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_tip_method = c_int
+  integer(c_int), parameter :: BEMPD_TIP_ELEMENTS = 1
+  integer(c_int), parameter :: BEMPD_TIP_CONTOURS = 2
+
   !> Description of one option. Fill it with bempd_option_info_init().
   !>
   !> since: 0.1
@@ -297,11 +304,25 @@ module bempd_c
     real(c_double) :: oscillation
   end type bempd_singularity
 
-  !> The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+  !> The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
   !>
-  !> Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
-  !> the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than
-  !> what they border on.
+  !> In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body releases when the
+  !> tip moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the
+  !> boundary's elements are no longer than what they border on.
+  !>
+  !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
+  !> rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field
+  !> of power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one
+  !> given, and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the
+  !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
+  !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
+  !> two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring
+  !> fits: `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
+  !>
+  !> Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has
+  !> grown: to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end.
+  !> Cracks that begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells
+  !> of the latter.
   !>
   !> since: 0.2
   type, bind(c) :: bempd_crack_tip
@@ -327,13 +348,26 @@ module bempd_c
     real(c_double) :: energy_release_rate
     !> stress along the crack beside the singular one [Pa]
     real(c_double) :: t_stress
-    !> estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]
+    !> estimate of the error of the stress intensity factors, from elements twice as long or from other rings [Pa
+    !> m^(1/2)]
     real(c_double) :: error
     !> angle from the direction to that of the largest hoop stress, counter-clockwise [rad]
     real(c_double) :: kink_angle
     !> smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; infinite if it
     !> never is or the material has none [-]
     real(c_double) :: critical_load_factor
+    !> a bempd_tip_method (since 0.3, as all that follows)
+    integer(c_int32_t) :: method
+    !> rings that the values come from; 0 if none fits, and in BEM regions
+    integer(c_int32_t) :: contours
+    !> 1 if bonds have broken since so that the tip is not the described end any more
+    integer(c_int32_t) :: grown
+    !> 1 if other ways lead on from the crack than the one to this tip
+    integer(c_int32_t) :: branched
+    !> outer radius of the largest ring; 0 if there is none [m]
+    real(c_double) :: contour_radius
+    !> how far ahead of its place the tip is felt; 0 in BEM regions [m]
+    real(c_double) :: felt_ahead
   end type bempd_crack_tip
 
   !> What bempd_grow_cracks() did. Fill it with bempd_growth_init().
@@ -1792,8 +1826,8 @@ module bempd_c
       integer(c_int) :: bempd_crack_tip_init
     end function bempd_crack_tip_init
 
-    !> Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
-    !> model.
+    !> Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none. Prepares
+    !> the model. What tips carry is computed when it is asked for.
     !>
     !> model [in]: the model
     !> count [out]: number of tips
@@ -1806,7 +1840,8 @@ module bempd_c
       integer(c_int) :: bempd_tip_count
     end function bempd_tip_count
 
-    !> A tip, by crack and the end nearer to its first point first.
+    !> A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the end nearer
+    !> to its first point first.
     !>
     !> model [in]: the model
     !> index [in]: 0 .. count-1
@@ -1820,6 +1855,45 @@ module bempd_c
       type(bempd_crack_tip), intent(inout) :: tip
       integer(c_int) :: bempd_tip
     end function bempd_tip
+
+    !> Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and at
+    !> the end of every step, also where bempd_grow_cracks() has made one.
+    !>
+    !> A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option
+    !> nothing. States in memory carry the records; those from bytes have none.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of records
+    !> return: status
+    !> since: 0.3
+    function bempd_tip_history_count(model, count) bind(c, name="bempd_tip_history_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_tip_history_count
+    end function bempd_tip_history_count
+
+    !> A tip as it was, by time, at one time in the order of bempd_tip().
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> event [out]: number of the event, or 0 for the end of a step; may be NULL
+    !> total_broken_bonds [out]: bonds broken by then; may be NULL
+    !> load_factor [out]: then [-]; may be NULL
+    !> tip [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_get_tip_history(model, index, event, total_broken_bonds, load_factor, tip) &
+        bind(c, name="bempd_get_tip_history")
+      import :: bempd_crack_tip, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(c_ptr), value :: event
+      type(c_ptr), value :: total_broken_bonds
+      type(c_ptr), value :: load_factor
+      type(bempd_crack_tip), intent(inout) :: tip
+      integer(c_int) :: bempd_get_tip_history
+    end function bempd_get_tip_history
 
     !> Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen from
     !> its first point, less that of the face on its right.
@@ -2037,6 +2111,10 @@ module bempd_c
     !> damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face),
     !> and prefix.pvd, the series of all snapshots this model has written with this prefix.
     !>
+    !> With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what bempd_tip() has, and
+    !> among the cracks are those in peridynamic regions: a line in each cell of the lattice for every broken or cut
+    !> bond between nearest neighbours, with the opening that its elongation and its turning show.
+    !>
     !> model [in]: the model
     !> prefix [in]: path without ending, UTF-8; the folder must exist
     !> return: status
@@ -2060,5 +2138,19 @@ module bempd_c
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int) :: bempd_write_history
     end function bempd_write_history
+
+    !> Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with event,
+    !> total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none were recorded.
+    !>
+    !> model [in]: the model
+    !> path [in]: file name, UTF-8
+    !> return: status
+    !> since: 0.3
+    function bempd_write_tips(model, path) bind(c, name="bempd_write_tips")
+      import :: c_char, c_int, c_ptr
+      type(c_ptr), value :: model
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int) :: bempd_write_tips
+    end function bempd_write_tips
   end interface
 end module bempd_c

@@ -241,13 +241,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   {
     const Stopwatch watch(result.seconds_total);
     ++generation_;
-    result.reason = evolution.advance(target, goal, stepping, [&](const fracture::EvolutionState& state) {
-      const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
-      if (!go_on)
-        fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
-      if (cancel_requested_)
-        fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
-    });
+    result.reason = run_recording(target, goal, stepping);
   }
   result.events = evolution.progress().events - events;
   result.broken_bonds = evolution.progress().broken_bonds - broken;

@@ -18,9 +18,11 @@
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 #include "regions/singular_places.hpp"
+#include "regions/tips/tip_rings.hpp"
 #include "results/field_cache.hpp"
 #include "results/point_values.hpp"
 #include "results/snapshots.hpp"
+#include "results/tip_record.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
@@ -39,6 +41,7 @@ struct SavedState {
   SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
+  std::vector<results::TipRecord> tips;  // not among its bytes
 };
 
 // Everything that is built from a finished scene.
@@ -126,8 +129,10 @@ class Model {
   // Places where stress is unbounded.
   const std::vector<regions::SingularPlace>& singular_places();
 
-  // Tips of cracks that have elements, by crack; computed once per generation (crack_results.cpp).
+  // Tips of cracks that have elements, by crack, then of those among bonds; computed once per generation
+  // (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
+  const std::vector<results::TipRecord>& tip_history() const { return tip_history_; }
   // Openings along a crack and normal to it [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
@@ -138,6 +143,7 @@ class Model {
   // Files
   void write_snapshot(const std::string& prefix);
   void write_history(const std::string& path) const;
+  void write_tips(const std::string& path) const;
 
  private:
   void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
@@ -149,6 +155,13 @@ class Model {
   void warn_of_interface();
   void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
+  bool records_tips() const { return options_.whole_number("tips.record") > 0; }
+  void record_tips();
+  // As CrackEvolution::advance() (recording.cpp).
+  fracture::StopReason run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping);
+  regions::BondedBody bonded_body() const;
+  std::vector<regions::TipValues> compute_tips() const;
+  std::vector<regions::CrackPicture> crack_pictures() const;
   void reload();
   void rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before);
   void check_mechanism(const PreparedScene& prepared) const;
@@ -167,6 +180,7 @@ class Model {
   std::atomic<bool> cancel_requested_{false};
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
+  std::vector<results::TipRecord> tip_history_;
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
   bool warned_of_interface_ = false;
 };

@@ -99,12 +99,8 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
 
 void Model::write_snapshot(const std::string& prefix) {
   ensure_equilibrium();
-  std::vector<regions::CrackPicture> cracks;
-  for (const auto& region : prepared_->discretization.regions) {
-    const auto pictures = region->crack_pictures(solution());
-    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
-  }
-  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(), cracks);
+  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(),
+                   {crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()});
 }
 
 void Model::write_history(const std::string& path) const {

@@ -41,7 +41,9 @@ struct LeadingElements {
   std::vector<int> nodes;  // of the scene
 };
 
-// The tip of a crack with elements.
+enum class TipMethod { elements = 1, contours = 2 };
+
+// The tip of a crack.
 struct TipValues {
   int crack;                   // id
   int end;                     // 1: the crack's last point, 0: its first
@@ -54,6 +56,12 @@ struct TipValues {
   double growth_load_factor;   // at which it goes on in the direction of the largest hoop stress, and its angle [rad]
   double growth_angle;
   double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
+
+  // Of a tip among bonds; without contours there are no numbers above but place and direction.
+  TipMethod method = TipMethod::elements;
+  int contours = 0;
+  bool grown = false, branched = false;
+  double contour_radius = 0, felt_ahead = 0;  // [m]
 };
 
 struct Overlap {
@@ -66,6 +74,12 @@ struct Overlap {
 struct CrackPicture {
   int crack;
   std::vector<Point> places, openings;
+};
+
+// Places of material points: origin + spacing * (i, j).
+struct LatticeGrid {
+  Point origin;
+  double spacing, horizon;  // [m]
 };
 
 struct RegionOperator {
@@ -176,6 +190,8 @@ class Region {
   // nodes that no region has both of.
   virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
+  // Of a region whose bonds show what a crack tip among them carries.
+  virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
 
   // --- Results
 

@@ -290,6 +290,8 @@ contains
     type(bempd_crack_tip), allocatable :: found(:)
     real(dp), allocatable :: normal(:), tangential(:)
     integer(c_int32_t) :: material, crack, load
+    integer(c_int64_t), allocatable :: events(:)
+    real(dp), allocatable :: factors(:)
     real(dp), parameter :: expected = 3 * sqrt(acos(-1.0_dp) * .01_dp)
     integer :: stat
     character(200) :: message
@@ -308,6 +310,14 @@ contains
     call model%crack_opening(crack, [.5_dp, 1.0_dp], normal, tangential)
     call check(abs(normal(1) - 4 * 3 * .01_dp) < 1e-3_dp * normal(1) .and. abs(normal(2)) < 1e-12_dp, "it opens")
     call check(maxval(abs(tangential)) < 1e-6_dp * normal(1), "it does not slide")
+    call check(all(found%method == BEMPD_TIP_ELEMENTS), "they have elements")
+    call model%set_option("tips.record", 1.0_dp)
+    call model%step(2._dp)
+    call model%tip_history(found, events=events, load_factors=factors)
+    call check(size(found) == 2 .and. all(events == 0) .and. all(factors == 2), "tips are recorded")
+    call check(maxval(abs(found%stress_intensity_1 / expected - 1)) < 3e-4_dp, "recorded tips have their factors")
+    call model%write_tips("nowhere/at/all.csv", stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_IO, message, "bempd_write_tips: ")
     call model%grow_cracks(.001_dp, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_UNSOLVABLE, message, "bempd_grow_cracks: ")
     call model%crack_opening(2, [.5_dp], normal, stat=stat, errmsg=message)

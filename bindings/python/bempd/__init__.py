@@ -45,14 +45,17 @@ from .reports import (
     StepReport,
     StopReason,
     TipEnd,
+    TipMethod,
+    TipRecord,
 )
 from .state import State
 
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip",
+    "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip",
     "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
-    "OutOfMemoryError", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
+    "OutOfMemoryError", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
+    "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

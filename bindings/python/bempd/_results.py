@@ -22,6 +22,7 @@ from .reports import (
     PointValues,
     Singularity,
     Statistics,
+    TipRecord,
     crack_tip,
     rows,
     singularity,
@@ -214,7 +215,7 @@ class Results:
         return found
 
     def tips(self) -> list[CrackTip]:
-        """Tips of cracks in BEM regions with their stress intensity factors, by crack.
+        """Tips of cracks with their stress intensity factors, those in BEM regions first, by crack.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -234,6 +235,29 @@ class Results:
             self._open().call("bempd_tip", index, struct)
             found.append(crack_tip(struct))
         return found
+
+    def tip_history(self) -> list[TipRecord]:
+        """The tips that were recorded: at every n-th event and at the ends of steps with the option tips.record = n.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> model.options["tips.record"] = 1
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+        >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
+        >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> report = model.step(1), model.step(2)
+        >>> [(record.load_factor, f"{record.tip.stress_intensity_1:.4g}") for record in model.tip_history()[::2]]
+        [(1.0, '1.487e+06'), (2.0, '2.973e+06')]
+        """
+        event, broken, factor = ffi.new("int64_t *"), ffi.new("int64_t *"), ffi.new("double *")
+        records = []
+        for index in range(int(self._number("bempd_tip_history_count", "int64_t"))):
+            struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
+            self._open().call("bempd_get_tip_history", index, event, broken, factor, struct)
+            records.append(TipRecord(event[0], broken[0], factor[0], crack_tip(struct)))
+        return records
 
     def grow_cracks(self, length: float) -> Growth:
         """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
@@ -281,7 +305,12 @@ class Results:
         """Write the history with the reactions of all supports as comma-separated values."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
 
+    def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write what tip_history() has as comma-separated values; read_history() reads them."""
+        self._open().call("bempd_write_tips", arguments.file_name("write_tips: path", path))
+
 
 def read_history(path: Union[str, "os.PathLike[str]"]) -> npt.NDArray[Any]:
-    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ..."""
+    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ...; or what
+    Model.write_tips() wrote."""
     return np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64))

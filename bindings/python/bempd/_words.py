@@ -34,6 +34,8 @@ NAMES: dict[str, str] = {
     "bempd_tip_count": "Model.tips",
     "bempd_tip": "Model.tips",
     "bempd_crack_tip_init": "Model.tips",
+    "bempd_tip_history_count": "Model.tip_history",
+    "bempd_get_tip_history": "Model.tip_history",
     "bempd_growth_init": "Model.grow_cracks",
     "bempd_singularity_count": "Model.singularities",
     "bempd_get_singularity": "Model.singularities",

@@ -18,33 +18,6 @@ const std::vector<CrackLoad>& loads_of(const Solution& solution) {
   return solution.crack_loads ? *solution.crack_loads : none;
 }
 
-// The smallest load factor > 0 at which |constant + factor * proportional|^2 is `square`.
-double critical_factor(const Point& constant, const Point& proportional, double square) {
-  const double a = proportional.squaredNorm(), b = constant.dot(proportional), c = constant.squaredNorm() - square;
-  const double root = b * b - a * c;
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(square > 0) || c >= 0) return square > 0 ? 0.0 : never;
-  // Between the two roots, which have different signs, the crack stands still.
-  return a > 0 ? (std::sqrt(root) - b) / a : never;
-}
-
-// The smallest load factor >= 0 at which the mode I factor that is worth constant + factor * proportional reaches the
-// toughness. As the largest hoop stress it is a convex function of the load factor.
-double growth_factor(const Point& constant, const Point& proportional, double toughness) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(toughness > 0)) return never;
-  const auto excess = [&](double factor) {
-    return bem::kink_of(constant + factor * proportional).equivalent_factor - toughness;
-  };
-  if (excess(0) >= 0) return 0;
-  const double slope = bem::kink_of(proportional).equivalent_factor;
-  if (!(slope > 0)) return never;
-  // It lies above the factor times `slope` less what the constant part can take away.
-  double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
-  for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
-  return high;
-}
-
 }  // namespace
 
 const bem::CrackedOperator& BoundaryRegion::cracked() const {
@@ -98,20 +71,20 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution) const {
       cracked(), {whole, bem::coarse_state(cracked(), whole), cracked_state(solution.parts->col(0), solution, 1, 0),
                   cracked_state(solution.parts->col(1), solution, 0, 1)});
   const std::vector<double> along = bem::stresses_along_crack(cracked(), whole);
-  const double toughness = std::sqrt(bem::plane_modulus(elasticity()) * material().fracture_energy);
+  const double toughness = std::sqrt(plane_modulus(elasticity()) * material().fracture_energy);
   std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
     const bem::CrackTip& tip = cracks_->elements().tips[t];
     const auto& [present, coarse, constant, proportional] =
         std::tie(factors[t][0], factors[t][1], factors[t][2], factors[t][3]);
-    const double growth = growth_factor(constant.factors, proportional.factors, toughness);
+    const double growth = growth_load_factor(constant.factors, proportional.factors, toughness);
     const Point at_growth =
         std::isfinite(growth) ? Point(constant.factors + growth * proportional.factors) : present.factors;
     values.push_back({cracks_->id_of(tip), tip.end == bem::TipEnd::end ? 1 : 0, tip.place, tip.direction,
                       present.factors, present.energy_release_rate, along[t],
-                      error_of_difference * (present.factors - coarse.factors).norm(),
-                      bem::kink_of(present.factors).angle, growth, bem::kink_of(at_growth).angle,
-                      critical_factor(constant.factors, proportional.factors, toughness * toughness)});
+                      error_of_difference * (present.factors - coarse.factors).norm(), kink_of(present.factors).angle,
+                      growth, kink_of(at_growth).angle,
+                      critical_load_factor(constant.factors, proportional.factors, toughness)});
   }
   return values;
 }
