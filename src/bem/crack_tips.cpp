@@ -145,12 +145,4 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
   return results;
 }
 
-Kink kink_of(const Point& factors) {
-  const double one = factors.x(), two = factors.y();
-  double angle = 0;
-  if (two != 0) angle = 2 * std::atan((one - std::sqrt(one * one + 8 * two * two)) / (4 * two));
-  const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
-  return {angle, c * c * (one * c - 3 * two * s)};
-}
-
 }  // namespace bempd::bem

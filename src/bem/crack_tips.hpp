@@ -5,6 +5,7 @@
 
 #include "bem/crack_forces.hpp"
 #include "bem/cracked_operator.hpp"
+#include "bem/kinked_tip.hpp"
 
 namespace bempd::bem {
 
@@ -37,12 +38,5 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
 
 // E' of plane stress or strain.
 double plane_modulus(const PlaneElasticity& elasticity);
-
-// Angle in which a tip goes on by the largest hoop stress, counter-clockwise, and the mode I factor that is worth the
-// two (Erdogan and Sih, J. Basic Eng. 85, 1963).
-struct Kink {
-  double angle, equivalent_factor;
-};
-Kink kink_of(const Point& factors);
 
 }  // namespace bempd::bem

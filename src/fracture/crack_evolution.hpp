@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -37,6 +38,12 @@ class CrackEvolution {
 
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
+
+  // Goes on with the run of another body whose cracks have grown since, at its load factor: an event. `within` are
+  // energies of loads that no node sees, of that body and of this one.
+  void go_on_after_growth(CrackEvolution& before, std::array<double, 2> within);
+  // What that consisted of.
+  void book(const std::vector<CrackExtension>& extensions);
 
   // Nodes of parts that the last equilibrium under new loads found to move freely; they are held from there on.
   std::vector<int> take_held() { return std::exchange(held_, {}); }

@@ -204,6 +204,10 @@ double LoadedBody::stored_energy() const {
   return 0.5 * state_.total_displacement.dot(state_.total_force);  // Clapeyron's theorem
 }
 
+double LoadedBody::potential_of_loads() const {
+  return evaluate(system_.force(), state_.load_factor).dot(state_.total_displacement);
+}
+
 double LoadedBody::unit_energy() const { return system_.unit_energy(state_.displacement.col(1)); }
 
 double LoadedBody::residual() const {

@@ -8,17 +8,22 @@ namespace bempd::model {
 const std::vector<regions::TipValues>& Model::tips() {
   ensure_equilibrium();
   if (tips_generation_ == generation_) return tips_;
-  tips_.clear();
-  for (const auto& region : prepared_->discretization.regions) {
-    const std::vector<regions::TipValues> found = region->tips(solution());
-    tips_.insert(tips_.end(), found.begin(), found.end());
-  }
-  // By crack, its first point first.
-  std::stable_sort(tips_.begin(), tips_.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
-    return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
-  });
+  tips_ = tips_of(*prepared_, regions::TipDetail::everything);
   tips_generation_ = generation_;
   return tips_;
+}
+
+std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {
+  std::vector<regions::TipValues> tips;
+  for (const auto& region : prepared.discretization.regions) {
+    const std::vector<regions::TipValues> found = region->tips(solution_of(prepared), detail);
+    tips.insert(tips.end(), found.begin(), found.end());
+  }
+  // By crack, its first point first.
+  std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
+    return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
+  });
+  return tips;
 }
 
 std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& fractions) {

@@ -51,10 +51,13 @@ struct TipValues {
   double stress_along;         // T [Pa]
   double error;                // of the factors [Pa m^(1/2)]
   double kink_angle;           // from the direction, counter-clockwise [rad]
-  double growth_load_factor;   // at which it goes on in the direction of the largest hoop stress, and its angle [rad]
-  double growth_angle;
   double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
+  Point constant_factors, proportional_factors;  // what the loads' parts make of K_I, K_II
+  double toughness;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
+  double plane_modulus;  // [Pa]
 };
+
+enum class TipDetail { factors, everything };
 
 struct Overlap {
   int crack;
@@ -146,14 +149,16 @@ class Region {
   virtual bool has_crack_elements() const { return false; }
   // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
   virtual void add_crack_load(const CrackLoad& /*load*/, int /*part*/, Eigen::Ref<Eigen::VectorXd> /*force*/) const {}
-  // Tips of its cracks and what they carry.
-  virtual std::vector<TipValues> tips(const Solution& /*solution*/) const { return {}; }
+  // Tips of its cracks and what they carry; for their growth factors are enough, without T and errors.
+  virtual std::vector<TipValues> tips(const Solution& /*solution*/, TipDetail /*detail*/) const { return {}; }
   // Openings of one of its cracks at parts of its length: along it and normal to it, positive if it is open [m].
   virtual std::vector<Point> crack_openings(int /*crack*/, const std::vector<double>& /*fractions*/,
                                             const Solution& /*solution*/) const {
     return {};
   }
   virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
+  // What loads on crack faces make of the body's potential energy beside their effect on nodes [J].
+  virtual double energy_within_cracks(const Solution& /*solution*/) const { return 0; }
   // Where faces overlap most, if they do.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
   // Adds the scene's bonds that crack number `crack` cuts.

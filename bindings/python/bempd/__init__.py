@@ -34,6 +34,7 @@ from .options import OptionInfo, Options, describe_options
 from .reports import (
     Bonds,
     BondState,
+    CrackExtension,
     CrackOpening,
     CrackTip,
     Growth,
@@ -48,8 +49,8 @@ from .state import State
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackOpening", "CrackTip", "Error",
-    "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
+    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
+    "CrackTip", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
     "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

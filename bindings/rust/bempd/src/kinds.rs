@@ -52,6 +52,14 @@ impl TipEnd {
             _ => TipEnd::Other(end),
         }
     }
+
+    pub(crate) fn raw(self) -> i32 {
+        match self {
+            TipEnd::Start => sys::BEMPD_CRACK_START as i32,
+            TipEnd::End => sys::BEMPD_CRACK_END as i32,
+            TipEnd::Other(end) => end,
+        }
+    }
 }
 
 /// A field on a region. Nodes are boundary nodes or material points.

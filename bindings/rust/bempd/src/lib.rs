@@ -59,7 +59,7 @@ pub use material::Material;
 pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
-pub use reports::{CrackTip, Growth, HistoryEntry, Progress, Statistics, StepReport};
+pub use reports::{CrackExtension, CrackTip, Growth, HistoryEntry, Progress, Statistics, StepReport};
 pub use results::{Bond, CrackOpening, Elements, PointValues};
 
 /// Version of the library as "major.minor.patch".

@@ -1,5 +1,6 @@
 use crate::{
-    BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View,
+    BondState, CrackExtension, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics,
+    SupportId, TipEnd, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -166,9 +167,22 @@ impl Model {
     }
 
     /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
-    /// The load factor is solved for; the model is there afterwards, with the longer cracks and a new history.
+    /// The load factor is solved for; the model is there afterwards, with the longer cracks; the history goes on. The
+    /// options named `growth.*` choose criterion, direction and which tips grow together.
     pub fn grow_cracks(&mut self, length: f64) -> Result<Growth> {
         Ok(Growth::from_raw(&self.handle.grow_cracks(length)?))
+    }
+
+    /// Keeps the tip at an end of a crack from growing, or lets it grow again.
+    pub fn set_tip_frozen(&mut self, crack: CrackId, end: TipEnd, frozen: bool) -> Result<()> {
+        self.handle.set_tip_frozen(crack.0, end.raw(), frozen)
+    }
+
+    /// What every tip did in every call of `grow_cracks`, in order.
+    pub fn extensions(&self) -> Result<Vec<CrackExtension>> {
+        (0..self.handle.extension_count()?)
+            .map(|index| Ok(CrackExtension::from_raw(&self.handle.extension(index)?)))
+            .collect()
     }
 
     /// Openings of a crack in a boundary element region at places given as fractions of its length.
