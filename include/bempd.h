@@ -710,7 +710,7 @@ typedef struct bempd_growth {
   int32_t tips;        /**< tips that have grown */
   int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
   double load_factor;  /**< load factor at which they did; the model is there now [-] */
-  double length;          /**< sum of their ways [m] */
+  double length;       /**< sum of their ways [m] */
   double released_energy; /**< energy that the body has released by it [J] */
 } bempd_growth;
 
@@ -722,12 +722,13 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
 /** @brief Let the cracks of BEM regions grow by a length.
  *
  * The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in the
- * direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion = "energy", of the
- * largest energy release rate. That tip grows, and with it those whose load factor is at most the share growth.share
- * higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An extension is straight;
- * growth.direction = "chord" makes paths of long extensions follow those of short ones. A tip that meets an edge, a hole
- * or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth of its way ends at
- * that. Loads on crack faces stay where they are and go on beyond the ends of what they were given on.
+ * direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion = "energy", of
+ * the largest energy release rate. That tip grows, and with it those whose load factor is at most the share
+ * growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An extension
+ * is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A tip that meets
+ * an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
+ * of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were given
+ * on.
  *
  * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
  * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the

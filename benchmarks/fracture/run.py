@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Callable
 
 import bempd
+import growth
 import peers
 import scenes
 
@@ -134,6 +135,14 @@ def infinite_plates() -> list[Case]:
 def extremes() -> list[Case]:
     cases = [Case(f"crack {a:g} of the body", lambda a=a: scenes.tiny(a), first(a), 1, "infinite plate",
                   1e-3) for a in (1e-2, 1e-4, 1e-6, 1e-8)]
+    for degrees in (90, 150, 177):
+        fine = scenes.kinked(0.5, degrees, 32)
+        fine.step(1)
+        reference = fine.tips()[1].energy_release_rate
+        cases.append(Case(f"kink of {degrees} degrees, half as long, G", lambda d=degrees: scenes.kinked(0.5, d),
+                          lambda t: t[1].energy_release_rate, reference, OWN, 1e-3))
+    cases.append(Case("centre crack, a/W = 0.5, plane strain, Poisson's ratio 1/2", scenes.incompressible, first(0.5), 1.1867,
+                      ISIDA, 1e-3))
     for gap in (0.1, 0.01, 0.001):
         fine = scenes.next_to_an_edge(gap, 0.06)
         fine.step(1)
@@ -248,6 +257,7 @@ def main() -> None:
         text, beyond = table(cases)
         sections.append(f"## {title}\n\n{text}\n")
         failures += beyond
+    sections.append(growth.section())
     sections.append(f"{units()}\n\n{many_cracks()}\n")
     sections.append("## Beside finite elements\n\ndolfinx with quadratic triangles, quarter points and the J-integral over a "
                     "ring (`benchmarks/peers/dolfinx_crack.py`), on a quarter of the plate with the centre crack and half of "

@@ -91,8 +91,7 @@ double CrackSizes::from_tips(int l, double way) const {
   if (line.joints[0] < 0) limit = std::max(way, std::min(ways[1], target(l, 0)));
   const std::size_t last = ways.size() - 2;
   if (line.joints[1] < 0)
-    limit =
-        std::min(limit, std::max(ways.back() - way, std::min(ways.back() - ways[last], target(l, last))));
+    limit = std::min(limit, std::max(ways.back() - way, std::min(ways.back() - ways[last], target(l, last))));
   return limit;
 }
 

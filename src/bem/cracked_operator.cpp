@@ -27,6 +27,25 @@ std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return places;
 }
 
+// map^T symmetric map, of a map most of whose columns are unit vectors.
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& symmetric, const Eigen::SparseMatrix<double>& map) {
+  Eigen::MatrixXd result(map.cols(), map.cols());
+  Eigen::VectorXd column(symmetric.rows());
+  for (Eigen::Index j = 0; j < map.cols(); ++j) {
+    column.setZero();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(map, j); entry; ++entry)
+      column += entry.value() * symmetric.col(entry.row());
+    for (Eigen::Index i = j; i < map.cols(); ++i) {
+      double sum = 0;
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(map, i); entry; ++entry)
+        sum += entry.value() * column[entry.row()];
+      result(i, j) = sum;
+    }
+  }
+  copy_lower_to_upper(result);
+  return result;
+}
+
 }  // namespace
 
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
@@ -98,8 +117,7 @@ void CrackedOperator::build(const CrackedOperator* before) {
     return;
   }
   take_from(*before, kept);
-  full_ = map.transpose() * Eigen::MatrixXd(raw_ * map);
-  copy_lower_to_upper(full_);
+  full_ = congruent(raw_, map);
 }
 
 // Y = L^-1 B and D + Y^T Y, of which only the columns of new nodes are computed.

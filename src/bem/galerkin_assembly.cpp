@@ -41,7 +41,9 @@ class Assembler {
  public:
   Assembler(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes, double nu,
             const AssemblyOptions& options, const KnownBlocks* known)
-      : elements_(elements), kept_(known ? &known->kept : nullptr), blocks_(elements, nu, options.quadrature_tolerance) {
+      : elements_(elements),
+        kept_(known ? &known->kept : nullptr),
+        blocks_(elements, nu, options.quadrature_tolerance) {
     matrices.single_layer.setZero(2 * traction_nodes, 2 * traction_nodes);
     matrices.hypersingular.setZero(2 * nodes, 2 * nodes);
     matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);

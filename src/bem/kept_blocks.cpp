@@ -80,10 +80,10 @@ bool KeptNodes::has(const GalerkinElement& element) const {
 KeptNodes kept_nodes(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                      int boundary_nodes, int nodes, int traction_nodes) {
   const std::vector<int> same = same_elements(before, elements);
-  return {nodes_of_same(before, elements, same, nodes, [](const GalerkinElement& e) { return e.nodes; }),
-          nodes_of_same(before, elements, same, traction_nodes,
-                        [](const GalerkinElement& e) { return e.traction_nodes; }),
-          is_whole_boundary(before, elements, same), boundary_nodes};
+  return {
+      nodes_of_same(before, elements, same, nodes, [](const GalerkinElement& e) { return e.nodes; }),
+      nodes_of_same(before, elements, same, traction_nodes, [](const GalerkinElement& e) { return e.traction_nodes; }),
+      is_whole_boundary(before, elements, same), boundary_nodes};
 }
 
 void copy_kept_columns(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to) {

@@ -59,10 +59,9 @@ Kink largest_energy_release_rate(const Point& factors) {
 
 Point kinked_factors(const Point& factors, double angle) {
   const double m = angle / pi, m2 = m * m, p2 = pi * pi, p4 = p2 * p2, p6 = p4 * p2;
-  const double f11 =
-      polynomial({1, -3 * p2 / 8, p2 - 5 * p4 / 128, p2 / 9 - 11 * p4 / 72 + 119 * p6 / 15360, 5.07790, -2.88312,
-                  -0.0925, 2.996, -4.059, 1.63, 4.1},
-                 m2);
+  const double f11 = polynomial({1, -3 * p2 / 8, p2 - 5 * p4 / 128, p2 / 9 - 11 * p4 / 72 + 119 * p6 / 15360, 5.07790,
+                                 -2.88312, -0.0925, 2.996, -4.059, 1.63, 4.1},
+                                m2);
   const double f12 =
       m * polynomial({-3 * pi / 2, 10 * pi / 3 + p2 * pi / 16, -2 * pi - 133 * p2 * pi / 180 + 59 * p4 * pi / 1280,
                       12.313906, -7.32433, 1.5793, 4.0216, -6.915, 4.21, 4.56, 0},

@@ -22,8 +22,8 @@ struct HistoryEntry {
   double residual = 0;
 };
 
-// What a tip of a crack with elements did at an event: it went straight on to a place, where it is a tip again unless it
-// has ended at an edge or a crack.
+// What a tip of a crack with elements did at an event: it went straight on to a place, where it is a tip again unless
+// it has ended at an edge or a crack.
 struct CrackExtension {
   std::int64_t event = 0;
   int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first

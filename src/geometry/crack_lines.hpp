@@ -14,9 +14,7 @@ struct CrackPath {
   int grown_at_start = 0, grown_at_end = 0;
 
   int segments() const { return static_cast<int>(points.size()) - 1; }
-  bool grown(int segment) const {
-    return segment < grown_at_start || segment >= segments() - grown_at_end;
-  }
+  bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
 };
 
 // Piece of a crack between the places where it ends, meets another one or reaches the boundary.

@@ -83,8 +83,8 @@ std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene:
 }
 
 const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::vector<regions::TipValues>& tips) {
-  const auto found = std::find_if(tips.begin(), tips.end(),
-                                  [&](const auto& tip) { return tip.crack == e.crack && tip.end == e.end; });
+  const auto found =
+      std::find_if(tips.begin(), tips.end(), [&](const auto& tip) { return tip.crack == e.crack && tip.end == e.end; });
   return found == tips.end() ? nullptr : &*found;
 }
 
@@ -181,8 +181,9 @@ GrowthResult Model::grow_cracks(double length) {
       next = extended_scene(before, growing);
     }
     tip_factors_ = tips_of(*next, regions::TipDetail::factors);
-    result = share_energy(growing.extensions, tip_factors_, thickness_at(scene_, *next, growing.extensions),
-                          next->evolution->progress().released_energy - prepared_->evolution->progress().released_energy);
+    result =
+        share_energy(growing.extensions, tip_factors_, thickness_at(scene_, *next, growing.extensions),
+                     next->evolution->progress().released_energy - prepared_->evolution->progress().released_energy);
     next->evolution->book(growing.extensions);
     prepared_ = std::move(next);
     factors_generation_ = ++generation_;

@@ -53,7 +53,7 @@ struct GrowthResult {
   int tips = 0;   // that have grown
   int ended = 0;  // of them at an edge, a hole or another crack
   double load_factor = 0;
-  double length = 0;           // of all extensions
+  double length = 0;  // of all extensions
   double released_energy = 0;
 };
 

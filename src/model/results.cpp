@@ -50,12 +50,9 @@ std::vector<regions::BondState> Model::bond_states(int id) {
 
 regions::Solution Model::solution_of(const PreparedScene& prepared) {
   const fracture::EvolutionState& state = prepared.evolution->state();
-  return {state.total_displacement,
-          prepared.system->terms(),
-          prepared.system->intact(),
-          prepared.conditions.body_forces(state.load_factor),
-          &state.displacement,
-          &prepared.conditions.crack_loads,
+  return {state.total_displacement,  prepared.system->terms(),
+          prepared.system->intact(), prepared.conditions.body_forces(state.load_factor),
+          &state.displacement,       &prepared.conditions.crack_loads,
           state.load_factor};
 }
 

@@ -43,18 +43,18 @@ struct LeadingElements {
 
 // The tip of a crack with elements.
 struct TipValues {
-  int crack;                   // id
-  int end;                     // 1: the crack's last point, 0: its first
-  Point place, direction;      // unit vector in which a straight crack would go on
-  Point factors;               // K_I, K_II [Pa m^(1/2)]
-  double energy_release_rate;  // [J/m^2]
-  double stress_along;         // T [Pa]
-  double error;                // of the factors [Pa m^(1/2)]
-  double kink_angle;           // from the direction, counter-clockwise [rad]
+  int crack;                    // id
+  int end;                      // 1: the crack's last point, 0: its first
+  Point place, direction;       // unit vector in which a straight crack would go on
+  Point factors;                // K_I, K_II [Pa m^(1/2)]
+  double energy_release_rate;   // [J/m^2]
+  double stress_along;          // T [Pa]
+  double error;                 // of the factors [Pa m^(1/2)]
+  double kink_angle;            // from the direction, counter-clockwise [rad]
   double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
   Point constant_factors, proportional_factors;  // what the loads' parts make of K_I, K_II
-  double toughness;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
-  double plane_modulus;  // [Pa]
+  double toughness;                              // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
+  double plane_modulus;                          // [Pa]
 };
 
 enum class TipDetail { factors, everything };

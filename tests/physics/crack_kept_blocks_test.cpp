@@ -8,7 +8,7 @@ namespace {
 
 const PlaneElasticity steel{210e9, 0.3, PlaneState::stress, 0.01};
 
-using Paths = std::vector<std::vector<Point>>;
+using Paths = std::vector<CrackPath>;  // with what has grown at their starts and ends
 
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
@@ -19,28 +19,29 @@ void expect_same(const std::vector<Paths>& states, double element) {
   std::unique_ptr<bem::CrackedOperator> before;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const CrackedBody body({plate(1, 1.5, element)}, states[k], steel, element);
-    auto grown = std::make_unique<bem::CrackedOperator>(body.mesh, body.cracks, steel, bem::AssemblyOptions{},
-                                                        before.get());
+    auto grown =
+        std::make_unique<bem::CrackedOperator>(body.mesh, body.cracks, steel, bem::AssemblyOptions{}, before.get());
     EXPECT_LE(difference(grown->stiffness(), body.op->stiffness()), 1e-12) << k;
     EXPECT_LE(difference(grown->full_stiffness(), body.op->full_stiffness()), 1e-12) << k;
     EXPECT_LE(difference(grown->matrices().double_layer, body.op->matrices().double_layer), 1e-12) << k;
     EXPECT_EQ((grown->full_stiffness() - grown->full_stiffness().transpose()).cwiseAbs().maxCoeff(), 0) << k;
-    if (before) EXPECT_LT(grown->kernel_evaluations(), body.op->kernel_evaluations()) << k;
+    if (before) {
+      EXPECT_LT(grown->kernel_evaluations(), body.op->kernel_evaluations()) << k;
+    }
     before = std::move(grown);
   }
 }
 
 TEST(KeptBlocks, give_the_operator_of_a_crack_that_grows_at_both_ends) {
-  expect_same({{{{-0.4, 0.1}, {0.3, -0.1}}},
-               {{{-0.5, 0.15}, {-0.4, 0.1}, {0.3, -0.1}, {0.4, -0.1}}},
-               {{{-0.6, 0.15}, {-0.5, 0.15}, {-0.4, 0.1}, {0.3, -0.1}, {0.4, -0.1}, {0.5, -0.05}}}},
-              0.25);
+  const Point a{-0.6, 0.15}, b{-0.5, 0.15}, c{-0.4, 0.1}, d{0.3, -0.1}, e{0.4, -0.1}, f{0.5, -0.05};
+  expect_same({{{1, {c, d}}}, {{1, {b, c, d, e}, 1, 1}}, {{1, {a, b, c, d, e, f}, 2, 2}}}, 0.25);
 }
 
 TEST(KeptBlocks, give_the_operator_where_a_tip_reaches_an_edge_and_another_crack) {
-  expect_same({{{{-0.4, 0.1}, {0.6, 0}}, {{0, 0.5}, {0, 0.9}}},
-               {{{-0.4, 0.1}, {0.6, 0}, {0.9, 0}}, {{0, 0.2}, {0, 0.5}, {0, 0.9}}},
-               {{{-0.4, 0.1}, {0.6, 0}, {0.9, 0}, {1, 0}}, {{0, 0.06}, {0, 0.2}, {0, 0.5}, {0, 0.9}}}},
+  const Point a{-0.4, 0.1}, b{0.6, 0}, c{0.9, 0}, d{1, 0}, p{0, 0.9}, q{0, 0.5}, r{0, 0.2}, s{0, 0.06};
+  expect_same({{{1, {a, b}}, {2, {q, p}}},
+               {{1, {a, b, c}, 0, 1}, {2, {r, q, p}, 1}},
+               {{1, {a, b, c, d}, 0, 2}, {2, {s, r, q, p}, 2}}},
               0.25);
 }
 
@@ -53,7 +54,7 @@ TEST(KeptBlocks, know_nodes_by_place_whatever_their_numbers) {
 }
 
 TEST(KeptBlocks, are_not_taken_from_a_body_of_another_material_or_size) {
-  const Paths crack{{{-0.4, 0}, {0.3, 0}}};
+  const std::vector<std::vector<Point>> crack{{{-0.4, 0}, {0.3, 0}}};
   const CrackedBody body({plate(1, 1.5, 0.5)}, crack, steel, 0.5);
   const CrackedBody soft({plate(1, 1.5, 0.5)}, crack, {1e9, 0.2, PlaneState::stress, 0.01}, 0.5);
   const CrackedBody large({plate(2, 3, 0.5)}, crack, steel, 0.5);

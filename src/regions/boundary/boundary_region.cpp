@@ -111,9 +111,8 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     break;
   }
   if (!operator_) {
-    operator_ = make_operator(
-        preparation,
-        {preparation.options.number("bem.quadrature_tolerance"), preparation.options.whole_number("threads")});
+    operator_ = make_operator(preparation, {preparation.options.number("bem.quadrature_tolerance"),
+                                            preparation.options.whole_number("threads")});
   }
   // Which nodes have interfaces is a matter of the region, not of its shape.
   stiffness_ = own_stiffness(preparation);

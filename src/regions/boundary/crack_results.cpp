@@ -77,8 +77,8 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
                       present.factors, present.energy_release_rate, along[t],
                       error_of_difference * (present.factors - factors[t].back().factors).norm(),
                       bem::kink_of(present.factors).angle,
-                      critical_factor(constant.factors, proportional.factors, toughness * toughness),
-                      constant.factors, proportional.factors, toughness, modulus});
+                      critical_factor(constant.factors, proportional.factors, toughness * toughness), constant.factors,
+                      proportional.factors, toughness, modulus});
   }
   return values;
 }
