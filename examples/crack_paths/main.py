@@ -17,6 +17,11 @@ import references
 Path = list[tuple[float, float]]
 
 
+def expect(holds: bool, what: str) -> None:
+    if not holds:
+        raise SystemExit(f"not so: {what}")
+
+
 def distance(places: Path, way: Path) -> float:
     """The largest distance of places from a polyline, over those that lie beside it."""
     worst = 0.0
@@ -50,6 +55,8 @@ def two_holes(short: bool) -> tuple[list[str], dict]:
         for step, found in ways.items():
             if step > min(ways):
                 lines.append(f"    steps of {step:g} instead of {min(ways):g} mm: {distance(found[1], finest[1]):.3f} mm")
+        expect(distance(mirrored, finest[1]) < 1e-9, "the two ways are the same, turned by half a turn")
+        expect(any(e.ended for e in model.extensions()) != held, "with free sides the cracks end in the holes, with held ones not")
         drawn[name] = (finest, published)
     return lines, drawn
 
@@ -78,6 +85,7 @@ def three_holes(short: bool) -> tuple[list[str], dict]:
         way = cases.path(model, 1, [(10 - offset, 0), (10 - offset, notch)])
         lines.append(f"three holes, notch {notch:g}, offset {offset:g}: {hole_entered(way)}")
         drawn[(notch, offset)] = way
+    expect(hole_entered(drawn[(1.0, 6.0)]).startswith("ends in the middle hole"), "the crack 6 inches off ends in a hole")
     return lines, drawn
 
 
@@ -85,10 +93,10 @@ def edge_cracks(short: bool) -> tuple[list[str], dict]:
     model = cases.run(cases.edge_cracks(), 1.0 if short else 0.5, 30 if short else 80, share=1e6)
     ways = [cases.path(model, 1, [(0, 0.5), (8, 0.5)]), cases.path(model, 2, [(40, -0.5), (32, -0.5)])]
     mirrored = [(40 - x, -y) for x, y in ways[1]]
-    meeting = "each ends at the other" if all(any(e.ended and e.crack == c for e in model.extensions()) for c in (1, 2)) else (
-        f"the tips stop at ({ways[0][-1][0]:.1f}, {ways[0][-1][1]:.2f})")
-    lines = [f"edge cracks, 1 mm apart: away from each other to {max(y for _, y in ways[0]):.2f} mm above the middle, then "
-             f"towards each other; {meeting}; the two ways differ by {distance(mirrored, ways[0]):.0e} mm"]
+    left = distance(ways[0][-1:], ways[1])
+    lines = [f"edge cracks, 1 mm apart: away from each other to {max(y for _, y in ways[0]):.2f} mm above the middle, round each "
+             f"other, and back until {left:.2f} mm from the other; the two ways differ by {distance(mirrored, ways[0]):.0e} mm"]
+    expect(distance(mirrored, ways[0]) < 1e-9 and left < 1.5, "the cracks hook into each other alike")
     return lines, {"ways": ways}
 
 
@@ -96,6 +104,7 @@ def four_points(short: bool) -> tuple[list[str], dict]:
     model = cases.run(cases.four_points(), 15 if short else 5, 20 if short else 60)
     way = cases.path(model, 1, [(0, 0), (0, 82)])
     first = model.extensions()[0]
+    expect(61 < way[-1][0] < 150 and way[-1][1] > 250, "the crack comes up beside the load")
     return [f"four points: turns by {math.degrees(first.angle):.0f} degrees at the notch, its last step ends at "
             f"({way[-1][0]:.0f}, {way[-1][1]:.0f}) mm; the load acts at (61, 306)"], {"way": way}
 
@@ -104,6 +113,7 @@ def compressed_plate(short: bool) -> tuple[list[str], dict]:
     measured = references.COMPRESSED_PLATE
     model = cases.run(cases.compressed_plate(measured[0]), 3 if short else 1, 17 if short else 52)
     way = cases.path(model, 1, measured[:1])
+    expect(distance(measured, way) < 1.0, "the crack goes where that of the experiment went")
     return [f"compressed plate: {distance(measured, way):.1f} mm from the experiment along {len(measured)} places over "
             f"{measured[0][0] - measured[-1][0]:.0f} mm"], {"way": way, "measured": measured}
 
