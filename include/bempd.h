@@ -814,15 +814,17 @@ BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64
  * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
-/** @brief One line of the history. Fill it with bempd_history_entry_init(). @since 0.1 */
+/** @brief One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+ * bempd_grow_cracks(). @since 0.1 */
 typedef struct bempd_history_entry {
   int64_t struct_size;         /**< sizeof(bempd_history_entry), set by bempd_history_entry_init() */
   int64_t event;               /**< number of the event, or 0 for the end of a step */
   int64_t total_broken_bonds;  /**< bonds broken so far */
   double load_factor;          /**< load factor [-] */
-  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-] */
+  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-];
+                                    1 where cracks have grown */
   double stored_energy;        /**< elastic energy [J] */
-  double released_energy;      /**< energy released by breaking bonds so far [J] */
+  double released_energy;      /**< energy released by breaking bonds and growing cracks so far [J] */
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
@@ -858,7 +860,8 @@ BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state)
 
 /** @brief Bring a model back to a saved state. Loads and supports keep their present values.
  *
- * The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in their
+ * Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if the
+ * host has said the same: regions with their materials, initial cracks, supports in their
  * order, options that shape the equations. The processor and the values of loads and supports may be others.
  * @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
  * @return status @since 0.1 */

@@ -501,9 +501,9 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_cracks
-    module subroutine set_tip_frozen(self, crack, end, frozen, stat, errmsg)
+    module subroutine set_tip_frozen(self, crack, tip_end, frozen, stat, errmsg)
       class(bempd_model), intent(inout) :: self
-      integer, intent(in) :: crack, end
+      integer(c_int32_t), intent(in) :: crack, tip_end
       logical, intent(in) :: frozen
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg

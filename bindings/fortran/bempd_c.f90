@@ -367,7 +367,8 @@ module bempd_c
     real(c_double) :: reciprocal_condition
   end type bempd_statistics
 
-  !> One line of the history. Fill it with bempd_history_entry_init().
+  !> One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+  !> bempd_grow_cracks().
   !>
   !> since: 0.1
   type, bind(c) :: bempd_history_entry
@@ -379,11 +380,11 @@ module bempd_c
     integer(c_int64_t) :: total_broken_bonds
     !> load factor [-]
     real(c_double) :: load_factor
-    !> largest bond stretch over its critical stretch just before the break [-]
+    !> largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown
     real(c_double) :: stretch_ratio
     !> elastic energy [J]
     real(c_double) :: stored_energy
-    !> energy released by breaking bonds so far [J]
+    !> energy released by breaking bonds and growing cracks so far [J]
     real(c_double) :: released_energy
     !> work of loads and supports so far [J]
     real(c_double) :: work
@@ -1822,8 +1823,9 @@ module bempd_c
 
     !> Bring a model back to a saved state. Loads and supports keep their present values.
     !>
-    !> The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in
-    !> their order, options that shape the equations. The processor and the values of loads and supports may be others.
+    !> Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if
+    !> the host has said the same: regions with their materials, initial cracks, supports in their order, options that
+    !> shape the equations. The processor and the values of loads and supports may be others.
     !>
     !> model [in]: the model that was saved, or one with the same scene
     !> state [in]: the state; not consumed

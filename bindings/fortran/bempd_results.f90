@@ -202,8 +202,8 @@ contains
   end procedure grow_cracks
 
   module procedure set_tip_frozen
-    call finish(self, bempd_set_tip_frozen(self%handle, int(crack, c_int32_t), int(end, c_int32_t), &
-      merge(1_c_int32_t, 0_c_int32_t, frozen)), stat, errmsg)
+    call finish(self, bempd_set_tip_frozen(self%handle, crack, tip_end, merge(1_c_int32_t, 0_c_int32_t, frozen)), stat, &
+      errmsg)
   end procedure set_tip_frozen
 
   module procedure extensions

@@ -1295,7 +1295,9 @@ model [in]: the model
 statistics [in,out]: struct_size in, the rest out
 return: status
 since: 0.1""",
-    "bempd_history_entry": """One line of the history. Fill it with bempd_history_entry_init().
+    "bempd_history_entry": """\
+One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
+call of bempd_grow_cracks().
 
 since: 0.1""",
     "bempd_history_entry.struct_size": """sizeof(bempd_history_entry), set by bempd_history_entry_init()""",
@@ -1303,9 +1305,9 @@ since: 0.1""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\
-largest bond stretch over its critical stretch just before the break [-]""",
+largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown""",
     "bempd_history_entry.stored_energy": """elastic energy [J]""",
-    "bempd_history_entry.released_energy": """energy released by breaking bonds so far [J]""",
+    "bempd_history_entry.released_energy": """energy released by breaking bonds and growing cracks so far [J]""",
     "bempd_history_entry.work": """work of loads and supports so far [J]""",
     "bempd_history_entry.energy_balance_error": """|work - stored - released| over the largest work so far [-]""",
     "bempd_history_entry.residual": """\
@@ -1354,9 +1356,10 @@ since: 0.1""",
     "bempd_state_restore": """\
 Bring a model back to a saved state. Loads and supports keep their present values.
 
-The scene is the same if the host has said the same: regions with their materials, initial cracks,
-supports in their order, options that shape the equations. The processor and the values of loads and
-supports may be others.
+Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene
+is the same if the host has said the same: regions with their materials, initial cracks, supports in
+their order, options that shape the equations. The processor and the values of loads and supports
+may be others.
 
 model [in]: the model that was saved, or one with the same scene
 state [in]: the state; not consumed

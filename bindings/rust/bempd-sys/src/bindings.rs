@@ -1611,7 +1611,8 @@ extern "C" {
         statistics: *mut bempd_statistics,
     ) -> bempd_status;
 }
-/// One line of the history. Fill it with bempd_history_entry_init().
+/// One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
+/// call of bempd_grow_cracks().
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -1625,11 +1626,12 @@ pub struct bempd_history_entry {
     pub total_broken_bonds: i64,
     /// load factor \[-\]
     pub load_factor: f64,
-    /// largest bond stretch over its critical stretch just before the break \[-\]
+    /// largest bond stretch over its critical stretch just before the break \[-\]; 1 where cracks
+    /// have grown
     pub stretch_ratio: f64,
     /// elastic energy \[J\]
     pub stored_energy: f64,
-    /// energy released by breaking bonds so far \[J\]
+    /// energy released by breaking bonds and growing cracks so far \[J\]
     pub released_energy: f64,
     /// work of loads and supports so far \[J\]
     pub work: f64,
@@ -1704,7 +1706,8 @@ extern "C" {
 extern "C" {
     /// Bring a model back to a saved state. Loads and supports keep their present values.
     ///
-    /// The scene is the same if the host has said the same: regions with their materials, initial
+    /// Cracks of BEM regions that have grown are as long as they were when the state was saved. The
+    /// scene is the same if the host has said the same: regions with their materials, initial
     /// cracks, supports in their order, options that shape the equations. The processor and the
     /// values of loads and supports may be others.
     ///

@@ -174,6 +174,27 @@ impl Model {
     }
 
     /// Keeps the tip at an end of a crack from growing, or lets it grow again.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, TipEnd, Values, FaceComponent};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material::new(1.0, 0.3).fracture_energy(1.0))?;
+    /// model.add_bem_region(glass, &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-0.3, 0.0], [0.3, 0.0]])?;
+    /// model.fix_point([-1.0, -1.0], Component::Both)?;
+    /// model.fix_point([1.0, -1.0], Component::Y)?;
+    /// model.add_crack_traction(crack, FaceComponent::Pressure, Values::proportional(&[1.0]))?;
+    /// model.set_tip_frozen(crack, TipEnd::Start, true)?;
+    /// let growth = model.grow_cracks(0.1)?;
+    /// let extensions = model.extensions()?;
+    /// assert_eq!((growth.tips, extensions.len(), extensions[0].end), (1, 1, TipEnd::End));
+    /// assert!((extensions[0].x - 0.4).abs() < 1e-6);
+    /// assert!((extensions[0].energy_release_rate_before - 1.0).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn set_tip_frozen(&mut self, crack: CrackId, end: TipEnd, frozen: bool) -> Result<()> {
         self.handle.set_tip_frozen(crack.0, end.raw(), frozen)
     }
