@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "fracture/interface_bonds.hpp"
 #include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
@@ -28,6 +30,7 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
+  std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
 
@@ -46,6 +49,7 @@ struct PreparedScene {
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
+  std::optional<fracture::InterfaceBonds> interface_bonds;
   std::int64_t interior_kernel_evaluations = 0;
 };
 
@@ -99,6 +103,7 @@ class Model {
   }
 
   double load_factor() const;
+  fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
   // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
@@ -137,6 +142,7 @@ class Model {
   void warn_of_held_parts();
   void warn_of_blas() const;
   void warn_of_overlap();
+  void warn_of_interface();
   void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
   void reload();
@@ -167,6 +173,7 @@ class Model {
   std::int64_t factors_generation_ = 0;
   std::set<std::pair<int, int>> frozen_tips_;  // crack and end
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
+  bool warned_of_interface_ = false;
 };
 
 // Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.
