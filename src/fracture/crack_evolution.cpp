@@ -81,7 +81,8 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, std::array<doubl
   HistoryEntry line;
   line.event = state_.events;
   line.stretch_ratio = 1;
-  line.stored_energy = body_.stored_energy();
+  line.stored_energy = line.critical_stored_energy = body_.stored_energy();
+  line.critical_load_factor = state_.load_factor;
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }

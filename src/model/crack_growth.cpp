@@ -174,7 +174,8 @@ GrowthResult Model::grow_cracks(double length) {
   const fracture::EvolutionState state = prepared_->evolution->state();
   GrowthResult result;
   try {
-    if (load_factor() != growing.load_factor) advance(growing.load_factor, fracture::Goal::load_factor);
+    if (load_factor() != growing.load_factor)
+      prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {});
     std::unique_ptr<PreparedScene> next = extended_scene(before, growing);
     if (options_.text_value("growth.direction") == "chord" &&
         turn_to_chords(growing, tips_of(*next, regions::TipDetail::factors), options_)) {
