@@ -883,6 +883,8 @@ typedef struct bempd_growth {
   int32_t tips;        /**< tips that have grown */
   int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
   double load_factor;  /**< load factor at which they did; the model is there now [-] */
+  double length;       /**< sum of their ways [m] */
+  double released_energy; /**< energy that the body has released by it [J] */
 } bempd_growth;
 
 /** @brief Set struct_size and zeros. @param[out] growth the struct to fill
@@ -890,17 +892,63 @@ typedef struct bempd_growth {
  * @return status @since 0.2 */
 BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size);
 
-/** @brief Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+/** @brief Let the cracks of BEM regions grow by a length.
  *
- * The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That tip
- * grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way ends
- * there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose lengths
- * some times shorter than the distance to the next edge or crack.
+ * The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in the
+ * direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion = "energy", of
+ * the largest energy release rate. That tip grows, and with it those whose load factor is at most the share
+ * growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An extension
+ * is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A tip that meets
+ * an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
+ * of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were given
+ * on.
+ *
+ * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
+ * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
+ * shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
  * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
  * @param[in,out] growth struct_size in, the rest out; may be NULL
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
  * an argument error and stays as it was @since 0.2 */
 BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
+
+/** @brief Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] end a bempd_tip_end
+ * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
+
+/** @brief What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init(). @since 0.3 */
+typedef struct bempd_crack_extension {
+  int64_t struct_size;               /**< sizeof(bempd_crack_extension), set by bempd_crack_extension_init() */
+  int64_t event;                     /**< event of the history that it was part of */
+  int32_t crack;                     /**< id of the crack */
+  int32_t end;                       /**< a bempd_tip_end */
+  int32_t ended;                     /**< 1: it has reached an edge, a hole or another crack; else 0 */
+  int32_t count;                     /**< extensions of this end up to this one */
+  double x;                          /**< where it came to [m] */
+  double y;                          /**< [m] */
+  double angle;                      /**< by which it turned, counter-clockwise [rad] */
+  double length;                     /**< of its way [m] */
+  double crack_length;               /**< of the whole crack after it [m] */
+  double load_factor;                /**< at which it grew [-] */
+  double energy_release_rate_before; /**< when it set out in the new direction [J/m^2] */
+  double energy_release_rate_after;  /**< when it had arrived [J/m^2]; 0 if it has ended */
+  double released_energy;            /**< mean of both times the way and the thickness; of a tip that has ended, what
+                                        the others of the event leave of the history's [J] */
+} bempd_crack_extension;
+
+/** @brief Set struct_size and zeros. @param[out] extension the struct to fill
+ * @param[in] struct_size sizeof(bempd_crack_extension) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_extension_init(bempd_crack_extension* extension, int64_t struct_size);
+
+/** @brief Number of extensions of all cracks so far. @param[in] model the model @param[out] count number of extensions
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extension_count(const bempd_model* model, int64_t* count);
+
+/** @brief An extension, in the order in which they happened. @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[in,out] extension struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension);
 
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {
@@ -939,16 +987,17 @@ BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64
  * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
-/** @brief One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold are as in
- * bempd_step_report. @since 0.1 */
+/** @brief One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+ * bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report. @since 0.1 */
 typedef struct bempd_history_entry {
   int64_t struct_size;         /**< sizeof(bempd_history_entry), set by bempd_history_entry_init() */
   int64_t event;               /**< number of the event, or 0 for the end of a step */
   int64_t total_broken_bonds;  /**< bonds broken so far */
   double load_factor;          /**< load factor [-] */
-  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-] */
+  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-];
+                                    1 where cracks have grown */
   double stored_energy;        /**< elastic energy [J] */
-  double released_energy;      /**< energy released by breaking bonds so far [J] */
+  double released_energy;      /**< energy released by breaking bonds and growing cracks so far [J] */
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
@@ -990,7 +1039,8 @@ BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state)
 
 /** @brief Bring a model back to a saved state. Loads and supports keep their present values.
  *
- * The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in their
+ * Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if the
+ * host has said the same: regions with their materials, initial cracks, supports in their
  * order, options that shape the equations. The processor and the values of loads and supports may be others.
  * @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
  * @return status @since 0.1 */

@@ -382,7 +382,48 @@ module bempd_c
     integer(c_int32_t) :: ended
     !> load factor at which they did; the model is there now [-]
     real(c_double) :: load_factor
+    !> sum of their ways [m]
+    real(c_double) :: length
+    !> energy that the body has released by it [J]
+    real(c_double) :: released_energy
   end type bempd_growth
+
+  !> What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_crack_extension
+    !> sizeof(bempd_crack_extension), set by bempd_crack_extension_init()
+    integer(c_int64_t) :: struct_size
+    !> event of the history that it was part of
+    integer(c_int64_t) :: event
+    !> id of the crack
+    integer(c_int32_t) :: crack
+    !> a bempd_tip_end
+    integer(c_int32_t) :: end
+    !> 1: it has reached an edge, a hole or another crack; else 0
+    integer(c_int32_t) :: ended
+    !> extensions of this end up to this one
+    integer(c_int32_t) :: count
+    !> where it came to [m]
+    real(c_double) :: x
+    !> [m]
+    real(c_double) :: y
+    !> by which it turned, counter-clockwise [rad]
+    real(c_double) :: angle
+    !> of its way [m]
+    real(c_double) :: length
+    !> of the whole crack after it [m]
+    real(c_double) :: crack_length
+    !> at which it grew [-]
+    real(c_double) :: load_factor
+    !> when it set out in the new direction [J/m^2]
+    real(c_double) :: energy_release_rate_before
+    !> when it had arrived [J/m^2]; 0 if it has ended
+    real(c_double) :: energy_release_rate_after
+    !> mean of both times the way and the thickness; of a tip that has ended, what the others of the event leave of the
+    !> history's [J]
+    real(c_double) :: released_energy
+  end type bempd_crack_extension
 
   !> Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
   !>
@@ -437,8 +478,8 @@ module bempd_c
     real(c_double) :: reciprocal_condition
   end type bempd_statistics
 
-  !> One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold are as in
-  !> bempd_step_report.
+  !> One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+  !> bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_history_entry
@@ -450,11 +491,11 @@ module bempd_c
     integer(c_int64_t) :: total_broken_bonds
     !> load factor [-]
     real(c_double) :: load_factor
-    !> largest bond stretch over its critical stretch just before the break [-]
+    !> largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown
     real(c_double) :: stretch_ratio
     !> elastic energy [J]
     real(c_double) :: stored_energy
-    !> energy released by breaking bonds so far [J]
+    !> energy released by breaking bonds and growing cracks so far [J]
     real(c_double) :: released_energy
     !> work of loads and supports so far [J]
     real(c_double) :: work
@@ -1931,12 +1972,20 @@ module bempd_c
       integer(c_int) :: bempd_growth_init
     end function bempd_growth_init
 
-    !> Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    !> Let the cracks of BEM regions grow by a length.
     !>
-    !> The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That
-    !> tip grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way
-    !> ends there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose
-    !> lengths some times shorter than the distance to the next edge or crack.
+    !> The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in
+    !> the direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion =
+    !> "energy", of the largest energy release rate. That tip grows, and with it those whose load factor is at most the
+    !> share growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An
+    !> extension is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A
+    !> tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by
+    !> less than a tenth of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of
+    !> what they were given on.
+    !>
+    !> Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
+    !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
+    !> shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
     !>
     !> model [in]: a model without peridynamic regions
     !> length [in]: how far tips grow [m], > 0
@@ -1951,6 +2000,65 @@ module bempd_c
       type(c_ptr), value :: growth
       integer(c_int) :: bempd_grow_cracks
     end function bempd_grow_cracks
+
+    !> Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
+    !>
+    !> model [in]: the model
+    !> crack [in]: id of a crack
+    !> end [in]: a bempd_tip_end
+    !> frozen [in]: 1: it does not grow; 0: it does
+    !> return: status
+    !> since: 0.3
+    function bempd_set_tip_frozen(model, crack, end, frozen) bind(c, name="bempd_set_tip_frozen")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: crack
+      integer(c_int32_t), value :: end
+      integer(c_int32_t), value :: frozen
+      integer(c_int) :: bempd_set_tip_frozen
+    end function bempd_set_tip_frozen
+
+    !> Set struct_size and zeros.
+    !>
+    !> extension [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_crack_extension) as the caller was compiled: older programs keep working when it
+    !>   grows
+    !> return: status
+    !> since: 0.3
+    function bempd_crack_extension_init(extension, struct_size) bind(c, name="bempd_crack_extension_init")
+      import :: bempd_crack_extension, c_int, c_int64_t
+      type(bempd_crack_extension), intent(inout) :: extension
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_crack_extension_init
+    end function bempd_crack_extension_init
+
+    !> Number of extensions of all cracks so far.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of extensions
+    !> return: status
+    !> since: 0.3
+    function bempd_extension_count(model, count) bind(c, name="bempd_extension_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_extension_count
+    end function bempd_extension_count
+
+    !> An extension, in the order in which they happened.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> extension [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_extension(model, index, extension) bind(c, name="bempd_extension")
+      import :: bempd_crack_extension, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_crack_extension), intent(inout) :: extension
+      integer(c_int) :: bempd_extension
+    end function bempd_extension
 
     !> Set struct_size and zeros.
     !>
@@ -2052,8 +2160,9 @@ module bempd_c
 
     !> Bring a model back to a saved state. Loads and supports keep their present values.
     !>
-    !> The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in
-    !> their order, options that shape the equations. The processor and the values of loads and supports may be others.
+    !> Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if
+    !> the host has said the same: regions with their materials, initial cracks, supports in their order, options that
+    !> shape the equations. The processor and the values of loads and supports may be others.
     !>
     !> model [in]: the model that was saved, or one with the same scene
     !> state [in]: the state; not consumed

@@ -272,6 +272,26 @@ contains
     if (present(growth)) growth = done
   end procedure grow_cracks
 
+  module procedure set_tip_frozen
+    call finish(self, bempd_set_tip_frozen(self%handle, crack, tip_end, merge(1_c_int32_t, 0_c_int32_t, frozen)), stat, &
+      errmsg)
+  end procedure set_tip_frozen
+
+  module procedure extensions
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_extension_count(self%handle, count)
+    allocate (found(count))
+    do k = 1, count
+      status = bempd_crack_extension_init(found(k), c_sizeof(found(k)))
+      status = bempd_extension(self%handle, k - 1, found(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure extensions
+
   module procedure crack_opening
     real(c_double), allocatable, target :: n(:), t(:)
 

@@ -77,7 +77,47 @@ bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* 
     if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
     const model::GrowthResult grown = m.grow_cracks(length);
     if (growth)
-      write_struct(growth, bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor}, "growth");
+      write_struct(growth,
+                   bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor, grown.length,
+                                grown.released_energy},
+                   "growth");
+  });
+}
+
+bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(end == BEMPD_CRACK_START || end == BEMPD_CRACK_END, "end is ", end,
+            "; it must be BEMPD_CRACK_START (1) or BEMPD_CRACK_END (2)");
+    require(frozen == 0 || frozen == 1, "frozen is ", frozen, "; it must be 0 or 1");
+    m.set_tip_frozen(crack, end == BEMPD_CRACK_START ? 0 : 1, frozen == 1);
+  });
+}
+
+bempd_status bempd_crack_extension_init(bempd_crack_extension* extension, int64_t struct_size) {
+  return init_struct(__func__, "extension", extension, struct_size, bempd_crack_extension{});
+}
+
+bempd_status bempd_extension_count(const bempd_model* model, int64_t* count) {
+  return with_model(model, __func__,
+                    [&](const model::Model& m) { out(count, "count") = static_cast<int64_t>(m.extensions().size()); });
+}
+
+bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    struct_bytes(extension, "extension", sizeof(int64_t));
+    const auto all = m.extensions();
+    const auto count = static_cast<int64_t>(all.size());
+    require(index >= 0 && index < count, "index is ", index, "; cracks have been extended ", count, " times");
+    const fracture::CrackExtension& e = all[static_cast<std::size_t>(index)];
+    int32_t so_far = 0;
+    for (const fracture::CrackExtension& other : all.first(static_cast<std::size_t>(index) + 1))
+      so_far += other.crack == e.crack && other.end == e.end;
+    write_struct(
+        extension,
+        bempd_crack_extension{sizeof(bempd_crack_extension), e.event, e.crack,
+                              e.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, e.ended, so_far, e.x, e.y, e.angle,
+                              e.length, e.crack_length, e.load_factor, e.rate_before, e.rate_after, e.released_energy},
+        "extension");
   });
 }
 

@@ -41,6 +41,11 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
+  // Goes on with the run of another body whose cracks have grown since, at its load factor: an event.
+  void go_on_after_growth(CrackEvolution& before);
+  // What that consisted of.
+  void book(const std::vector<CrackExtension>& extensions);
+
   // Nodes of parts that the last equilibrium under new loads found to move freely; they are held from there on.
   std::vector<int> take_held() { return std::exchange(held_, {}); }
 

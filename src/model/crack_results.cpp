@@ -13,16 +13,21 @@ regions::BondedBody Model::bonded_body() const {
           system.intact(), prepared_->cut_bonds};
 }
 
-std::vector<regions::TipValues> Model::compute_tips() const {
-  std::vector<regions::TipValues> all;
-  for (const auto& region : prepared_->discretization.regions) {
-    const std::vector<regions::TipValues> found = region->tips(solution());
-    all.insert(all.end(), found.begin(), found.end());
+std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {
+  std::vector<regions::TipValues> tips;
+  for (const auto& region : prepared.discretization.regions) {
+    const std::vector<regions::TipValues> found = region->tips(solution_of(prepared), detail);
+    tips.insert(tips.end(), found.begin(), found.end());
   }
   // By crack, its first point first.
-  std::stable_sort(all.begin(), all.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
+  std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
   });
+  return tips;
+}
+
+std::vector<regions::TipValues> Model::compute_tips() const {
+  std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
   const std::vector<regions::TipValues> in_lattices = regions::lattice_tips(bonded_body(), solution());
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
   return all;

@@ -49,12 +49,12 @@ std::vector<regions::BondState> Model::bond_states(int id) {
   return results::bond_states(region(id), prepared_->system->intact(), prepared_->cut_bonds);
 }
 
-regions::Solution Model::solution() const {
-  const fracture::EvolutionState& state = prepared_->evolution->state();
-  return {state.total_displacement,    prepared_->system->terms(),
-          prepared_->system->intact(), prepared_->conditions.body_forces(state.load_factor),
-          &state.displacement,         &prepared_->conditions.crack_loads,
-          state.load_factor,           &prepared_->system->stages()};
+regions::Solution Model::solution_of(const PreparedScene& prepared) {
+  const fracture::EvolutionState& state = prepared.evolution->state();
+  return {state.total_displacement,  prepared.system->terms(),
+          prepared.system->intact(), prepared.conditions.body_forces(state.load_factor),
+          &state.displacement,       &prepared.conditions.crack_loads,
+          state.load_factor,         &prepared.system->stages()};
 }
 
 const FieldValues& Model::field(int id, Field which) {

@@ -282,9 +282,33 @@ typedef struct bempd_growth {
   int32_t tips;
   int32_t ended;
   double load_factor;
+  double length;
+  double released_energy;
 } bempd_growth;
 bempd_status bempd_growth_init(bempd_growth *growth, int64_t struct_size);
 bempd_status bempd_grow_cracks(bempd_model *model, double length, bempd_growth *growth);
+bempd_status bempd_set_tip_frozen(bempd_model *model, int32_t crack, int32_t end, int32_t frozen);
+typedef struct bempd_crack_extension {
+  int64_t struct_size;
+  int64_t event;
+  int32_t crack;
+  int32_t end;
+  int32_t ended;
+  int32_t count;
+  double x;
+  double y;
+  double angle;
+  double length;
+  double crack_length;
+  double load_factor;
+  double energy_release_rate_before;
+  double energy_release_rate_after;
+  double released_energy;
+} bempd_crack_extension;
+bempd_status bempd_crack_extension_init(bempd_crack_extension *extension, int64_t struct_size);
+bempd_status bempd_extension_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_extension(const bempd_model *model, int64_t index,
+    bempd_crack_extension *extension);
 typedef struct bempd_statistics {
   int64_t struct_size;
   int64_t boundary_nodes;
@@ -1419,6 +1443,8 @@ since: 0.2""",
     "bempd_growth.ended": """\
 of them those that have reached an edge, a hole or another crack and are no tips any more""",
     "bempd_growth.load_factor": """load factor at which they did; the model is there now [-]""",
+    "bempd_growth.length": """sum of their ways [m]""",
+    "bempd_growth.released_energy": """energy that the body has released by it [J]""",
     "bempd_growth_init": """\
 Set struct_size and zeros.
 
@@ -1428,13 +1454,22 @@ struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older program
 return: status
 since: 0.2""",
     "bempd_grow_cracks": """\
-Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+Let the cracks of BEM regions grow by a length.
 
-The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's
-fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an edge, a
-hole or a crack on 1.25 times its way ends there. The scene is built anew with the longer cracks, at
-that load factor; the history begins anew. Choose lengths some times shorter than the distance to
-the next edge or crack.
+The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's
+fracture_energy in the direction in which it goes on, that of the largest hoop stress or, with the
+option growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it
+those whose load factor is at most the share growth.share higher; where growth.exponent is not 0, by
+lengths that follow their energy release rates. An extension is straight; growth.direction = "chord"
+makes paths of long extensions follow those of short ones. A tip that meets an edge, a hole or a
+crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth of
+its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what
+they were given on.
+
+Growth is an event of the history, at constant load factor: the run goes on with the longer cracks,
+and only what they touch is computed again. bempd_extension() has what each tip did; a state that
+was saved before brings the shorter cracks back. Choose lengths some times shorter than the distance
+to the next edge or crack.
 
 model [in]: a model without peridynamic regions
 length [in]: how far tips grow [m], > 0
@@ -1442,6 +1477,60 @@ growth [in,out]: struct_size in, the rest out; may be NULL
 return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a
   region in two is an argument error and stays as it was
 since: 0.2""",
+    "bempd_set_tip_frozen": """\
+Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all
+the same.
+
+model [in]: the model
+crack [in]: id of a crack
+end [in]: a bempd_tip_end
+frozen [in]: 1: it does not grow; 0: it does
+return: status
+since: 0.3""",
+    "bempd_crack_extension": """\
+What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+
+since: 0.3""",
+    "bempd_crack_extension.struct_size": """sizeof(bempd_crack_extension), set by bempd_crack_extension_init()""",
+    "bempd_crack_extension.event": """event of the history that it was part of""",
+    "bempd_crack_extension.crack": """id of the crack""",
+    "bempd_crack_extension.end": """a bempd_tip_end""",
+    "bempd_crack_extension.ended": """1: it has reached an edge, a hole or another crack; else 0""",
+    "bempd_crack_extension.count": """extensions of this end up to this one""",
+    "bempd_crack_extension.x": """where it came to [m]""",
+    "bempd_crack_extension.y": """[m]""",
+    "bempd_crack_extension.angle": """by which it turned, counter-clockwise [rad]""",
+    "bempd_crack_extension.length": """of its way [m]""",
+    "bempd_crack_extension.crack_length": """of the whole crack after it [m]""",
+    "bempd_crack_extension.load_factor": """at which it grew [-]""",
+    "bempd_crack_extension.energy_release_rate_before": """when it set out in the new direction [J/m^2]""",
+    "bempd_crack_extension.energy_release_rate_after": """when it had arrived [J/m^2]; 0 if it has ended""",
+    "bempd_crack_extension.released_energy": """\
+mean of both times the way and the thickness; of a tip that has ended, what the others of the event
+leave of the history's [J]""",
+    "bempd_crack_extension_init": """\
+Set struct_size and zeros.
+
+extension [out]: the struct to fill
+struct_size [in]: sizeof(bempd_crack_extension) as the caller was compiled: older programs keep
+  working when it grows
+return: status
+since: 0.3""",
+    "bempd_extension_count": """\
+Number of extensions of all cracks so far.
+
+model [in]: the model
+count [out]: number of extensions
+return: status
+since: 0.3""",
+    "bempd_extension": """\
+An extension, in the order in which they happened.
+
+model [in]: the model
+index [in]: 0 .. count-1
+extension [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
     "bempd_statistics": """\
 Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 
@@ -1487,8 +1576,8 @@ statistics [in,out]: struct_size in, the rest out
 return: status
 since: 0.1""",
     "bempd_history_entry": """\
-One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold
-are as in bempd_step_report.
+One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
+call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
 
 since: 0.1""",
     "bempd_history_entry.struct_size": """sizeof(bempd_history_entry), set by bempd_history_entry_init()""",
@@ -1496,9 +1585,9 @@ since: 0.1""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\
-largest bond stretch over its critical stretch just before the break [-]""",
+largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown""",
     "bempd_history_entry.stored_energy": """elastic energy [J]""",
-    "bempd_history_entry.released_energy": """energy released by breaking bonds so far [J]""",
+    "bempd_history_entry.released_energy": """energy released by breaking bonds and growing cracks so far [J]""",
     "bempd_history_entry.work": """work of loads and supports so far [J]""",
     "bempd_history_entry.energy_balance_error": """|work - stored - released| over the largest work so far [-]""",
     "bempd_history_entry.residual": """\
@@ -1553,9 +1642,10 @@ since: 0.1""",
     "bempd_state_restore": """\
 Bring a model back to a saved state. Loads and supports keep their present values.
 
-The scene is the same if the host has said the same: regions with their materials, initial cracks,
-supports in their order, options that shape the equations. The processor and the values of loads and
-supports may be others.
+Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene
+is the same if the host has said the same: regions with their materials, initial cracks, supports in
+their order, options that shape the equations. The processor and the values of loads and supports
+may be others.
 
 model [in]: the model that was saved, or one with the same scene
 state [in]: the state; not consumed

@@ -15,6 +15,7 @@ from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
 from .reports import (
     Bonds,
+    CrackExtension,
     CrackOpening,
     CrackTip,
     EdgeReaction,
@@ -22,7 +23,9 @@ from .reports import (
     PointValues,
     Singularity,
     Statistics,
+    TipEnd,
     TipRecord,
+    crack_extension,
     crack_tip,
     rows,
     singularity,
@@ -262,11 +265,25 @@ class Results:
     def grow_cracks(self, length: float) -> Growth:
         """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
 
-        The load factor is solved for and the model is there afterwards, with the longer cracks and a new history.
+        The load factor is solved for and the model is there afterwards, with the longer cracks; the history goes on.
+        The options named growth.* choose criterion, direction and which tips grow together.
         """
         struct = new_struct("bempd_growth", "bempd_growth_init")
         self._open().call("bempd_grow_cracks", arguments.real("grow_cracks: length", length), struct, changes=True)
         return Growth(**values_of(struct, "bempd_growth", Growth))
+
+    def set_tip_frozen(self, crack: int, end: TipEnd | int, frozen: bool = True) -> None:
+        """Keep the tip at an end of a crack from growing, or let it grow again."""
+        self._open().call("bempd_set_tip_frozen", crack, int(end), int(frozen))
+
+    def extensions(self) -> list[CrackExtension]:
+        """What every tip did in every call of `grow_cracks`, in order."""
+        found = []
+        for index in range(int(self._number("bempd_extension_count", "int64_t"))):
+            struct = new_struct("bempd_crack_extension", "bempd_crack_extension_init")
+            self._open().call("bempd_extension", index, struct)
+            found.append(crack_extension(struct))
+        return found
 
     def crack_opening(self, crack: int, fractions: npt.ArrayLike) -> CrackOpening:
         """Openings [m] of a crack in a BEM region at places given as fractions of its length."""

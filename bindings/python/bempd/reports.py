@@ -107,6 +107,28 @@ class Growth:
     tips: int  #: that have grown
     ended: int  #: of them at an edge, a hole or another crack
     load_factor: float  #: at which they did
+    length: float  #: sum of their ways [m]
+    released_energy: float  #: by the body [J]
+
+
+@dataclasses.dataclass(frozen=True)
+class CrackExtension:
+    """What one tip did when cracks grew."""
+
+    event: int  #: of the history that it was part of
+    crack: int  #: id
+    end: TipEnd
+    ended: bool  #: at an edge, a hole or another crack
+    count: int  #: extensions of this end up to this one
+    x: float  #: where it came to [m]
+    y: float
+    angle: float  #: by which it turned, counter-clockwise [rad]
+    length: float  #: of its way [m]
+    crack_length: float  #: of the whole crack after it [m]
+    load_factor: float  #: at which it grew
+    energy_release_rate_before: float  #: when it set out in the new direction [J/m^2]
+    energy_release_rate_after: float  #: when it had arrived; 0 if it has ended
+    released_energy: float  #: mean of both times way and thickness, or what the others leave [J]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -218,6 +240,14 @@ def singularity(struct: Any) -> Singularity:
     values = values_of(struct, "bempd_singularity", Singularity)
     values["kind"] = SingularityKind(values["kind"])
     return Singularity(**values)
+
+
+def crack_extension(struct: Any) -> CrackExtension:
+    """An extension as a value."""
+    values = values_of(struct, "bempd_crack_extension", CrackExtension)
+    values["end"] = TipEnd(values["end"])
+    values["ended"] = bool(values["ended"])
+    return CrackExtension(**values)
 
 
 def rows(structs: Any, name: str) -> npt.NDArray[Any]:

@@ -8,6 +8,7 @@
 
 #include "cancellation.hpp"
 #include "elasticity/griffith.hpp"
+#include "elasticity/kinked_tip.hpp"
 
 namespace bempd::regions {
 
@@ -78,8 +79,6 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fractu
   const Point held = factors_of(seen(constant, 1)), growing = factors_of(seen(proportional, 1));
   values.energy_release_rate = values.factors.squaredNorm() / modulus;
   values.kink_angle = kink_of(values.factors).angle;
-  values.growth_load_factor = growth_load_factor(held, growing, toughness);
-  values.growth_angle = values.kink_angle;
   values.critical_load_factor = critical_load_factor(held, growing, toughness);
   return values;
 }

@@ -132,3 +132,39 @@ def test_growth_by_lengths_is_recorded():
     ends = [record.tip for record in model.tip_history() if record.tip.end == bempd.TipEnd.END]
     assert [tip.x for tip in ends] == pytest.approx([0.35, 0.4, 0.45])
     assert ends[2].stress_intensity_1 > 0
+
+
+def test_history_goes_on_while_cracks_grow():
+    model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
+    model.set_tip_frozen(crack, bempd.TipEnd.START)
+    assert model.extensions() == []
+    growth = [model.grow_cracks(0.05) for _ in range(3)]
+    assert [g.tips for g in growth] == [1, 1, 1]
+    extensions = model.extensions()
+    assert [e.event for e in extensions] == [1, 2, 3] == [e.count for e in extensions]
+    assert all(e.end is bempd.TipEnd.END and e.ended is False and e.crack == crack for e in extensions)
+    assert extensions[-1].x == pytest.approx(0.45) and extensions[-1].crack_length == pytest.approx(0.75)
+    assert model.history()["released_energy"][-1] == pytest.approx(sum(g.released_energy for g in growth))
+    assert sum(e.released_energy for e in extensions) == pytest.approx(sum(g.released_energy for g in growth), rel=1e-2)
+    model.set_tip_frozen(crack, bempd.TipEnd.START, False)
+    assert model.grow_cracks(0.05).tips == 1
+
+
+def test_a_state_brings_shorter_cracks_back():
+    model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
+    model.grow_cracks(0.05)
+    state = model.save()
+    model.grow_cracks(0.05)
+    assert len(model.extensions()) == 4
+    model.restore(state)
+    assert len(model.extensions()) == 2 and model.tips()[1].x == pytest.approx(0.35)
+
+
+def test_misuse_of_growth():
+    model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
+    with pytest.raises(bempd.ArgumentError, match="crack 2"):
+        model.set_tip_frozen(2, bempd.TipEnd.END)
+    with pytest.raises(bempd.ArgumentError, match="end is 3"):
+        model.set_tip_frozen(crack, 3)
+    with pytest.raises(bempd.ArgumentError, match="growth.criterion"):
+        model.options["growth.criterion"] = "strain"

@@ -1717,6 +1717,10 @@ pub struct bempd_growth {
     pub ended: i32,
     /// load factor at which they did; the model is there now \[-\]
     pub load_factor: f64,
+    /// sum of their ways \[m\]
+    pub length: f64,
+    /// energy that the body has released by it \[J\]
+    pub released_energy: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -1729,12 +1733,21 @@ extern "C" {
     pub fn bempd_growth_init(growth: *mut bempd_growth, struct_size: i64) -> bempd_status;
 }
 extern "C" {
-    /// Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    /// Let the cracks of BEM regions grow by a length.
     ///
-    /// The load factor is solved for: the smallest one \>= 0 at which a tip reaches its material's
-    /// fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an
-    /// edge, a hole or a crack on 1.25 times its way ends there. The scene is built anew with the
-    /// longer cracks, at that load factor; the history begins anew. Choose lengths some times
+    /// The load factor is solved for: the smallest one \>= 0 at which a tip is worth its material's
+    /// fracture_energy in the direction in which it goes on, that of the largest hoop stress or,
+    /// with the option growth.criterion = "energy", of the largest energy release rate. That tip
+    /// grows, and with it those whose load factor is at most the share growth.share higher; where
+    /// growth.exponent is not 0, by lengths that follow their energy release rates. An extension is
+    /// straight; growth.direction = "chord" makes paths of long extensions follow those of short
+    /// ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that
+    /// passes the end of a crack by less than a tenth of its way ends at that. Loads on crack faces
+    /// stay where they are and go on beyond the ends of what they were given on.
+    ///
+    /// Growth is an event of the history, at constant load factor: the run goes on with the longer
+    /// cracks, and only what they touch is computed again. bempd_extension() has what each tip did;
+    /// a state that was saved before brings the shorter cracks back. Choose lengths some times
     /// shorter than the distance to the next edge or crack.
     ///
     /// * model \[in\]: a model without peridynamic regions
@@ -1747,6 +1760,97 @@ extern "C" {
         model: *mut bempd_model,
         length: f64,
         growth: *mut bempd_growth,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of
+    /// it all the same.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * end \[in\]: a bempd_tip_end
+    /// * frozen \[in\]: 1: it does not grow; 0: it does
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_tip_frozen(
+        model: *mut bempd_model,
+        crack: i32,
+        end: i32,
+        frozen: i32,
+    ) -> bempd_status;
+}
+/// What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_crack_extension {
+    /// sizeof(bempd_crack_extension), set by bempd_crack_extension_init()
+    pub struct_size: i64,
+    /// event of the history that it was part of
+    pub event: i64,
+    /// id of the crack
+    pub crack: i32,
+    /// a bempd_tip_end
+    pub end: i32,
+    /// 1: it has reached an edge, a hole or another crack; else 0
+    pub ended: i32,
+    /// extensions of this end up to this one
+    pub count: i32,
+    /// where it came to \[m\]
+    pub x: f64,
+    /// \[m\]
+    pub y: f64,
+    /// by which it turned, counter-clockwise \[rad\]
+    pub angle: f64,
+    /// of its way \[m\]
+    pub length: f64,
+    /// of the whole crack after it \[m\]
+    pub crack_length: f64,
+    /// at which it grew \[-\]
+    pub load_factor: f64,
+    /// when it set out in the new direction \[J/m^2\]
+    pub energy_release_rate_before: f64,
+    /// when it had arrived \[J/m^2\]; 0 if it has ended
+    pub energy_release_rate_after: f64,
+    /// mean of both times the way and the thickness; of a tip that has ended, what the others of
+    /// the event leave of the history's \[J\]
+    pub released_energy: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * extension \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_crack_extension) as the caller was compiled: older programs
+    ///   keep working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_crack_extension_init(
+        extension: *mut bempd_crack_extension,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of extensions of all cracks so far.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of extensions
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_extension_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// An extension, in the order in which they happened.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * extension \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_extension(
+        model: *const bempd_model,
+        index: i64,
+        extension: *mut bempd_crack_extension,
     ) -> bempd_status;
 }
 /// Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
@@ -1828,8 +1932,8 @@ extern "C" {
         statistics: *mut bempd_statistics,
     ) -> bempd_status;
 }
-/// One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can
-/// hold are as in bempd_step_report.
+/// One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
+/// call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -1843,11 +1947,12 @@ pub struct bempd_history_entry {
     pub total_broken_bonds: i64,
     /// load factor \[-\]
     pub load_factor: f64,
-    /// largest bond stretch over its critical stretch just before the break \[-\]
+    /// largest bond stretch over its critical stretch just before the break \[-\]; 1 where cracks
+    /// have grown
     pub stretch_ratio: f64,
     /// elastic energy \[J\]
     pub stored_energy: f64,
-    /// energy released by breaking bonds so far \[J\]
+    /// energy released by breaking bonds and growing cracks so far \[J\]
     pub released_energy: f64,
     /// work of loads and supports so far \[J\]
     pub work: f64,
@@ -1929,7 +2034,8 @@ extern "C" {
 extern "C" {
     /// Bring a model back to a saved state. Loads and supports keep their present values.
     ///
-    /// The scene is the same if the host has said the same: regions with their materials, initial
+    /// Cracks of BEM regions that have grown are as long as they were when the state was saved. The
+    /// scene is the same if the host has said the same: regions with their materials, initial
     /// cracks, supports in their order, options that shape the equations. The processor and the
     /// values of loads and supports may be others.
     ///

@@ -100,6 +100,14 @@ impl TipEnd {
             _ => TipEnd::Other(end),
         }
     }
+
+    pub(crate) fn raw(self) -> i32 {
+        match self {
+            TipEnd::Start => sys::BEMPD_CRACK_START as i32,
+            TipEnd::End => sys::BEMPD_CRACK_END as i32,
+            TipEnd::Other(end) => end,
+        }
+    }
 }
 
 /// What the values of a tip come from.

@@ -61,7 +61,7 @@ pub use material::Material;
 pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
-pub use reports::{CrackTip, Growth, HistoryEntry, Progress, Singularity, Statistics, StepReport, TipRecord};
+pub use reports::{CrackExtension, CrackTip, Growth, HistoryEntry, Progress, Singularity, Statistics, StepReport, TipRecord};
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, PointValues};
 
 /// Version of the library as "major.minor.patch".

@@ -166,6 +166,44 @@ mirror! {
         ended: i32,
         /// Load factor at which they did [-].
         load_factor: f64,
+        /// Sum of their ways [m].
+        length: f64,
+        /// Energy that the body has released by it [J].
+        released_energy: f64,
+    }
+}
+
+mirror! {
+    /// What one tip did when cracks grew.
+    CrackExtension of bempd_crack_extension {
+        /// Event of the history that it was part of.
+        event: i64,
+        /// The crack.
+        crack: CrackId,
+        /// Which of its ends.
+        end: TipEnd,
+        /// 1: it has reached an edge, a hole or another crack; else 0.
+        ended: i32,
+        /// Extensions of this end up to this one.
+        count: i32,
+        /// Where it came to [m].
+        x: f64,
+        /// [m].
+        y: f64,
+        /// By which it turned, counter-clockwise [rad].
+        angle: f64,
+        /// Of its way [m].
+        length: f64,
+        /// Of the whole crack after it [m].
+        crack_length: f64,
+        /// At which it grew [-].
+        load_factor: f64,
+        /// When it set out in the new direction [J/m^2].
+        energy_release_rate_before: f64,
+        /// When it had arrived [J/m^2]; 0 if it has ended.
+        energy_release_rate_after: f64,
+        /// Mean of both times way and thickness, or what the others of the event leave [J].
+        released_energy: f64,
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::{
-    BondState, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, Model, RegionId, Result, Singularity, Statistics,
-    SupportId, TipRecord, View,
+    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, Model, RegionId, Result, Singularity,
+    Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -234,9 +234,43 @@ impl Model {
     }
 
     /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
-    /// The load factor is solved for; the model is there afterwards, with the longer cracks and a new history.
+    /// The load factor is solved for; the model is there afterwards, with the longer cracks; the history goes on. The
+    /// options named `growth.*` choose criterion, direction and which tips grow together.
     pub fn grow_cracks(&mut self, length: f64) -> Result<Growth> {
         Ok(Growth::from_raw(&self.handle.grow_cracks(length)?))
+    }
+
+    /// Keeps the tip at an end of a crack from growing, or lets it grow again.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, TipEnd, Values, FaceComponent};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material::new(1.0, 0.3).fracture_energy(1.0))?;
+    /// model.add_bem_region(glass, &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-0.3, 0.0], [0.3, 0.0]])?;
+    /// model.fix_point([-1.0, -1.0], Component::Both)?;
+    /// model.fix_point([1.0, -1.0], Component::Y)?;
+    /// model.add_crack_traction(crack, FaceComponent::Pressure, Values::proportional(&[1.0]))?;
+    /// model.set_tip_frozen(crack, TipEnd::Start, true)?;
+    /// let growth = model.grow_cracks(0.1)?;
+    /// let extensions = model.extensions()?;
+    /// assert_eq!((growth.tips, extensions.len(), extensions[0].end), (1, 1, TipEnd::End));
+    /// assert!((extensions[0].x - 0.4).abs() < 1e-6);
+    /// assert!((extensions[0].energy_release_rate_before - 1.0).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn set_tip_frozen(&mut self, crack: CrackId, end: TipEnd, frozen: bool) -> Result<()> {
+        self.handle.set_tip_frozen(crack.0, end.raw(), frozen)
+    }
+
+    /// What every tip did in every call of `grow_cracks`, in order.
+    pub fn extensions(&self) -> Result<Vec<CrackExtension>> {
+        (0..self.handle.extension_count()?)
+            .map(|index| Ok(CrackExtension::from_raw(&self.handle.extension(index)?)))
+            .collect()
     }
 
     /// Openings of a crack in a boundary element region at places given as fractions of its length.

@@ -203,6 +203,20 @@ impl Handle {
         Ok(growth)
     }
 
+    pub(crate) fn set_tip_frozen(&mut self, crack: i32, end: i32, frozen: bool) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_tip_frozen(model, crack, end, frozen.into()) })
+    }
+
+    pub(crate) fn extension_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_extension_count(model, count) })
+    }
+
+    pub(crate) fn extension(&self, index: i64) -> Result<sys::bempd_crack_extension> {
+        let mut extension = filled(sys::bempd_crack_extension_init)?;
+        self.call(|model| unsafe { sys::bempd_extension(model, index, &mut extension) })?;
+        Ok(extension)
+    }
+
     /// Normal and tangential.
     pub(crate) fn crack_opening(&self, crack: i32, fractions: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
         let (mut normal, mut tangential) = (vec![0.0; fractions.len()], vec![0.0; fractions.len()]);
