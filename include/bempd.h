@@ -789,11 +789,28 @@ BEMPD_API bempd_status bempd_get_singularity(bempd_model* model, int64_t index, 
 /** @brief End of a crack. @since 0.2 */
 typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
 
-/** @brief The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+/** @brief What the values of a tip come from. @since 0.3 */
+typedef enum bempd_tip_method { BEMPD_TIP_ELEMENTS = 1, BEMPD_TIP_CONTOURS = 2 } bempd_tip_method;
+
+/** @brief The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
  *
- * Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
- * the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than what
- * they border on. @since 0.2 */
+ * In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body releases when the tip
+ * moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the boundary's
+ * elements are no longer than what they border on.
+ *
+ * In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
+ * rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field of
+ * power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one given,
+ * and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20
+ * spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
+ * factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two horizons
+ * around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring fits:
+ * `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
+ *
+ * Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has grown:
+ * to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end. Cracks that
+ * begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells of the
+ * latter. @since 0.2 */
 typedef struct bempd_crack_tip {
   int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
   int32_t crack;               /**< id of the crack */
@@ -808,11 +825,17 @@ typedef struct bempd_crack_tip {
   double energy_release_rate;  /**< G of growth straight on [J/m^2] */
   double t_stress;             /**< stress along the crack beside the singular one [Pa] */
   double error;                /**< estimate of the error of the stress intensity factors, from elements twice as long
-                                  [Pa m^(1/2)] */
+                                  or from other rings [Pa m^(1/2)] */
   double kink_angle;           /**< angle from the direction to that of the largest hoop stress, counter-clockwise
                                   [rad] */
   double critical_load_factor; /**< smallest load factor >= 0 at which the energy release rate is the material's
                                   fracture_energy; infinite if it never is or the material has none [-] */
+  int32_t method;              /**< a bempd_tip_method (since 0.3, as all that follows) */
+  int32_t contours;            /**< rings that the values come from; 0 if none fits, and in BEM regions */
+  int32_t grown;               /**< 1 if bonds have broken since so that the tip is not the described end any more */
+  int32_t branched;            /**< 1 if other ways lead on from the crack than the one to this tip */
+  double contour_radius;       /**< outer radius of the largest ring; 0 if there is none [m] */
+  double felt_ahead;           /**< how far ahead of its place the tip is felt; 0 in BEM regions [m] */
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill
@@ -820,13 +843,30 @@ typedef struct bempd_crack_tip {
  * @return status @since 0.2 */
 BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
 
-/** @brief Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
- * model. @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
+/** @brief Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none.
+ * Prepares the model. What tips carry is computed when it is asked for.
+ * @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
 BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
 
-/** @brief A tip, by crack and the end nearer to its first point first. @param[in] model the model
+/** @brief A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the end
+ * nearer to its first point first. @param[in] model the model
  * @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
 BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip);
+
+/** @brief Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and
+ * at the end of every step, also where bempd_grow_cracks() has made one.
+ *
+ * A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option nothing.
+ * States in memory carry the records; those from bytes have none.
+ * @param[in] model the model @param[out] count number of records @return status @since 0.3 */
+BEMPD_API bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count);
+
+/** @brief A tip as it was, by time, at one time in the order of bempd_tip(). @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[out] event number of the event, or 0 for the end of a step; may be NULL
+ * @param[out] total_broken_bonds bonds broken by then; may be NULL @param[out] load_factor then [-]; may be NULL
+ * @param[in,out] tip struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event,
+                                             int64_t* total_broken_bonds, double* load_factor, bempd_crack_tip* tip);
 
 /** @brief Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen
  * from its first point, less that of the face on its right.
@@ -843,6 +883,8 @@ typedef struct bempd_growth {
   int32_t tips;        /**< tips that have grown */
   int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
   double load_factor;  /**< load factor at which they did; the model is there now [-] */
+  double length;       /**< sum of their ways [m] */
+  double released_energy; /**< energy that the body has released by it [J] */
 } bempd_growth;
 
 /** @brief Set struct_size and zeros. @param[out] growth the struct to fill
@@ -850,17 +892,63 @@ typedef struct bempd_growth {
  * @return status @since 0.2 */
 BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size);
 
-/** @brief Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+/** @brief Let the cracks of BEM regions grow by a length.
  *
- * The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That tip
- * grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way ends
- * there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose lengths
- * some times shorter than the distance to the next edge or crack.
+ * The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in the
+ * direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion = "energy", of
+ * the largest energy release rate. That tip grows, and with it those whose load factor is at most the share
+ * growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An extension
+ * is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A tip that meets
+ * an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
+ * of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were given
+ * on.
+ *
+ * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
+ * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
+ * shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
  * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
  * @param[in,out] growth struct_size in, the rest out; may be NULL
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
  * an argument error and stays as it was @since 0.2 */
 BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
+
+/** @brief Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] end a bempd_tip_end
+ * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
+
+/** @brief What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init(). @since 0.3 */
+typedef struct bempd_crack_extension {
+  int64_t struct_size;               /**< sizeof(bempd_crack_extension), set by bempd_crack_extension_init() */
+  int64_t event;                     /**< event of the history that it was part of */
+  int32_t crack;                     /**< id of the crack */
+  int32_t end;                       /**< a bempd_tip_end */
+  int32_t ended;                     /**< 1: it has reached an edge, a hole or another crack; else 0 */
+  int32_t count;                     /**< extensions of this end up to this one */
+  double x;                          /**< where it came to [m] */
+  double y;                          /**< [m] */
+  double angle;                      /**< by which it turned, counter-clockwise [rad] */
+  double length;                     /**< of its way [m] */
+  double crack_length;               /**< of the whole crack after it [m] */
+  double load_factor;                /**< at which it grew [-] */
+  double energy_release_rate_before; /**< when it set out in the new direction [J/m^2] */
+  double energy_release_rate_after;  /**< when it had arrived [J/m^2]; 0 if it has ended */
+  double released_energy;            /**< mean of both times the way and the thickness; of a tip that has ended, what
+                                        the others of the event leave of the history's [J] */
+} bempd_crack_extension;
+
+/** @brief Set struct_size and zeros. @param[out] extension the struct to fill
+ * @param[in] struct_size sizeof(bempd_crack_extension) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_extension_init(bempd_crack_extension* extension, int64_t struct_size);
+
+/** @brief Number of extensions of all cracks so far. @param[in] model the model @param[out] count number of extensions
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extension_count(const bempd_model* model, int64_t* count);
+
+/** @brief An extension, in the order in which they happened. @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[in,out] extension struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension);
 
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {
@@ -899,16 +987,17 @@ BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64
  * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
-/** @brief One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold are as in
- * bempd_step_report. @since 0.1 */
+/** @brief One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+ * bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report. @since 0.1 */
 typedef struct bempd_history_entry {
   int64_t struct_size;         /**< sizeof(bempd_history_entry), set by bempd_history_entry_init() */
   int64_t event;               /**< number of the event, or 0 for the end of a step */
   int64_t total_broken_bonds;  /**< bonds broken so far */
   double load_factor;          /**< load factor [-] */
-  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-] */
+  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-];
+                                    1 where cracks have grown */
   double stored_energy;        /**< elastic energy [J] */
-  double released_energy;      /**< energy released by breaking bonds so far [J] */
+  double released_energy;      /**< energy released by breaking bonds and growing cracks so far [J] */
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
@@ -950,7 +1039,8 @@ BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state)
 
 /** @brief Bring a model back to a saved state. Loads and supports keep their present values.
  *
- * The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in their
+ * Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if the
+ * host has said the same: regions with their materials, initial cracks, supports in their
  * order, options that shape the equations. The processor and the values of loads and supports may be others.
  * @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
  * @return status @since 0.1 */
@@ -975,6 +1065,10 @@ BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes
 /** @brief Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
  * damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face), and
  * prefix.pvd, the series of all snapshots this model has written with this prefix.
+ *
+ * With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what bempd_tip() has, and
+ * among the cracks are those in peridynamic regions: a line in each cell of the lattice for every broken or cut bond
+ * between nearest neighbours, with the opening that its elongation and its turning show.
  * @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
  * 0.1 */
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);
@@ -982,6 +1076,11 @@ BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* pref
 /** @brief Write the history with the reactions of all supports as comma-separated values.
  * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_write_history(const bempd_model* model, const char* path);
+
+/** @brief Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with event,
+ * total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none were recorded.
+ * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.3 */
+BEMPD_API bempd_status bempd_write_tips(const bempd_model* model, const char* path);
 
 #ifdef __cplusplus
 }

@@ -25,7 +25,8 @@ module bempd
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
-    BEMPD_CRACK_END, bempd_step_report, bempd_statistics, bempd_history_entry, bempd_crack_tip, bempd_growth, &
+    BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, bempd_step_report, bempd_statistics, &
+    bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, &
     bempd_boundary_function, bempd_progress_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
@@ -48,7 +49,7 @@ module bempd
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
     procedure :: set_load_values, set_support_values
-    procedure :: add_crack_traction, tips, crack_opening, grow_cracks
+    procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
     procedure :: load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds
@@ -88,7 +89,8 @@ module bempd
     load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
-    history, add_crack_traction, tips, crack_opening, grow_cracks, &
+    history, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
+    extensions, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
 
@@ -538,13 +540,28 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine get_statistics
-    !> All tips of cracks in BEM regions, as bempd_tip has them.
+    !> All tips of cracks, as bempd_tip has them.
     module subroutine tips(self, found, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_crack_tip), allocatable, intent(out) :: found(:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine tips
+    !> The tips that were recorded, as bempd_get_tip_history has them: event number, bonds broken and load factor of each.
+    module subroutine tip_history(self, found, events, broken_bonds, load_factors, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_crack_tip), allocatable, intent(out) :: found(:)
+      integer(c_int64_t), allocatable, intent(out), optional :: events(:), broken_bonds(:)
+      real(c_double), allocatable, intent(out), optional :: load_factors(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine tip_history
+    module subroutine write_tips(self, path, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: path
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine write_tips
     module subroutine grow_cracks(self, length, growth, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: length
@@ -552,6 +569,20 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine grow_cracks
+    module subroutine set_tip_frozen(self, crack, tip_end, frozen, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack, tip_end
+      logical, intent(in) :: frozen
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_tip_frozen
+    !> What every tip did in every call of grow_cracks, as bempd_extension has it.
+    module subroutine extensions(self, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_crack_extension), allocatable, intent(out) :: found(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine extensions
     module subroutine crack_opening(self, crack, fractions, normal, tangential, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: crack

@@ -162,6 +162,13 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_CRACK_START = 1
   integer(c_int), parameter :: BEMPD_CRACK_END = 2
 
+  !> What the values of a tip come from.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_tip_method = c_int
+  integer(c_int), parameter :: BEMPD_TIP_ELEMENTS = 1
+  integer(c_int), parameter :: BEMPD_TIP_CONTOURS = 2
+
   !> Description of one option. Fill it with bempd_option_info_init().
   !>
   !> since: 0.1
@@ -297,11 +304,25 @@ module bempd_c
     real(c_double) :: oscillation
   end type bempd_singularity
 
-  !> The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+  !> The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
   !>
-  !> Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
-  !> the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than
-  !> what they border on.
+  !> In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body releases when the
+  !> tip moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the
+  !> boundary's elements are no longer than what they border on.
+  !>
+  !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
+  !> rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field
+  !> of power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one
+  !> given, and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the
+  !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
+  !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
+  !> two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring
+  !> fits: `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
+  !>
+  !> Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has
+  !> grown: to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end.
+  !> Cracks that begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells
+  !> of the latter.
   !>
   !> since: 0.2
   type, bind(c) :: bempd_crack_tip
@@ -327,13 +348,26 @@ module bempd_c
     real(c_double) :: energy_release_rate
     !> stress along the crack beside the singular one [Pa]
     real(c_double) :: t_stress
-    !> estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]
+    !> estimate of the error of the stress intensity factors, from elements twice as long or from other rings [Pa
+    !> m^(1/2)]
     real(c_double) :: error
     !> angle from the direction to that of the largest hoop stress, counter-clockwise [rad]
     real(c_double) :: kink_angle
     !> smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; infinite if it
     !> never is or the material has none [-]
     real(c_double) :: critical_load_factor
+    !> a bempd_tip_method (since 0.3, as all that follows)
+    integer(c_int32_t) :: method
+    !> rings that the values come from; 0 if none fits, and in BEM regions
+    integer(c_int32_t) :: contours
+    !> 1 if bonds have broken since so that the tip is not the described end any more
+    integer(c_int32_t) :: grown
+    !> 1 if other ways lead on from the crack than the one to this tip
+    integer(c_int32_t) :: branched
+    !> outer radius of the largest ring; 0 if there is none [m]
+    real(c_double) :: contour_radius
+    !> how far ahead of its place the tip is felt; 0 in BEM regions [m]
+    real(c_double) :: felt_ahead
   end type bempd_crack_tip
 
   !> What bempd_grow_cracks() did. Fill it with bempd_growth_init().
@@ -348,7 +382,48 @@ module bempd_c
     integer(c_int32_t) :: ended
     !> load factor at which they did; the model is there now [-]
     real(c_double) :: load_factor
+    !> sum of their ways [m]
+    real(c_double) :: length
+    !> energy that the body has released by it [J]
+    real(c_double) :: released_energy
   end type bempd_growth
+
+  !> What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_crack_extension
+    !> sizeof(bempd_crack_extension), set by bempd_crack_extension_init()
+    integer(c_int64_t) :: struct_size
+    !> event of the history that it was part of
+    integer(c_int64_t) :: event
+    !> id of the crack
+    integer(c_int32_t) :: crack
+    !> a bempd_tip_end
+    integer(c_int32_t) :: end
+    !> 1: it has reached an edge, a hole or another crack; else 0
+    integer(c_int32_t) :: ended
+    !> extensions of this end up to this one
+    integer(c_int32_t) :: count
+    !> where it came to [m]
+    real(c_double) :: x
+    !> [m]
+    real(c_double) :: y
+    !> by which it turned, counter-clockwise [rad]
+    real(c_double) :: angle
+    !> of its way [m]
+    real(c_double) :: length
+    !> of the whole crack after it [m]
+    real(c_double) :: crack_length
+    !> at which it grew [-]
+    real(c_double) :: load_factor
+    !> when it set out in the new direction [J/m^2]
+    real(c_double) :: energy_release_rate_before
+    !> when it had arrived [J/m^2]; 0 if it has ended
+    real(c_double) :: energy_release_rate_after
+    !> mean of both times the way and the thickness; of a tip that has ended, what the others of the event leave of the
+    !> history's [J]
+    real(c_double) :: released_energy
+  end type bempd_crack_extension
 
   !> Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
   !>
@@ -403,8 +478,8 @@ module bempd_c
     real(c_double) :: reciprocal_condition
   end type bempd_statistics
 
-  !> One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold are as in
-  !> bempd_step_report.
+  !> One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+  !> bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_history_entry
@@ -416,11 +491,11 @@ module bempd_c
     integer(c_int64_t) :: total_broken_bonds
     !> load factor [-]
     real(c_double) :: load_factor
-    !> largest bond stretch over its critical stretch just before the break [-]
+    !> largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown
     real(c_double) :: stretch_ratio
     !> elastic energy [J]
     real(c_double) :: stored_energy
-    !> energy released by breaking bonds so far [J]
+    !> energy released by breaking bonds and growing cracks so far [J]
     real(c_double) :: released_energy
     !> work of loads and supports so far [J]
     real(c_double) :: work
@@ -1792,8 +1867,8 @@ module bempd_c
       integer(c_int) :: bempd_crack_tip_init
     end function bempd_crack_tip_init
 
-    !> Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
-    !> model.
+    !> Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none. Prepares
+    !> the model. What tips carry is computed when it is asked for.
     !>
     !> model [in]: the model
     !> count [out]: number of tips
@@ -1806,7 +1881,8 @@ module bempd_c
       integer(c_int) :: bempd_tip_count
     end function bempd_tip_count
 
-    !> A tip, by crack and the end nearer to its first point first.
+    !> A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the end nearer
+    !> to its first point first.
     !>
     !> model [in]: the model
     !> index [in]: 0 .. count-1
@@ -1820,6 +1896,45 @@ module bempd_c
       type(bempd_crack_tip), intent(inout) :: tip
       integer(c_int) :: bempd_tip
     end function bempd_tip
+
+    !> Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and at
+    !> the end of every step, also where bempd_grow_cracks() has made one.
+    !>
+    !> A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option
+    !> nothing. States in memory carry the records; those from bytes have none.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of records
+    !> return: status
+    !> since: 0.3
+    function bempd_tip_history_count(model, count) bind(c, name="bempd_tip_history_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_tip_history_count
+    end function bempd_tip_history_count
+
+    !> A tip as it was, by time, at one time in the order of bempd_tip().
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> event [out]: number of the event, or 0 for the end of a step; may be NULL
+    !> total_broken_bonds [out]: bonds broken by then; may be NULL
+    !> load_factor [out]: then [-]; may be NULL
+    !> tip [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_get_tip_history(model, index, event, total_broken_bonds, load_factor, tip) &
+        bind(c, name="bempd_get_tip_history")
+      import :: bempd_crack_tip, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(c_ptr), value :: event
+      type(c_ptr), value :: total_broken_bonds
+      type(c_ptr), value :: load_factor
+      type(bempd_crack_tip), intent(inout) :: tip
+      integer(c_int) :: bempd_get_tip_history
+    end function bempd_get_tip_history
 
     !> Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen from
     !> its first point, less that of the face on its right.
@@ -1857,12 +1972,20 @@ module bempd_c
       integer(c_int) :: bempd_growth_init
     end function bempd_growth_init
 
-    !> Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    !> Let the cracks of BEM regions grow by a length.
     !>
-    !> The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That
-    !> tip grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way
-    !> ends there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose
-    !> lengths some times shorter than the distance to the next edge or crack.
+    !> The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in
+    !> the direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion =
+    !> "energy", of the largest energy release rate. That tip grows, and with it those whose load factor is at most the
+    !> share growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An
+    !> extension is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A
+    !> tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by
+    !> less than a tenth of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of
+    !> what they were given on.
+    !>
+    !> Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
+    !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
+    !> shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
     !>
     !> model [in]: a model without peridynamic regions
     !> length [in]: how far tips grow [m], > 0
@@ -1877,6 +2000,65 @@ module bempd_c
       type(c_ptr), value :: growth
       integer(c_int) :: bempd_grow_cracks
     end function bempd_grow_cracks
+
+    !> Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
+    !>
+    !> model [in]: the model
+    !> crack [in]: id of a crack
+    !> end [in]: a bempd_tip_end
+    !> frozen [in]: 1: it does not grow; 0: it does
+    !> return: status
+    !> since: 0.3
+    function bempd_set_tip_frozen(model, crack, end, frozen) bind(c, name="bempd_set_tip_frozen")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: crack
+      integer(c_int32_t), value :: end
+      integer(c_int32_t), value :: frozen
+      integer(c_int) :: bempd_set_tip_frozen
+    end function bempd_set_tip_frozen
+
+    !> Set struct_size and zeros.
+    !>
+    !> extension [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_crack_extension) as the caller was compiled: older programs keep working when it
+    !>   grows
+    !> return: status
+    !> since: 0.3
+    function bempd_crack_extension_init(extension, struct_size) bind(c, name="bempd_crack_extension_init")
+      import :: bempd_crack_extension, c_int, c_int64_t
+      type(bempd_crack_extension), intent(inout) :: extension
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_crack_extension_init
+    end function bempd_crack_extension_init
+
+    !> Number of extensions of all cracks so far.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of extensions
+    !> return: status
+    !> since: 0.3
+    function bempd_extension_count(model, count) bind(c, name="bempd_extension_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_extension_count
+    end function bempd_extension_count
+
+    !> An extension, in the order in which they happened.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> extension [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_extension(model, index, extension) bind(c, name="bempd_extension")
+      import :: bempd_crack_extension, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_crack_extension), intent(inout) :: extension
+      integer(c_int) :: bempd_extension
+    end function bempd_extension
 
     !> Set struct_size and zeros.
     !>
@@ -1978,8 +2160,9 @@ module bempd_c
 
     !> Bring a model back to a saved state. Loads and supports keep their present values.
     !>
-    !> The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in
-    !> their order, options that shape the equations. The processor and the values of loads and supports may be others.
+    !> Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if
+    !> the host has said the same: regions with their materials, initial cracks, supports in their order, options that
+    !> shape the equations. The processor and the values of loads and supports may be others.
     !>
     !> model [in]: the model that was saved, or one with the same scene
     !> state [in]: the state; not consumed
@@ -2037,6 +2220,10 @@ module bempd_c
     !> damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face),
     !> and prefix.pvd, the series of all snapshots this model has written with this prefix.
     !>
+    !> With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what bempd_tip() has, and
+    !> among the cracks are those in peridynamic regions: a line in each cell of the lattice for every broken or cut
+    !> bond between nearest neighbours, with the opening that its elongation and its turning show.
+    !>
     !> model [in]: the model
     !> prefix [in]: path without ending, UTF-8; the folder must exist
     !> return: status
@@ -2060,5 +2247,19 @@ module bempd_c
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int) :: bempd_write_history
     end function bempd_write_history
+
+    !> Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with event,
+    !> total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none were recorded.
+    !>
+    !> model [in]: the model
+    !> path [in]: file name, UTF-8
+    !> return: status
+    !> since: 0.3
+    function bempd_write_tips(model, path) bind(c, name="bempd_write_tips")
+      import :: c_char, c_int, c_ptr
+      type(c_ptr), value :: model
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int) :: bempd_write_tips
+    end function bempd_write_tips
   end interface
 end module bempd_c

@@ -70,6 +70,40 @@ void CrackEvolution::find_equilibrium() {
   }
 }
 
+// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
+// have come to.
+void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
+  const EvolutionState& old = before.state();
+  static_cast<Sums&>(state_) = old;
+  state_.history = old.history;
+  state_.reactions = old.reactions;
+  state_.extensions = old.extensions;
+  state_.load_factor = old.load_factor;
+  state_.largest_force = old.largest_force;
+  held_ = body_.find_equilibrium().held;
+  const double f = state_.load_factor;
+  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within(f) - before.within(f);
+  state_.work = in_range(state_.work + work);
+  state_.released_energy =
+      in_range(state_.released_energy + work + before.body_.stored_energy() - body_.stored_energy());
+  ++state_.events;
+  HistoryEntry line;
+  line.event = state_.events;
+  line.stretch_ratio = 1;
+  line.stored_energy = body_.stored_energy();
+  line.critical_stored_energy = in_range(line.stored_energy + within(f));
+  line.critical_load_factor = state_.load_factor;
+  line.residual = body_.residual();
+  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
+}
+
+void CrackEvolution::book(const std::vector<CrackExtension>& extensions) {
+  for (const CrackExtension& extension : extensions) {
+    state_.extensions.push_back(extension);
+    state_.extensions.back().event = state_.events;
+  }
+}
+
 bool CrackEvolution::energies_are_lost() const {
   const double displacement = state_.total_displacement.lpNorm<Eigen::Infinity>();
   const double force = state_.total_force.lpNorm<Eigen::Infinity>();
@@ -175,7 +209,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   line.stretch_ratio = event.ratio;
   line.stored_energy = outcome.stored_energy;
   line.critical_load_factor = event.critical_load_factor;
-  line.critical_stored_energy = in_range(outcome.critical_stored_energy);
+  line.critical_stored_energy = in_range(outcome.critical_stored_energy + within(event.critical_load_factor));
   line.residual = outcome.residual;
   write_line(line, outcome.energy_scale, outcome.reactions);
 }
@@ -185,7 +219,7 @@ void CrackEvolution::end_step() {
   HistoryEntry line;
   line.stored_energy = body_.stored_energy();
   line.critical_load_factor = state_.load_factor;
-  line.critical_stored_energy = in_range(line.stored_energy);
+  line.critical_stored_energy = in_range(line.stored_energy + within(state_.load_factor));
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }
@@ -198,8 +232,7 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   line.released_energy = state_.released_energy;
   line.bond_energy = state_.bond_energy;
   const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);
-  line.stored_energy = in_range(line.stored_energy + within(line.load_factor));
-  line.critical_stored_energy = in_range(line.critical_stored_energy + within(line.critical_load_factor));
+  line.stored_energy = in_range(line.stored_energy + within(state_.load_factor));
   line.work = work();
   state_.largest_work = std::max(state_.largest_work, std::abs(line.work));
   const double scale = std::max(state_.largest_work, energy_scale);

@@ -41,6 +41,11 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
+  // Goes on with the run of another body whose cracks have grown since, at its load factor: an event.
+  void go_on_after_growth(CrackEvolution& before);
+  // What that consisted of.
+  void book(const std::vector<CrackExtension>& extensions);
+
   // Nodes of parts that the last equilibrium under new loads found to move freely; they are held from there on.
   std::vector<int> take_held() { return std::exchange(held_, {}); }
 
@@ -69,12 +74,12 @@ class CrackEvolution {
   }
   double seconds_search() { return body_.seconds_search(); }
 
-  double work() const;  // of loads and supports so far [J]
   // In the present state of the bonds, under the present loads.
   LoadInterval admissible_load_factors() {
     sources_.bring_up_to_date();
     return body_.admissible();
   }
+  double work() const;  // of loads and supports so far [J]
 
   // Whether displacements and forces have products beyond the range of numbers.
   bool energies_are_lost() const;

@@ -209,6 +209,10 @@ double LoadedBody::stored_energy() const {
   return 0.5 * state_.total_displacement.dot(state_.total_force);  // Clapeyron's theorem
 }
 
+double LoadedBody::potential_of_loads() const {
+  return evaluate(system_.force(), state_.load_factor).dot(state_.total_displacement);
+}
+
 double LoadedBody::stored_energy_at(double load_factor) const {
   if (load_factor == state_.load_factor) return stored_energy();
   if (!system_.has_offsets() && state_.displacement.col(0).isZero(0)) return load_factor * load_factor * unit_energy();

@@ -78,6 +78,7 @@ class LoadedBody {
   double stored_energy() const;
   double stored_energy_at(double load_factor) const;  // in the same state of the bonds
   double unit_energy() const;
+  double potential_of_loads() const;  // what the loads lose of it on the way to the present displacements
   double residual() const;
   bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet
   Eigen::Vector2d reaction(std::size_t support) const;

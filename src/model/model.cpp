@@ -96,9 +96,18 @@ void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   regions::require_memory(scene_, options_);
+  prepared_ = build();
+  ++generation_;
+  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
+  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->terms().size(),
+              " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
+  if (log_ && prepared_->system->counters().sparse_unknowns > unknowns_that_need_a_fast_blas) warn_of_blas();
+}
+
+std::unique_ptr<PreparedScene> Model::build() const {
   auto p = std::make_unique<PreparedScene>();
   p->fingerprint = fingerprint(scene_, options_);
-  p->discretization = regions::discretize(scene_, options_);
+  p->discretization = regions::discretize(scene_, options_, prepared_ ? &prepared_->discretization : nullptr);
   regions::Discretization& d = p->discretization;
   p->conditions = regions::apply_conditions(scene_, d);
   regions::require_determined_pressure(d, p->conditions.prescribed);
@@ -111,12 +120,7 @@ void Model::prepare() {
                                                             p->conditions.reaction_dofs);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within);
   p->interface_bonds.emplace(*p->system, d.positions);
-  prepared_ = std::move(p);
-  ++generation_;
-  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
-  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->terms().size(),
-              " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
-  if (log_ && prepared_->system->counters().sparse_unknowns > unknowns_that_need_a_fast_blas) warn_of_blas();
+  return p;
 }
 
 const PreparedScene& Model::prepared() {
@@ -241,13 +245,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   {
     const Stopwatch watch(result.seconds_total);
     ++generation_;
-    result.reason = evolution.advance(target, goal, stepping, [&](const fracture::EvolutionState& state) {
-      const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
-      if (!go_on)
-        fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
-      if (cancel_requested_)
-        fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
-    });
+    result.reason = run_recording(target, goal, stepping);
   }
   result.events = evolution.progress().events - events;
   result.broken_bonds = evolution.progress().broken_bonds - broken;

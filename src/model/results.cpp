@@ -49,12 +49,12 @@ std::vector<regions::BondState> Model::bond_states(int id) {
   return results::bond_states(region(id), prepared_->system->intact(), prepared_->cut_bonds);
 }
 
-regions::Solution Model::solution() const {
-  const fracture::EvolutionState& state = prepared_->evolution->state();
-  return {state.total_displacement,    prepared_->system->terms(),
-          prepared_->system->intact(), prepared_->conditions.body_forces(state.load_factor),
-          &state.displacement,         &prepared_->conditions.crack_loads,
-          state.load_factor,           &prepared_->system->stages()};
+regions::Solution Model::solution_of(const PreparedScene& prepared) {
+  const fracture::EvolutionState& state = prepared.evolution->state();
+  return {state.total_displacement,  prepared.system->terms(),
+          prepared.system->intact(), prepared.conditions.body_forces(state.load_factor),
+          &state.displacement,       &prepared.conditions.crack_loads,
+          state.load_factor,         &prepared.system->stages()};
 }
 
 const FieldValues& Model::field(int id, Field which) {
@@ -99,12 +99,8 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
 
 void Model::write_snapshot(const std::string& prefix) {
   ensure_equilibrium();
-  std::vector<regions::CrackPicture> cracks;
-  for (const auto& region : prepared_->discretization.regions) {
-    const auto pictures = region->crack_pictures(solution());
-    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
-  }
-  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(), cracks);
+  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(),
+                   {crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()});
 }
 
 void Model::write_history(const std::string& path) const {

@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 4;
+constexpr std::uint32_t format_version = 5;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -30,6 +30,14 @@ void visit_members(Line& h, Visit& visit) {
   visit(h.critical_load_factor), visit(h.critical_stored_energy), visit(h.bond_energy);
 }
 
+template <class Extension, class Visit>
+requires std::is_same_v<std::remove_const_t<Extension>, fracture::CrackExtension>
+void visit_members(Extension& e, Visit& visit) {
+  visit(e.event), visit(e.crack), visit(e.end), visit(e.ended), visit(e.x), visit(e.y), visit(e.angle);
+  visit(e.length), visit(e.crack_length), visit(e.load_factor), visit(e.rate_before), visit(e.rate_after);
+  visit(e.released_energy);
+}
+
 // Numbers go one by one: the padding of a struct holds what lay in memory before.
 class Writer {
  public:
@@ -45,6 +53,7 @@ class Writer {
   }
   void operator()(const coupling::HoldingSpring& spring) { visit_members(spring, *this); }
   void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
+  void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void raw(const void* data, std::size_t size) {
     const auto* first = static_cast<const std::uint8_t*>(data);
     bytes_.insert(bytes_.end(), first, first + size);
@@ -82,6 +91,7 @@ class Reader {
   }
   void operator()(coupling::HoldingSpring& spring) { visit_members(spring, *this); }
   void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
+  void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void raw(void* target, std::size_t size) {
     require(size <= left_, "the bytes of the state end too early; give all bytes that bempd_state_to_bytes() wrote");
     std::memcpy(target, bytes_, size);
@@ -120,7 +130,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
-  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions);
+  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions), visit(e.extensions);
 }
 
 void check_header(Reader& reader) {
@@ -151,6 +161,10 @@ bool is_sound(const fracture::HistoryEntry& line) {
          std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor);
 }
 
+bool is_sound(const fracture::CrackExtension& e) {
+  return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y);
+}
+
 void require_consistent(const fracture::EvolutionState& e) {
   const auto sound = [](bool good, const char* what) { require(good, "the bytes of the state are damaged: ", what); };
   const Eigen::Index dofs = e.total_displacement.size();
@@ -170,6 +184,8 @@ void require_consistent(const fracture::EvolutionState& e) {
         "its reactions are not those of the lines of its history");
   sound(std::all_of(e.reactions.begin(), e.reactions.end(), [](double force) { return std::isfinite(force); }),
         "a reaction is not a finite number");
+  sound(std::all_of(e.extensions.begin(), e.extensions.end(), [](const auto& one) { return is_sound(one); }),
+        "an extension of a crack is none");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "scene/condition.hpp"
@@ -11,6 +12,13 @@ namespace bempd::scene {
 
 struct Crack {
   std::vector<Point> points;  // none: it was removed
+  // Points that growth has added at its ends.
+  int grown_at_start = 0, grown_at_end = 0;
+
+  std::span<const Point> given() const {
+    return std::span(points).subspan(static_cast<std::size_t>(grown_at_start),
+                                     points.size() - static_cast<std::size_t>(grown_at_start + grown_at_end));
+  }
 };
 
 // The scene as the host described it. Ids are positions in these vectors plus 1; what is removed leaves its place

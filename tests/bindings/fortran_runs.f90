@@ -69,6 +69,7 @@ program fortran_runs
   call options_are_set_listed_and_read_back()
   call indices_count_from_one()
   call pressure_in_a_crack_has_its_factor_and_opening()
+  call cracks_grow_where_they_are_not_frozen()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
   call edges_sides_arcs_and_singular_places()
@@ -290,6 +291,8 @@ contains
     type(bempd_crack_tip), allocatable :: found(:)
     real(dp), allocatable :: normal(:), tangential(:)
     integer(c_int32_t) :: material, crack, load
+    integer(c_int64_t), allocatable :: events(:)
+    real(dp), allocatable :: factors(:)
     real(dp), parameter :: expected = 3 * sqrt(acos(-1.0_dp) * .01_dp)
     integer :: stat
     character(200) :: message
@@ -308,6 +311,14 @@ contains
     call model%crack_opening(crack, [.5_dp, 1.0_dp], normal, tangential)
     call check(abs(normal(1) - 4 * 3 * .01_dp) < 1e-3_dp * normal(1) .and. abs(normal(2)) < 1e-12_dp, "it opens")
     call check(maxval(abs(tangential)) < 1e-6_dp * normal(1), "it does not slide")
+    call check(all(found%method == BEMPD_TIP_ELEMENTS), "they have elements")
+    call model%set_option("tips.record", 1.0_dp)
+    call model%step(2._dp)
+    call model%tip_history(found, events=events, load_factors=factors)
+    call check(size(found) == 2 .and. all(events == 0) .and. all(factors == 2), "tips are recorded")
+    call check(maxval(abs(found%stress_intensity_1 / expected - 1)) < 3e-4_dp, "recorded tips have their factors")
+    call model%write_tips("nowhere/at/all.csv", stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_IO, message, "bempd_write_tips: ")
     call model%grow_cracks(.001_dp, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_UNSOLVABLE, message, "bempd_grow_cracks: ")
     call model%crack_opening(2, [.5_dp], normal, stat=stat, errmsg=message)
@@ -315,6 +326,32 @@ contains
     call model%add_crack_traction(crack, 7, constant=[3.0_dp], stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ORDER, message, "bempd_add_crack_traction: ")
   end subroutine pressure_in_a_crack_has_its_factor_and_opening
+
+  subroutine cracks_grow_where_they_are_not_frozen()
+    type(bempd_model) :: model
+    type(bempd_growth) :: growth
+    type(bempd_crack_extension), allocatable :: found(:)
+    integer(c_int32_t) :: material, crack
+    integer :: stat
+    character(200) :: message
+
+    call model%create()
+    call model%add_material(1.0_dp, .3_dp, material, fracture_energy=1.0_dp)
+    call model%add_bem_region(material, reshape([-1, -1, 1, -1, 1, 1, -1, 1] * 1.0_dp, [2, 4]), .5_dp)
+    call model%add_crack(reshape([-.3_dp, 0.0_dp, .3_dp, 0.0_dp], [2, 2]), crack)
+    call model%fix_point(-1.0_dp, -1.0_dp, BEMPD_BOTH)
+    call model%fix_point(1.0_dp, -1.0_dp, BEMPD_Y)
+    call model%add_crack_traction(crack, BEMPD_PRESSURE, proportional=[1.0_dp])
+    call model%set_tip_frozen(crack, BEMPD_CRACK_START, .true.)
+    call model%grow_cracks(.1_dp, growth)
+    call model%extensions(found)
+    call check(size(found) == 1 .and. growth%tips == 1, "one tip grows")
+    call check(found(1)%end == BEMPD_CRACK_END .and. abs(found(1)%x - .4_dp) < 1e-6_dp, "it is the one that is not frozen")
+    call check(abs(found(1)%energy_release_rate_before - 1) < 1e-9_dp, "it grows at its fracture energy")
+    call check(abs(found(1)%length - growth%length) < 1e-12_dp, "the lengths are the same")
+    call model%set_tip_frozen(2, BEMPD_CRACK_START, .true., stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_tip_frozen: ")
+  end subroutine cracks_grow_where_they_are_not_frozen
 
   subroutine pressure_and_moments_balance()
     type(bempd_model) :: model

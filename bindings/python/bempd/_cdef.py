@@ -243,6 +243,10 @@ typedef enum bempd_tip_end {
   BEMPD_CRACK_START = 1,
   BEMPD_CRACK_END = 2
 } bempd_tip_end;
+typedef enum bempd_tip_method {
+  BEMPD_TIP_ELEMENTS = 1,
+  BEMPD_TIP_CONTOURS = 2
+} bempd_tip_method;
 typedef struct bempd_crack_tip {
   int64_t struct_size;
   int32_t crack;
@@ -258,10 +262,19 @@ typedef struct bempd_crack_tip {
   double error;
   double kink_angle;
   double critical_load_factor;
+  int32_t method;
+  int32_t contours;
+  int32_t grown;
+  int32_t branched;
+  double contour_radius;
+  double felt_ahead;
 } bempd_crack_tip;
 bempd_status bempd_crack_tip_init(bempd_crack_tip *tip, int64_t struct_size);
 bempd_status bempd_tip_count(bempd_model *model, int64_t *count);
 bempd_status bempd_tip(bempd_model *model, int64_t index, bempd_crack_tip *tip);
+bempd_status bempd_tip_history_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_get_tip_history(const bempd_model *model, int64_t index, int64_t *event,
+    int64_t *total_broken_bonds, double *load_factor, bempd_crack_tip *tip);
 bempd_status bempd_crack_opening(bempd_model *model, int32_t crack, int64_t count,
     const double *fractions, double *normal, double *tangential);
 typedef struct bempd_growth {
@@ -269,9 +282,33 @@ typedef struct bempd_growth {
   int32_t tips;
   int32_t ended;
   double load_factor;
+  double length;
+  double released_energy;
 } bempd_growth;
 bempd_status bempd_growth_init(bempd_growth *growth, int64_t struct_size);
 bempd_status bempd_grow_cracks(bempd_model *model, double length, bempd_growth *growth);
+bempd_status bempd_set_tip_frozen(bempd_model *model, int32_t crack, int32_t end, int32_t frozen);
+typedef struct bempd_crack_extension {
+  int64_t struct_size;
+  int64_t event;
+  int32_t crack;
+  int32_t end;
+  int32_t ended;
+  int32_t count;
+  double x;
+  double y;
+  double angle;
+  double length;
+  double crack_length;
+  double load_factor;
+  double energy_release_rate_before;
+  double energy_release_rate_after;
+  double released_energy;
+} bempd_crack_extension;
+bempd_status bempd_crack_extension_init(bempd_crack_extension *extension, int64_t struct_size);
+bempd_status bempd_extension_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_extension(const bempd_model *model, int64_t index,
+    bempd_crack_extension *extension);
 typedef struct bempd_statistics {
   int64_t struct_size;
   int64_t boundary_nodes;
@@ -327,6 +364,7 @@ bempd_status bempd_state_to_bytes(const bempd_state *state, int64_t capacity, ui
 bempd_status bempd_state_from_bytes(int64_t size, const uint8_t *bytes, bempd_state **state);
 bempd_status bempd_write_snapshot(bempd_model *model, const char *prefix);
 bempd_status bempd_write_history(const bempd_model *model, const char *path);
+bempd_status bempd_write_tips(const bempd_model *model, const char *path);
 """
 
 DOCS: dict[str, str] = {
@@ -1285,12 +1323,31 @@ since: 0.3""",
     "bempd_tip_end": """End of a crack.
 
 since: 0.2""",
-    "bempd_crack_tip": """\
-The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+    "bempd_tip_method": """What the values of a tip come from.
 
-Stress intensity factors come from the energy that the body releases when the tip moves, shared
-among the modes as the openings next to it are; they are right to 1e-4 and better where the
-boundary's elements are no longer than what they border on.
+since: 0.3""",
+    "bempd_crack_tip": """\
+The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
+
+In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body
+releases when the tip moves, shared among the modes as the openings next to it are; they are right
+to 1e-4 and better where the boundary's elements are no longer than what they border on.
+
+In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond
+forces do across rings around the tip on the singular dual fields of Williams' expansion, and
+reversely; T-stress by the dual field of power -1, G from the factors. They are those about the
+place where the tip is felt, `felt_ahead` of the one given, and agree there with a crack in a BEM
+region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to its
+middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
+factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
+two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is
+shorter, no ring fits: `contours` is 0, and factors, G, T, their error, the kink angle and the
+critical load factor are NaN.
+
+Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it.
+Then it has grown: to the middle of the lattice cell that lies farthest along the cells which such
+bonds join to the end. Cracks that begin away from initial ones, and branches beside the farthest
+one, have no tips here; `branched` tells of the latter.
 
 since: 0.2""",
     "bempd_crack_tip.struct_size": """sizeof(bempd_crack_tip), set by bempd_crack_tip_init()""",
@@ -1306,12 +1363,19 @@ K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2
     "bempd_crack_tip.energy_release_rate": """G of growth straight on [J/m^2]""",
     "bempd_crack_tip.t_stress": """stress along the crack beside the singular one [Pa]""",
     "bempd_crack_tip.error": """\
-estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]""",
+estimate of the error of the stress intensity factors, from elements twice as long or from other
+rings [Pa m^(1/2)]""",
     "bempd_crack_tip.kink_angle": """\
 angle from the direction to that of the largest hoop stress, counter-clockwise [rad]""",
     "bempd_crack_tip.critical_load_factor": """\
 smallest load factor >= 0 at which the energy release rate is the material's fracture_energy;
 infinite if it never is or the material has none [-]""",
+    "bempd_crack_tip.method": """a bempd_tip_method (since 0.3, as all that follows)""",
+    "bempd_crack_tip.contours": """rings that the values come from; 0 if none fits, and in BEM regions""",
+    "bempd_crack_tip.grown": """1 if bonds have broken since so that the tip is not the described end any more""",
+    "bempd_crack_tip.branched": """1 if other ways lead on from the crack than the one to this tip""",
+    "bempd_crack_tip.contour_radius": """outer radius of the largest ring; 0 if there is none [m]""",
+    "bempd_crack_tip.felt_ahead": """how far ahead of its place the tip is felt; 0 in BEM regions [m]""",
     "bempd_crack_tip_init": """\
 Set struct_size and zeros.
 
@@ -1321,21 +1385,44 @@ struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older prog
 return: status
 since: 0.2""",
     "bempd_tip_count": """\
-Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none.
-Prepares the model.
+Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are
+none. Prepares the model. What tips carry is computed when it is asked for.
 
 model [in]: the model
 count [out]: number of tips
 return: status
 since: 0.2""",
     "bempd_tip": """\
-A tip, by crack and the end nearer to its first point first.
+A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the
+end nearer to its first point first.
 
 model [in]: the model
 index [in]: 0 .. count-1
 tip [in,out]: struct_size in, the rest out
 return: status
 since: 0.2""",
+    "bempd_tip_history_count": """\
+Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th
+event and at the end of every step, also where bempd_grow_cracks() has made one.
+
+A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the
+option nothing. States in memory carry the records; those from bytes have none.
+
+model [in]: the model
+count [out]: number of records
+return: status
+since: 0.3""",
+    "bempd_get_tip_history": """\
+A tip as it was, by time, at one time in the order of bempd_tip().
+
+model [in]: the model
+index [in]: 0 .. count-1
+event [out]: number of the event, or 0 for the end of a step; may be NULL
+total_broken_bonds [out]: bonds broken by then; may be NULL
+load_factor [out]: then [-]; may be NULL
+tip [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
     "bempd_crack_opening": """\
 Openings of a crack in a BEM region at the present load factor: displacement of the face on its
 left, seen from its first point, less that of the face on its right.
@@ -1356,6 +1443,8 @@ since: 0.2""",
     "bempd_growth.ended": """\
 of them those that have reached an edge, a hole or another crack and are no tips any more""",
     "bempd_growth.load_factor": """load factor at which they did; the model is there now [-]""",
+    "bempd_growth.length": """sum of their ways [m]""",
+    "bempd_growth.released_energy": """energy that the body has released by it [J]""",
     "bempd_growth_init": """\
 Set struct_size and zeros.
 
@@ -1365,13 +1454,22 @@ struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older program
 return: status
 since: 0.2""",
     "bempd_grow_cracks": """\
-Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+Let the cracks of BEM regions grow by a length.
 
-The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's
-fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an edge, a
-hole or a crack on 1.25 times its way ends there. The scene is built anew with the longer cracks, at
-that load factor; the history begins anew. Choose lengths some times shorter than the distance to
-the next edge or crack.
+The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's
+fracture_energy in the direction in which it goes on, that of the largest hoop stress or, with the
+option growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it
+those whose load factor is at most the share growth.share higher; where growth.exponent is not 0, by
+lengths that follow their energy release rates. An extension is straight; growth.direction = "chord"
+makes paths of long extensions follow those of short ones. A tip that meets an edge, a hole or a
+crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth of
+its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what
+they were given on.
+
+Growth is an event of the history, at constant load factor: the run goes on with the longer cracks,
+and only what they touch is computed again. bempd_extension() has what each tip did; a state that
+was saved before brings the shorter cracks back. Choose lengths some times shorter than the distance
+to the next edge or crack.
 
 model [in]: a model without peridynamic regions
 length [in]: how far tips grow [m], > 0
@@ -1379,6 +1477,60 @@ growth [in,out]: struct_size in, the rest out; may be NULL
 return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a
   region in two is an argument error and stays as it was
 since: 0.2""",
+    "bempd_set_tip_frozen": """\
+Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all
+the same.
+
+model [in]: the model
+crack [in]: id of a crack
+end [in]: a bempd_tip_end
+frozen [in]: 1: it does not grow; 0: it does
+return: status
+since: 0.3""",
+    "bempd_crack_extension": """\
+What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+
+since: 0.3""",
+    "bempd_crack_extension.struct_size": """sizeof(bempd_crack_extension), set by bempd_crack_extension_init()""",
+    "bempd_crack_extension.event": """event of the history that it was part of""",
+    "bempd_crack_extension.crack": """id of the crack""",
+    "bempd_crack_extension.end": """a bempd_tip_end""",
+    "bempd_crack_extension.ended": """1: it has reached an edge, a hole or another crack; else 0""",
+    "bempd_crack_extension.count": """extensions of this end up to this one""",
+    "bempd_crack_extension.x": """where it came to [m]""",
+    "bempd_crack_extension.y": """[m]""",
+    "bempd_crack_extension.angle": """by which it turned, counter-clockwise [rad]""",
+    "bempd_crack_extension.length": """of its way [m]""",
+    "bempd_crack_extension.crack_length": """of the whole crack after it [m]""",
+    "bempd_crack_extension.load_factor": """at which it grew [-]""",
+    "bempd_crack_extension.energy_release_rate_before": """when it set out in the new direction [J/m^2]""",
+    "bempd_crack_extension.energy_release_rate_after": """when it had arrived [J/m^2]; 0 if it has ended""",
+    "bempd_crack_extension.released_energy": """\
+mean of both times the way and the thickness; of a tip that has ended, what the others of the event
+leave of the history's [J]""",
+    "bempd_crack_extension_init": """\
+Set struct_size and zeros.
+
+extension [out]: the struct to fill
+struct_size [in]: sizeof(bempd_crack_extension) as the caller was compiled: older programs keep
+  working when it grows
+return: status
+since: 0.3""",
+    "bempd_extension_count": """\
+Number of extensions of all cracks so far.
+
+model [in]: the model
+count [out]: number of extensions
+return: status
+since: 0.3""",
+    "bempd_extension": """\
+An extension, in the order in which they happened.
+
+model [in]: the model
+index [in]: 0 .. count-1
+extension [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
     "bempd_statistics": """\
 Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
 
@@ -1424,8 +1576,8 @@ statistics [in,out]: struct_size in, the rest out
 return: status
 since: 0.1""",
     "bempd_history_entry": """\
-One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can hold
-are as in bempd_step_report.
+One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
+call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
 
 since: 0.1""",
     "bempd_history_entry.struct_size": """sizeof(bempd_history_entry), set by bempd_history_entry_init()""",
@@ -1433,9 +1585,9 @@ since: 0.1""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\
-largest bond stretch over its critical stretch just before the break [-]""",
+largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown""",
     "bempd_history_entry.stored_energy": """elastic energy [J]""",
-    "bempd_history_entry.released_energy": """energy released by breaking bonds so far [J]""",
+    "bempd_history_entry.released_energy": """energy released by breaking bonds and growing cracks so far [J]""",
     "bempd_history_entry.work": """work of loads and supports so far [J]""",
     "bempd_history_entry.energy_balance_error": """|work - stored - released| over the largest work so far [-]""",
     "bempd_history_entry.residual": """\
@@ -1490,9 +1642,10 @@ since: 0.1""",
     "bempd_state_restore": """\
 Bring a model back to a saved state. Loads and supports keep their present values.
 
-The scene is the same if the host has said the same: regions with their materials, initial cracks,
-supports in their order, options that shape the equations. The processor and the values of loads and
-supports may be others.
+Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene
+is the same if the host has said the same: regions with their materials, initial cracks, supports in
+their order, options that shape the equations. The processor and the values of loads and supports
+may be others.
 
 model [in]: the model that was saved, or one with the same scene
 state [in]: the state; not consumed
@@ -1525,6 +1678,11 @@ displacement, damage and stress, prefix_NNNN_cracks.vtu with the openings of cra
 (left face less right face), and prefix.pvd, the series of all snapshots this model has written with
 this prefix.
 
+With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what
+bempd_tip() has, and among the cracks are those in peridynamic regions: a line in each cell of the
+lattice for every broken or cut bond between nearest neighbours, with the opening that its
+elongation and its turning show.
+
 model [in]: the model
 prefix [in]: path without ending, UTF-8; the folder must exist
 return: status
@@ -1536,4 +1694,13 @@ model [in]: the model
 path [in]: file name, UTF-8
 return: status
 since: 0.1""",
+    "bempd_write_tips": """\
+Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with
+event, total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none
+were recorded.
+
+model [in]: the model
+path [in]: file name, UTF-8
+return: status
+since: 0.3""",
 }

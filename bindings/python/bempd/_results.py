@@ -15,6 +15,7 @@ from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
 from .reports import (
     Bonds,
+    CrackExtension,
     CrackOpening,
     CrackTip,
     EdgeReaction,
@@ -22,6 +23,9 @@ from .reports import (
     PointValues,
     Singularity,
     Statistics,
+    TipEnd,
+    TipRecord,
+    crack_extension,
     crack_tip,
     rows,
     singularity,
@@ -214,7 +218,7 @@ class Results:
         return found
 
     def tips(self) -> list[CrackTip]:
-        """Tips of cracks in BEM regions with their stress intensity factors, by crack.
+        """Tips of cracks with their stress intensity factors, those in BEM regions first, by crack.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -235,14 +239,51 @@ class Results:
             found.append(crack_tip(struct))
         return found
 
+    def tip_history(self) -> list[TipRecord]:
+        """The tips that were recorded: at every n-th event and at the ends of steps with the option tips.record = n.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> model.options["tips.record"] = 1
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+        >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
+        >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> report = model.step(1), model.step(2)
+        >>> [(record.load_factor, f"{record.tip.stress_intensity_1:.4g}") for record in model.tip_history()[::2]]
+        [(1.0, '1.487e+06'), (2.0, '2.973e+06')]
+        """
+        event, broken, factor = ffi.new("int64_t *"), ffi.new("int64_t *"), ffi.new("double *")
+        records = []
+        for index in range(int(self._number("bempd_tip_history_count", "int64_t"))):
+            struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
+            self._open().call("bempd_get_tip_history", index, event, broken, factor, struct)
+            records.append(TipRecord(event[0], broken[0], factor[0], crack_tip(struct)))
+        return records
+
     def grow_cracks(self, length: float) -> Growth:
         """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
 
-        The load factor is solved for and the model is there afterwards, with the longer cracks and a new history.
+        The load factor is solved for and the model is there afterwards, with the longer cracks; the history goes on.
+        The options named growth.* choose criterion, direction and which tips grow together.
         """
         struct = new_struct("bempd_growth", "bempd_growth_init")
         self._open().call("bempd_grow_cracks", arguments.real("grow_cracks: length", length), struct, changes=True)
         return Growth(**values_of(struct, "bempd_growth", Growth))
+
+    def set_tip_frozen(self, crack: int, end: TipEnd | int, frozen: bool = True) -> None:
+        """Keep the tip at an end of a crack from growing, or let it grow again."""
+        self._open().call("bempd_set_tip_frozen", crack, int(end), int(frozen))
+
+    def extensions(self) -> list[CrackExtension]:
+        """What every tip did in every call of `grow_cracks`, in order."""
+        found = []
+        for index in range(int(self._number("bempd_extension_count", "int64_t"))):
+            struct = new_struct("bempd_crack_extension", "bempd_crack_extension_init")
+            self._open().call("bempd_extension", index, struct)
+            found.append(crack_extension(struct))
+        return found
 
     def crack_opening(self, crack: int, fractions: npt.ArrayLike) -> CrackOpening:
         """Openings [m] of a crack in a BEM region at places given as fractions of its length."""
@@ -281,7 +322,12 @@ class Results:
         """Write the history with the reactions of all supports as comma-separated values."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
 
+    def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write what tip_history() has as comma-separated values; read_history() reads them."""
+        self._open().call("bempd_write_tips", arguments.file_name("write_tips: path", path))
+
 
 def read_history(path: Union[str, "os.PathLike[str]"]) -> npt.NDArray[Any]:
-    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ..."""
+    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ...; or what
+    Model.write_tips() wrote."""
     return np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64))

@@ -38,6 +38,13 @@ class TipEnd(enum.IntEnum):
     END = 2
 
 
+class TipMethod(enum.IntEnum):
+    """What the values of a tip come from."""
+
+    ELEMENTS = 1  #: boundary elements on the crack
+    CONTOURS = 2  #: rings around the tip in a peridynamic region
+
+
 class SingularityKind(enum.IntEnum):
     """Why stress is unbounded at a place."""
 
@@ -61,7 +68,7 @@ class Singularity:
 
 @dataclasses.dataclass(frozen=True)
 class CrackTip:
-    """The tip of a crack in a BEM region, at the present load factor."""
+    """The tip of a crack; bempd_crack_tip in the C header says how its values are found and how good they are."""
 
     crack: int  #: id
     end: TipEnd
@@ -76,6 +83,21 @@ class CrackTip:
     error: float  #: estimate for the stress intensity factors
     kink_angle: float  #: from the direction to that of the largest hoop stress, counter-clockwise [rad]
     critical_load_factor: float  #: at which the fracture energy is reached; infinite if it never is
+    method: TipMethod
+    contours: int  #: rings that the values come from; a tip in a PD region that has 0 has NaN for them
+    grown: bool  #: whether bonds have broken since so that the tip is not the described end any more
+    branched: bool  #: whether other ways lead on from the crack, too
+    contour_radius: float  #: of the largest ring [m]
+    felt_ahead: float  #: how far ahead of its place the tip is felt [m]
+
+
+class TipRecord(NamedTuple):
+    """A tip as it was."""
+
+    event: int  #: number of the event, or 0 for the end of a step
+    total_broken_bonds: int  #: by then
+    load_factor: float
+    tip: CrackTip
 
 
 @dataclasses.dataclass(frozen=True)
@@ -85,6 +107,28 @@ class Growth:
     tips: int  #: that have grown
     ended: int  #: of them at an edge, a hole or another crack
     load_factor: float  #: at which they did
+    length: float  #: sum of their ways [m]
+    released_energy: float  #: by the body [J]
+
+
+@dataclasses.dataclass(frozen=True)
+class CrackExtension:
+    """What one tip did when cracks grew."""
+
+    event: int  #: of the history that it was part of
+    crack: int  #: id
+    end: TipEnd
+    ended: bool  #: at an edge, a hole or another crack
+    count: int  #: extensions of this end up to this one
+    x: float  #: where it came to [m]
+    y: float
+    angle: float  #: by which it turned, counter-clockwise [rad]
+    length: float  #: of its way [m]
+    crack_length: float  #: of the whole crack after it [m]
+    load_factor: float  #: at which it grew
+    energy_release_rate_before: float  #: when it set out in the new direction [J/m^2]
+    energy_release_rate_after: float  #: when it had arrived; 0 if it has ended
+    released_energy: float  #: mean of both times way and thickness, or what the others leave [J]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -186,7 +230,8 @@ def step_report(struct: Any) -> StepReport:
 def crack_tip(struct: Any) -> CrackTip:
     """A tip as a value."""
     values = values_of(struct, "bempd_crack_tip", CrackTip)
-    values["end"] = TipEnd(values["end"])
+    values["end"], values["method"] = TipEnd(values["end"]), TipMethod(values["method"])
+    values["grown"], values["branched"] = bool(values["grown"]), bool(values["branched"])
     return CrackTip(**values)
 
 
@@ -195,6 +240,14 @@ def singularity(struct: Any) -> Singularity:
     values = values_of(struct, "bempd_singularity", Singularity)
     values["kind"] = SingularityKind(values["kind"])
     return Singularity(**values)
+
+
+def crack_extension(struct: Any) -> CrackExtension:
+    """An extension as a value."""
+    values = values_of(struct, "bempd_crack_extension", CrackExtension)
+    values["end"] = TipEnd(values["end"])
+    values["ended"] = bool(values["ended"])
+    return CrackExtension(**values)
 
 
 def rows(structs: Any, name: str) -> npt.NDArray[Any]:

@@ -49,7 +49,7 @@ class BoundaryRegion : public Region {
   // crack_results.cpp
   bool has_crack_elements() const override { return true; }
   void add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const override;
-  std::vector<TipValues> tips(const Solution& solution) const override;
+  std::vector<TipValues> tips(const Solution& solution, TipDetail detail) const override;
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions,
                                     const Solution& solution) const override;
   std::vector<CrackPicture> crack_pictures(const Solution& solution) const override;
@@ -71,7 +71,8 @@ class BoundaryRegion : public Region {
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
   // The method that solves systems with the region's stiffness in them.
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
-  virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const;
+  virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const Preparation& preparation,
+                                                                     const bem::AssemblyOptions& assembly) const;
   // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
   // empty for none.
   virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }

@@ -51,6 +51,9 @@ class LatticeRegion : public Region {
     return std::span<const pd::Bond>(network()->bonds).first(bonds_.listed);
   }
   std::size_t first_bond() const override { return bonds_.first; }
+  std::optional<LatticeGrid> lattice_grid() const override {
+    return LatticeGrid{origin_, spacing(), horizon_ratio_ * spacing()};
+  }
 
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;

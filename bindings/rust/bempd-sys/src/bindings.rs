@@ -1538,12 +1538,33 @@ pub const BEMPD_CRACK_END: bempd_tip_end = 2;
 ///
 /// * since: 0.2
 pub type bempd_tip_end = ::std::os::raw::c_uint;
-/// The tip of a crack in a BEM region, at the present load factor. Fill it with
-/// bempd_crack_tip_init().
+pub const BEMPD_TIP_ELEMENTS: bempd_tip_method = 1;
+pub const BEMPD_TIP_CONTOURS: bempd_tip_method = 2;
+/// What the values of a tip come from.
 ///
-/// Stress intensity factors come from the energy that the body releases when the tip moves, shared
-/// among the modes as the openings next to it are; they are right to 1e-4 and better where the
-/// boundary's elements are no longer than what they border on.
+/// * since: 0.3
+pub type bempd_tip_method = ::std::os::raw::c_uint;
+/// The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
+///
+/// In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body
+/// releases when the tip moves, shared among the modes as the openings next to it are; they are
+/// right to 1e-4 and better where the boundary's elements are no longer than what they border on.
+///
+/// In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond
+/// forces do across rings around the tip on the singular dual fields of Williams' expansion, and
+/// reversely; T-stress by the dual field of power -1, G from the factors. They are those about the
+/// place where the tip is felt, `felt_ahead` of the one given, and agree there with a crack in a
+/// BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to
+/// its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which
+/// makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that.
+/// Where less than two horizons around a tip are free of other cracks, bends and branches, or the
+/// crack behind it is shorter, no ring fits: `contours` is 0, and factors, G, T, their error, the
+/// kink angle and the critical load factor are NaN.
+///
+/// Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to
+/// it. Then it has grown: to the middle of the lattice cell that lies farthest along the cells
+/// which such bonds join to the end. Cracks that begin away from initial ones, and branches beside
+/// the farthest one, have no tips here; `branched` tells of the latter.
 ///
 /// * since: 0.2
 #[repr(C)]
@@ -1571,14 +1592,26 @@ pub struct bempd_crack_tip {
     pub energy_release_rate: f64,
     /// stress along the crack beside the singular one \[Pa\]
     pub t_stress: f64,
-    /// estimate of the error of the stress intensity factors, from elements twice as long \[Pa
-    /// m^(1/2)\]
+    /// estimate of the error of the stress intensity factors, from elements twice as long or from
+    /// other rings \[Pa m^(1/2)\]
     pub error: f64,
     /// angle from the direction to that of the largest hoop stress, counter-clockwise \[rad\]
     pub kink_angle: f64,
     /// smallest load factor \>= 0 at which the energy release rate is the material's
     /// fracture_energy; infinite if it never is or the material has none \[-\]
     pub critical_load_factor: f64,
+    /// a bempd_tip_method (since 0.3, as all that follows)
+    pub method: i32,
+    /// rings that the values come from; 0 if none fits, and in BEM regions
+    pub contours: i32,
+    /// 1 if bonds have broken since so that the tip is not the described end any more
+    pub grown: i32,
+    /// 1 if other ways lead on from the crack than the one to this tip
+    pub branched: i32,
+    /// outer radius of the largest ring; 0 if there is none \[m\]
+    pub contour_radius: f64,
+    /// how far ahead of its place the tip is felt; 0 in BEM regions \[m\]
+    pub felt_ahead: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -1591,8 +1624,8 @@ extern "C" {
     pub fn bempd_crack_tip_init(tip: *mut bempd_crack_tip, struct_size: i64) -> bempd_status;
 }
 extern "C" {
-    /// Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are
-    /// none. Prepares the model.
+    /// Number of tips that cracks have: ends at edges and holes, and in BEM regions at other
+    /// cracks, are none. Prepares the model. What tips carry is computed when it is asked for.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: number of tips
@@ -1601,7 +1634,8 @@ extern "C" {
     pub fn bempd_tip_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
 }
 extern "C" {
-    /// A tip, by crack and the end nearer to its first point first.
+    /// A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack
+    /// and the end nearer to its first point first.
     ///
     /// * model \[in\]: the model
     /// * index \[in\]: 0 .. count-1
@@ -1611,6 +1645,39 @@ extern "C" {
     pub fn bempd_tip(
         model: *mut bempd_model,
         index: i64,
+        tip: *mut bempd_crack_tip,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of tips that were recorded: with the option tips.record = n \> 0 all there are at
+    /// every n-th event and at the end of every step, also where bempd_grow_cracks() has made one.
+    ///
+    /// A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms;
+    /// without the option nothing. States in memory carry the records; those from bytes have none.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of records
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_tip_history_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// A tip as it was, by time, at one time in the order of bempd_tip().
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * event \[out\]: number of the event, or 0 for the end of a step; may be NULL
+    /// * total_broken_bonds \[out\]: bonds broken by then; may be NULL
+    /// * load_factor \[out\]: then \[-\]; may be NULL
+    /// * tip \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_tip_history(
+        model: *const bempd_model,
+        index: i64,
+        event: *mut i64,
+        total_broken_bonds: *mut i64,
+        load_factor: *mut f64,
         tip: *mut bempd_crack_tip,
     ) -> bempd_status;
 }
@@ -1650,6 +1717,10 @@ pub struct bempd_growth {
     pub ended: i32,
     /// load factor at which they did; the model is there now \[-\]
     pub load_factor: f64,
+    /// sum of their ways \[m\]
+    pub length: f64,
+    /// energy that the body has released by it \[J\]
+    pub released_energy: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -1662,12 +1733,21 @@ extern "C" {
     pub fn bempd_growth_init(growth: *mut bempd_growth, struct_size: i64) -> bempd_status;
 }
 extern "C" {
-    /// Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+    /// Let the cracks of BEM regions grow by a length.
     ///
-    /// The load factor is solved for: the smallest one \>= 0 at which a tip reaches its material's
-    /// fracture_energy. That tip grows, and with it those within 1 % of it; a tip that meets an
-    /// edge, a hole or a crack on 1.25 times its way ends there. The scene is built anew with the
-    /// longer cracks, at that load factor; the history begins anew. Choose lengths some times
+    /// The load factor is solved for: the smallest one \>= 0 at which a tip is worth its material's
+    /// fracture_energy in the direction in which it goes on, that of the largest hoop stress or,
+    /// with the option growth.criterion = "energy", of the largest energy release rate. That tip
+    /// grows, and with it those whose load factor is at most the share growth.share higher; where
+    /// growth.exponent is not 0, by lengths that follow their energy release rates. An extension is
+    /// straight; growth.direction = "chord" makes paths of long extensions follow those of short
+    /// ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that
+    /// passes the end of a crack by less than a tenth of its way ends at that. Loads on crack faces
+    /// stay where they are and go on beyond the ends of what they were given on.
+    ///
+    /// Growth is an event of the history, at constant load factor: the run goes on with the longer
+    /// cracks, and only what they touch is computed again. bempd_extension() has what each tip did;
+    /// a state that was saved before brings the shorter cracks back. Choose lengths some times
     /// shorter than the distance to the next edge or crack.
     ///
     /// * model \[in\]: a model without peridynamic regions
@@ -1680,6 +1760,97 @@ extern "C" {
         model: *mut bempd_model,
         length: f64,
         growth: *mut bempd_growth,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of
+    /// it all the same.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * end \[in\]: a bempd_tip_end
+    /// * frozen \[in\]: 1: it does not grow; 0: it does
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_tip_frozen(
+        model: *mut bempd_model,
+        crack: i32,
+        end: i32,
+        frozen: i32,
+    ) -> bempd_status;
+}
+/// What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_crack_extension {
+    /// sizeof(bempd_crack_extension), set by bempd_crack_extension_init()
+    pub struct_size: i64,
+    /// event of the history that it was part of
+    pub event: i64,
+    /// id of the crack
+    pub crack: i32,
+    /// a bempd_tip_end
+    pub end: i32,
+    /// 1: it has reached an edge, a hole or another crack; else 0
+    pub ended: i32,
+    /// extensions of this end up to this one
+    pub count: i32,
+    /// where it came to \[m\]
+    pub x: f64,
+    /// \[m\]
+    pub y: f64,
+    /// by which it turned, counter-clockwise \[rad\]
+    pub angle: f64,
+    /// of its way \[m\]
+    pub length: f64,
+    /// of the whole crack after it \[m\]
+    pub crack_length: f64,
+    /// at which it grew \[-\]
+    pub load_factor: f64,
+    /// when it set out in the new direction \[J/m^2\]
+    pub energy_release_rate_before: f64,
+    /// when it had arrived \[J/m^2\]; 0 if it has ended
+    pub energy_release_rate_after: f64,
+    /// mean of both times the way and the thickness; of a tip that has ended, what the others of
+    /// the event leave of the history's \[J\]
+    pub released_energy: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * extension \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_crack_extension) as the caller was compiled: older programs
+    ///   keep working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_crack_extension_init(
+        extension: *mut bempd_crack_extension,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of extensions of all cracks so far.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of extensions
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_extension_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// An extension, in the order in which they happened.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * extension \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_extension(
+        model: *const bempd_model,
+        index: i64,
+        extension: *mut bempd_crack_extension,
     ) -> bempd_status;
 }
 /// Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
@@ -1761,8 +1932,8 @@ extern "C" {
         statistics: *mut bempd_statistics,
     ) -> bempd_status;
 }
-/// One line of the history. Fill it with bempd_history_entry_init(). Energies that no double can
-/// hold are as in bempd_step_report.
+/// One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
+/// call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -1776,11 +1947,12 @@ pub struct bempd_history_entry {
     pub total_broken_bonds: i64,
     /// load factor \[-\]
     pub load_factor: f64,
-    /// largest bond stretch over its critical stretch just before the break \[-\]
+    /// largest bond stretch over its critical stretch just before the break \[-\]; 1 where cracks
+    /// have grown
     pub stretch_ratio: f64,
     /// elastic energy \[J\]
     pub stored_energy: f64,
-    /// energy released by breaking bonds so far \[J\]
+    /// energy released by breaking bonds and growing cracks so far \[J\]
     pub released_energy: f64,
     /// work of loads and supports so far \[J\]
     pub work: f64,
@@ -1862,7 +2034,8 @@ extern "C" {
 extern "C" {
     /// Bring a model back to a saved state. Loads and supports keep their present values.
     ///
-    /// The scene is the same if the host has said the same: regions with their materials, initial
+    /// Cracks of BEM regions that have grown are as long as they were when the state was saved. The
+    /// scene is the same if the host has said the same: regions with their materials, initial
     /// cracks, supports in their order, options that shape the equations. The processor and the
     /// values of loads and supports may be others.
     ///
@@ -1915,6 +2088,11 @@ extern "C" {
     /// BEM regions (left face less right face), and prefix.pvd, the series of all snapshots this
     /// model has written with this prefix.
     ///
+    /// With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what
+    /// bempd_tip() has, and among the cracks are those in peridynamic regions: a line in each cell
+    /// of the lattice for every broken or cut bond between nearest neighbours, with the opening
+    /// that its elongation and its turning show.
+    ///
     /// * model \[in\]: the model
     /// * prefix \[in\]: path without ending, UTF-8; the folder must exist
     /// * return: status
@@ -1932,6 +2110,20 @@ extern "C" {
     /// * return: status
     /// * since: 0.1
     pub fn bempd_write_history(
+        model: *const bempd_model,
+        path: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for
+    /// each, with event, total_broken_bonds, load_factor and the members of bempd_crack_tip. Only
+    /// the heading if none were recorded.
+    ///
+    /// * model \[in\]: the model
+    /// * path \[in\]: file name, UTF-8
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_write_tips(
         model: *const bempd_model,
         path: *const ::std::os::raw::c_char,
     ) -> bempd_status;

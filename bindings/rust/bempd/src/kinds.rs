@@ -100,6 +100,35 @@ impl TipEnd {
             _ => TipEnd::Other(end),
         }
     }
+
+    pub(crate) fn raw(self) -> i32 {
+        match self {
+            TipEnd::Start => sys::BEMPD_CRACK_START as i32,
+            TipEnd::End => sys::BEMPD_CRACK_END as i32,
+            TipEnd::Other(end) => end,
+        }
+    }
+}
+
+/// What the values of a tip come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TipMethod {
+    /// Boundary elements on the crack.
+    Elements,
+    /// Rings around the tip in a peridynamic region.
+    Contours,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl TipMethod {
+    pub(crate) fn from_raw(method: i32) -> TipMethod {
+        match method as sys::bempd_tip_method {
+            sys::BEMPD_TIP_ELEMENTS => TipMethod::Elements,
+            sys::BEMPD_TIP_CONTOURS => TipMethod::Contours,
+            _ => TipMethod::Other(method),
+        }
+    }
 }
 
 /// A field on a region. Nodes are boundary nodes or material points.

@@ -239,6 +239,11 @@ impl Model {
     pub fn write_history(&self, path: impl AsRef<Path>) -> Result<()> {
         self.handle.write_history(utf8(path.as_ref())?)
     }
+
+    /// Writes what [`Model::tip_history`] has as comma-separated values.
+    pub fn write_tips(&self, path: impl AsRef<Path>) -> Result<()> {
+        self.handle.write_tips(utf8(path.as_ref())?)
+    }
 }
 
 fn utf8(path: &Path) -> Result<&str> {

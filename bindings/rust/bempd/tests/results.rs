@@ -115,6 +115,20 @@ fn pressure_pulls_where_it_is_negative_and_supports_have_moments() {
 }
 
 #[test]
+fn the_path_of_equilibrium_costs_what_bonds_take() {
+    let mut held = common::plate();
+    let (lowest, highest) = held.model.admissible_load_factors().unwrap();
+    assert!(lowest < 0.0 && highest > 0.0);
+    let held = held.model.run_to_separation(1000.0).unwrap();
+    let mut path = common::plate();
+    path.model.set_option_text("stepping.control", "path").unwrap();
+    let path = path.model.run_to_separation(1000.0).unwrap();
+    assert_eq!(path.unstable_event, 0);
+    assert!(held.unstable_event > 0);
+    assert!((path.released_energy / held.bond_energy - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn edges_share_corners_sides_have_their_stress_and_corners_are_singular() {
     let mut model = Model::new().unwrap();
     let soft = model.add_material(&Material::new(1.0, 0.3)).unwrap();
@@ -154,20 +168,6 @@ fn arcs_are_given_by_centre_and_radius() {
     model.fix_edge(disc, 1, Component::Both).unwrap();
     let view = model.view(disc, Field::Position).unwrap();
     assert!(view.values().chunks(2).all(|p| ((p[0] - 3.0).hypot(p[1]) - 0.5).abs() < 1e-14));
-}
-
-#[test]
-fn the_path_of_equilibrium_costs_what_bonds_take() {
-    let mut held = common::plate();
-    let (lowest, highest) = held.model.admissible_load_factors().unwrap();
-    assert!(lowest < 0.0 && highest > 0.0);
-    let held = held.model.run_to_separation(1000.0).unwrap();
-    let mut path = common::plate();
-    path.model.set_option_text("stepping.control", "path").unwrap();
-    let path = path.model.run_to_separation(1000.0).unwrap();
-    assert_eq!(path.unstable_event, 0);
-    assert!(held.unstable_event > 0);
-    assert!((path.released_energy / held.bond_energy - 1.0).abs() < 1e-9);
 }
 
 #[test]

@@ -183,10 +183,38 @@ impl Handle {
         Ok(tip)
     }
 
+    pub(crate) fn tip_history_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_tip_history_count(model, count) })
+    }
+
+    /// Event, broken bonds, load factor and tip.
+    pub(crate) fn tip_record(&self, index: i64) -> Result<(i64, i64, f64, sys::bempd_crack_tip)> {
+        let mut tip = filled(sys::bempd_crack_tip_init)?;
+        let (mut event, mut broken, mut factor) = (0, 0, 0.0);
+        self.call(|model| unsafe {
+            sys::bempd_get_tip_history(model, index, &mut event, &mut broken, &mut factor, &mut tip)
+        })?;
+        Ok((event, broken, factor, tip))
+    }
+
     pub(crate) fn grow_cracks(&mut self, length: f64) -> Result<sys::bempd_growth> {
         let mut growth = filled(sys::bempd_growth_init)?;
         self.call(|model| unsafe { sys::bempd_grow_cracks(model, length, &mut growth) })?;
         Ok(growth)
+    }
+
+    pub(crate) fn set_tip_frozen(&mut self, crack: i32, end: i32, frozen: bool) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_tip_frozen(model, crack, end, frozen.into()) })
+    }
+
+    pub(crate) fn extension_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_extension_count(model, count) })
+    }
+
+    pub(crate) fn extension(&self, index: i64) -> Result<sys::bempd_crack_extension> {
+        let mut extension = filled(sys::bempd_crack_extension_init)?;
+        self.call(|model| unsafe { sys::bempd_extension(model, index, &mut extension) })?;
+        Ok(extension)
     }
 
     /// Normal and tangential.
