@@ -46,7 +46,7 @@ TipValues without_contours(const LatticeTip& tip) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   TipValues values{
       tip.crack, tip.end, tip.axes.place, tip.axes.direction, {unknown, unknown}, unknown, unknown, unknown, unknown,
-      unknown,   unknown, unknown};
+      unknown};
   values.method = TipMethod::contours;
   values.grown = tip.grown, values.branched = tip.branched;
   return values;
