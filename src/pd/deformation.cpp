@@ -147,6 +147,7 @@ std::vector<Vector3d> bond_strains(int point_count, const Network& network, cons
   const ShownStretches bonds(network, broken, displacements);
   const std::vector<PointBonds> points = collect(point_count, bonds);
   std::vector<Vector3d> strains;
+  strains.reserve(points.size());
   for (const PointBonds& point : points) strains.push_back(solve_semidefinite(point.response, point.carried));
   refine_at_faces(points, bonds, strains);
   for (Vector3d& strain : strains) strain.z() /= std::numbers::sqrt2;
