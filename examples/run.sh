@@ -10,7 +10,7 @@ cd "$root"
 
 list_examples() {
   local folder
-  for folder in $(dirname examples/*/main.{c,f90} | sort -u); do
+  for folder in $(dirname examples/*/main.{c,f90,py} | sort -u); do
     printf '%-24s %s\n' "$(basename "$folder")" "$(head -n 1 "$folder/README.md" 2>/dev/null | sed 's/^#* *//')"
   done
 }
@@ -29,13 +29,20 @@ fi
 targets=()
 packages=()
 for name in "$@"; do
-  if [[ ! $name =~ ^[a-z0-9_]+$ || ! ( -f examples/$name/main.c || -f examples/$name/main.f90 ) ]]; then
+  if [[ ! $name =~ ^[a-z0-9_]+$ || ! ( -f examples/$name/main.c || -f examples/$name/main.f90 || -f examples/$name/main.py ) ]]; then
     echo "error: there is no example '$name'; there are:" >&2
     list_examples >&2
     exit 2
   fi
-  targets+=("example_$name")
-  [ -f "examples/$name/main.c" ] || packages=(gfortran)
+  if [ -f "examples/$name/main.c" ]; then
+    targets+=("example_$name")
+  elif [ -f "examples/$name/main.f90" ]; then
+    targets+=("example_$name")
+    packages+=(gfortran)
+  else
+    targets+=(bempd)
+    packages+=(python3-cffi)
+  fi
 done
 
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
@@ -51,6 +58,11 @@ cmake --build --preset release -j "$(nproc)" --target "${targets[@]}"
 export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"
 for name in "$@"; do
   mkdir -p "out/$name"
+  if [ ! -f "examples/$name/main.c" ] && [ ! -f "examples/$name/main.f90" ]; then
+    BEMPD_LIBRARY="$root/build/release/src/capi/libbempd.so" PYTHONPATH="$root/bindings/python" \
+      /usr/bin/python3 "examples/$name/main.py"
+    continue
+  fi
   "build/release/examples/example_$name"
   if [ -f "examples/$name/plot.py" ]; then
     MPLBACKEND=Agg /usr/bin/python3 "examples/$name/plot.py"

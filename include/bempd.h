@@ -208,6 +208,14 @@ BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_materi
 BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count,
                                             const double* vertices, double element_length, int32_t* region);
 
+/** @brief Add a round region treated by boundary elements. Its edges are four quarter circles: the first begins at the
+ * place with the largest x, and they run counter-clockwise. It fits into a circular hole of the same centre and radius.
+ * @param[in] model the model @param[in] material id of a material @param[in] x centre [m] @param[in] y centre [m]
+ * @param[in] radius radius [m], > 0 @param[in] element_length longest element on any edge [m], > 0
+ * @param[out] region its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, double y, double radius,
+                                          double element_length, int32_t* region);
+
 /** @brief Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
  *
  * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges. Peridynamic
@@ -245,6 +253,22 @@ BEMPD_API bempd_status bempd_add_circular_hole(bempd_model* model, int32_t regio
  * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
  * @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y);
+
+/** @brief Sense of turning. @since 0.3 */
+typedef enum bempd_turn { BEMPD_COUNTER_CLOCKWISE = 1, BEMPD_CLOCKWISE = 2 } bempd_turn;
+
+/** @brief Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
+ *
+ * Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It may
+ * be any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or bempd_add_circular_hole(), or
+ * edges that share it. An edge of an outer loop that bulges out of the body turns counter-clockwise, and so does one of
+ * a hole that bulges into the hole.
+ * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ * @param[in] x centre [m] @param[in] y centre [m] @param[in] radius radius [m], > 0
+ * @param[in] turn a bempd_turn: the way from the first vertex to the last one, about the centre
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_edge_arc_about(bempd_model* model, int32_t region, int32_t edge, double x, double y,
+                                                double radius, int32_t turn);
 
 /** @brief Make a row of edges of a BEM region a smooth curve through their vertices.
  *
@@ -402,7 +426,6 @@ typedef enum bempd_face_component {
 } bempd_face_component;
 
 /** @brief Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
- * Energies and work leave out what such loads do within the crack alone.
  * @param[in] model the model @param[in] crack id of a crack @param[in] component BEMPD_PRESSURE or BEMPD_SHEAR
  * @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
  * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
@@ -480,10 +503,20 @@ typedef enum bempd_stop_reason {
   /** The body is separated: the proportional load meets no resistance any more. */
   BEMPD_STOP_SEPARATED = 3,
   /** No bond can break however far the load factor goes in this direction. */
-  BEMPD_STOP_NO_FURTHER_EVENT = 4
+  BEMPD_STOP_NO_FURTHER_EVENT = 4,
+  /** With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
+   * load factor, so that the path ends here; see bempd_admissible_load_factors(). @since 0.3 */
+  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
+  /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
+   * step keeps the increments before. Where already its first one leaves none the step fails instead, as
+   * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
+  BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 
-/** @brief What a step did. Fill it with bempd_step_report_init(). @since 0.1 */
+/** @brief What a step did. Fill it with bempd_step_report_init().
+ *
+ * An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it is too small, and
+ * the log warns; energy_balance_error says nothing then, all else is right. @since 0.1 */
 typedef struct bempd_step_report {
   int64_t struct_size;         /**< sizeof(bempd_step_report), set by bempd_step_report_init() */
   int32_t stop_reason;         /**< a bempd_stop_reason */
@@ -505,6 +538,11 @@ typedef struct bempd_step_report {
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
+  /* Since 0.3. */
+  double bond_energy;     /**< of the energy released since the beginning, what bonds take where they just reach their
+                             critical stretch; the rest would have become motion [J] */
+  int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
+                             stretched beyond what they bear; 0 if each event was in equilibrium */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill
@@ -527,6 +565,12 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  * equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With the option
  * stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end
  * of each every bond that exceeds its critical stretch breaks.
+ *
+ * Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that the
+ * body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the load factor
+ * falls there instead: each event lies where the most stretched bonds just reach their critical stretch, and the body
+ * follows its path of equilibrium through snap-back until it bears the load factor asked for, or more. Under
+ * proportional loads the same bonds break in the same order.
  * @param[in] model the model @param[in] load_factor where to go, up or down [-]
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);
@@ -565,7 +609,11 @@ typedef enum bempd_field {
   BEMPD_BOND_STRETCH = 6,
   /** BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its traction and the
    * strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ where stress jumps. */
-  BEMPD_ELEMENT_STRESS = 7
+  BEMPD_ELEMENT_STRESS = 7,
+  /** Order of the stress at the nodes, shape [nodes] [-]: 0 where it is bounded; else it grows as r to the power of
+   * minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the elements (bempd_singularity). @since
+   * 0.3 */
+  BEMPD_STRESS_ORDER = 8
 } bempd_field;
 
 /** @brief State of a bond. @since 0.1 */
@@ -578,6 +626,14 @@ typedef enum bempd_bond_state {
 
 /** @brief Present load factor. @param[in] model the model @param[out] load_factor [-] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_load_factor(const bempd_model* model, double* load_factor);
+
+/** @brief Load factors at which the body bears its loads with the present bonds: no bond exceeds its critical stretch.
+ *
+ * Where the loads of the scene are proportional this is 0 and what is around it; constant ones may leave nothing:
+ * lowest > highest then. Where nothing bounds them they are -1.7976931348623157e308 and 1.7976931348623157e308.
+ * @param[in] model the model, which is prepared if needed @param[out] lowest [-] @param[out] highest [-]
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, double* highest);
 
 /** @brief Number that changes whenever the model's fields may have changed. @param[in] model the model
  * @param[out] generation the number @return status @since 0.1 */
@@ -644,8 +700,30 @@ BEMPD_API bempd_status bempd_reaction(bempd_model* model, int32_t support, doubl
  * @param[out] moment positive counter-clockwise [N m] @return status @since 0.3 */
 BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x, double y, double* moment);
 
+/** @brief Force that supports exert on the body through one edge of a region at the present load factor, and its
+ * moment: of all supports that hold the edge or a part of it.
+ *
+ * Where several edges hold a component of the same node (corners, ends of interfaces), each has the force that the
+ * tractions beside the node on its own side make there, and of what then is missing or left of the node's force all
+ * have the same share. A node that points are held at too counts for the edges alone. So the edges of all regions and
+ * the points that lie on none of them sum to the reactions of all supports, to rounding, in whatever order they were
+ * added.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge number of an edge that a support holds
+ * @param[in] x the point for the moment [m] @param[in] y [m]
+ * @param[out] force shape [2], resultant [N]; may be NULL
+ * @param[out] moment positive counter-clockwise [N m]; may be NULL
+ * @return status; an edge without a support is an argument error @since 0.3 */
+BEMPD_API bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y,
+                                           double* force, double* moment);
+
 /** @brief Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
- * between material points in PD regions. @param[in] model the model @param[in] count number of places
+ * between material points in PD regions.
+ *
+ * At an interface the values are those of the peridynamic region, between regions of one kind those of the one with the
+ * lower id; on a crack in a BEM region those of its left face, seen from its first point. bempd_evaluate_in() asks for
+ * another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and grows as
+ * they get smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
+ * @param[in] model the model @param[in] count number of places
  * @param[in] points shape [count][2] [m] @param[out] displacement shape [count][2] [m]; may be NULL
  * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
  * @param[out] regions shape [count], id of the region that holds each place; may be NULL
@@ -653,14 +731,86 @@ BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support
 BEMPD_API bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                                       double* stress, int32_t* regions);
 
+/** @brief Face of a crack, seen from its first point. @since 0.3 */
+typedef enum bempd_face { BEMPD_FACE_LEFT = 1, BEMPD_FACE_RIGHT = 2 } bempd_face;
+
+/** @brief Displacement and stress as one region has them: at an interface, where stress jumps, on this region's side;
+ * on a crack in a BEM region on the face that is asked for. Else as bempd_evaluate().
+ * @param[in] model the model @param[in] region id of a region @param[in] face a bempd_face; of no matter off cracks
+ * @param[in] count number of places @param[in] points shape [count][2] [m]
+ * @param[out] displacement shape [count][2] [m]; may be NULL
+ * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
+ * @return status; a place outside the region and its boundary is an argument error @since 0.3 */
+BEMPD_API bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face, int64_t count,
+                                         const double* points, double* displacement, double* stress);
+
+/** @brief Why stress is unbounded at a place. @since 0.3 */
+typedef enum bempd_singularity_kind {
+  /** A corner of the boundary of one material, or a place on it where what supports hold changes. */
+  BEMPD_SINGULAR_CORNER = 1,
+  /** A place where materials meet: an end or a corner of an interface. */
+  BEMPD_SINGULAR_INTERFACE = 2,
+  /** A tip, a kink or a branch of a crack in a BEM region. */
+  BEMPD_SINGULAR_CRACK = 3,
+  /** A single point that is held or loaded. */
+  BEMPD_SINGULAR_POINT = 4
+} bempd_singularity_kind;
+
+/** @brief A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
+ *
+ * At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there depend on the elements or
+ * the lattice spacing alone. The exponent is the least solution with a real part below 0.99 of the equations of the
+ * wedges that meet there (M. L. Williams, J. Appl. Mech. 19, 1952), with their angles, materials and supports; loads do
+ * not enter, and may leave the strongest term out. Cracks in peridynamic regions are not listed. @since 0.3 */
+typedef struct bempd_singularity {
+  int64_t struct_size; /**< sizeof(bempd_singularity), set by bempd_singularity_init() */
+  int32_t kind;        /**< a bempd_singularity_kind */
+  int32_t region;      /**< id of a region there */
+  double x;            /**< place [m] */
+  double y;            /**< place [m] */
+  double exponent;     /**< of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-] */
+  double oscillation;  /**< imaginary part of the exponent, >= 0: stress changes its sign with its times ln r [-] */
+} bempd_singularity;
+
+/** @brief Set struct_size and zeros. @param[out] singularity the struct to fill
+ * @param[in] struct_size sizeof(bempd_singularity) as the caller was compiled: older programs keep working when it
+ * grows
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_singularity_init(bempd_singularity* singularity, int64_t struct_size);
+
+/** @brief Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER marks them.
+ * @param[in] model the model @param[out] count their number @return status @since 0.3 */
+BEMPD_API bempd_status bempd_singularity_count(bempd_model* model, int64_t* count);
+
+/** @brief A place where stress is unbounded. @param[in] model the model @param[in] index 0 .. count-1
+ * @param[in,out] singularity struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity);
+
 /** @brief End of a crack. @since 0.2 */
 typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
 
-/** @brief The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+/** @brief What the values of a tip come from. @since 0.3 */
+typedef enum bempd_tip_method { BEMPD_TIP_ELEMENTS = 1, BEMPD_TIP_CONTOURS = 2 } bempd_tip_method;
+
+/** @brief The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
  *
- * Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
- * the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than what
- * they border on. @since 0.2 */
+ * In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body releases when the tip
+ * moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the boundary's
+ * elements are no longer than what they border on.
+ *
+ * In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
+ * rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field of
+ * power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one given,
+ * and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20
+ * spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
+ * factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two horizons
+ * around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring fits:
+ * `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
+ *
+ * Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has grown:
+ * to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end. Cracks that
+ * begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells of the
+ * latter. @since 0.2 */
 typedef struct bempd_crack_tip {
   int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
   int32_t crack;               /**< id of the crack */
@@ -675,11 +825,17 @@ typedef struct bempd_crack_tip {
   double energy_release_rate;  /**< G of growth straight on [J/m^2] */
   double t_stress;             /**< stress along the crack beside the singular one [Pa] */
   double error;                /**< estimate of the error of the stress intensity factors, from elements twice as long
-                                  [Pa m^(1/2)] */
+                                  or from other rings [Pa m^(1/2)] */
   double kink_angle;           /**< angle from the direction to that of the largest hoop stress, counter-clockwise
                                   [rad] */
   double critical_load_factor; /**< smallest load factor >= 0 at which the energy release rate is the material's
                                   fracture_energy; infinite if it never is or the material has none [-] */
+  int32_t method;              /**< a bempd_tip_method (since 0.3, as all that follows) */
+  int32_t contours;            /**< rings that the values come from; 0 if none fits, and in BEM regions */
+  int32_t grown;               /**< 1 if bonds have broken since so that the tip is not the described end any more */
+  int32_t branched;            /**< 1 if other ways lead on from the crack than the one to this tip */
+  double contour_radius;       /**< outer radius of the largest ring; 0 if there is none [m] */
+  double felt_ahead;           /**< how far ahead of its place the tip is felt; 0 in BEM regions [m] */
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill
@@ -687,13 +843,30 @@ typedef struct bempd_crack_tip {
  * @return status @since 0.2 */
 BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
 
-/** @brief Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
- * model. @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
+/** @brief Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none.
+ * Prepares the model. What tips carry is computed when it is asked for.
+ * @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
 BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
 
-/** @brief A tip, by crack and the end nearer to its first point first. @param[in] model the model
+/** @brief A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the end
+ * nearer to its first point first. @param[in] model the model
  * @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
 BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip);
+
+/** @brief Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and
+ * at the end of every step, also where bempd_grow_cracks() has made one.
+ *
+ * A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option nothing.
+ * States in memory carry the records; those from bytes have none.
+ * @param[in] model the model @param[out] count number of records @return status @since 0.3 */
+BEMPD_API bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count);
+
+/** @brief A tip as it was, by time, at one time in the order of bempd_tip(). @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[out] event number of the event, or 0 for the end of a step; may be NULL
+ * @param[out] total_broken_bonds bonds broken by then; may be NULL @param[out] load_factor then [-]; may be NULL
+ * @param[in,out] tip struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event,
+                                             int64_t* total_broken_bonds, double* load_factor, bempd_crack_tip* tip);
 
 /** @brief Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen
  * from its first point, less that of the face on its right.
@@ -710,6 +883,8 @@ typedef struct bempd_growth {
   int32_t tips;        /**< tips that have grown */
   int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
   double load_factor;  /**< load factor at which they did; the model is there now [-] */
+  double length;       /**< sum of their ways [m] */
+  double released_energy; /**< energy that the body has released by it [J] */
 } bempd_growth;
 
 /** @brief Set struct_size and zeros. @param[out] growth the struct to fill
@@ -717,17 +892,63 @@ typedef struct bempd_growth {
  * @return status @since 0.2 */
 BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size);
 
-/** @brief Let the cracks of BEM regions grow by a length, in the direction of the largest hoop stress.
+/** @brief Let the cracks of BEM regions grow by a length.
  *
- * The load factor is solved for: the smallest one >= 0 at which a tip reaches its material's fracture_energy. That tip
- * grows, and with it those within 1 % of it; a tip that meets an edge, a hole or a crack on 1.25 times its way ends
- * there. The scene is built anew with the longer cracks, at that load factor; the history begins anew. Choose lengths
- * some times shorter than the distance to the next edge or crack.
+ * The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in the
+ * direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion = "energy", of
+ * the largest energy release rate. That tip grows, and with it those whose load factor is at most the share
+ * growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An extension
+ * is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A tip that meets
+ * an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
+ * of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were given
+ * on.
+ *
+ * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
+ * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
+ * shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
  * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
  * @param[in,out] growth struct_size in, the rest out; may be NULL
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
  * an argument error and stays as it was @since 0.2 */
 BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
+
+/** @brief Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
+ * @param[in] model the model @param[in] crack id of a crack @param[in] end a bempd_tip_end
+ * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
+
+/** @brief What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init(). @since 0.3 */
+typedef struct bempd_crack_extension {
+  int64_t struct_size;               /**< sizeof(bempd_crack_extension), set by bempd_crack_extension_init() */
+  int64_t event;                     /**< event of the history that it was part of */
+  int32_t crack;                     /**< id of the crack */
+  int32_t end;                       /**< a bempd_tip_end */
+  int32_t ended;                     /**< 1: it has reached an edge, a hole or another crack; else 0 */
+  int32_t count;                     /**< extensions of this end up to this one */
+  double x;                          /**< where it came to [m] */
+  double y;                          /**< [m] */
+  double angle;                      /**< by which it turned, counter-clockwise [rad] */
+  double length;                     /**< of its way [m] */
+  double crack_length;               /**< of the whole crack after it [m] */
+  double load_factor;                /**< at which it grew [-] */
+  double energy_release_rate_before; /**< when it set out in the new direction [J/m^2] */
+  double energy_release_rate_after;  /**< when it had arrived [J/m^2]; 0 if it has ended */
+  double released_energy;            /**< mean of both times the way and the thickness; of a tip that has ended, what
+                                        the others of the event leave of the history's [J] */
+} bempd_crack_extension;
+
+/** @brief Set struct_size and zeros. @param[out] extension the struct to fill
+ * @param[in] struct_size sizeof(bempd_crack_extension) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_extension_init(bempd_crack_extension* extension, int64_t struct_size);
+
+/** @brief Number of extensions of all cracks so far. @param[in] model the model @param[out] count number of extensions
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extension_count(const bempd_model* model, int64_t* count);
+
+/** @brief An extension, in the order in which they happened. @param[in] model the model
+ * @param[in] index 0 .. count-1 @param[in,out] extension struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension);
 
 /** @brief Sizes, counters and times since the model was created. Fill it with bempd_statistics_init(). @since 0.1 */
 typedef struct bempd_statistics {
@@ -766,18 +987,26 @@ BEMPD_API bempd_status bempd_statistics_init(bempd_statistics* statistics, int64
  * @param[in,out] statistics struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* statistics);
 
-/** @brief One line of the history. Fill it with bempd_history_entry_init(). @since 0.1 */
+/** @brief One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
+ * bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report. @since 0.1 */
 typedef struct bempd_history_entry {
   int64_t struct_size;         /**< sizeof(bempd_history_entry), set by bempd_history_entry_init() */
   int64_t event;               /**< number of the event, or 0 for the end of a step */
   int64_t total_broken_bonds;  /**< bonds broken so far */
   double load_factor;          /**< load factor [-] */
-  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-] */
+  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-];
+                                    1 where cracks have grown */
   double stored_energy;        /**< elastic energy [J] */
-  double released_energy;      /**< energy released by breaking bonds so far [J] */
+  double released_energy;      /**< energy released by breaking bonds and growing cracks so far [J] */
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
+  /* Since 0.3: the equilibrium path, whatever the option stepping.control. */
+  double critical_load_factor;   /**< at which the most stretched bond of the event just reaches its critical
+                                    stretch; at the end of a step the load factor [-] */
+  double critical_stored_energy; /**< elastic energy at that load factor, after the event [J] */
+  double bond_energy;            /**< energy that bonds broken so far take where they just reach their critical
+                                    stretch [J] */
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill
@@ -810,7 +1039,8 @@ BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state)
 
 /** @brief Bring a model back to a saved state. Loads and supports keep their present values.
  *
- * The scene is the same if the host has said the same: regions with their materials, initial cracks, supports in their
+ * Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if the
+ * host has said the same: regions with their materials, initial cracks, supports in their
  * order, options that shape the equations. The processor and the values of loads and supports may be others.
  * @param[in] model the model that was saved, or one with the same scene @param[in] state the state; not consumed
  * @return status @since 0.1 */
@@ -835,6 +1065,10 @@ BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes
 /** @brief Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
  * damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face), and
  * prefix.pvd, the series of all snapshots this model has written with this prefix.
+ *
+ * With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what bempd_tip() has, and
+ * among the cracks are those in peridynamic regions: a line in each cell of the lattice for every broken or cut bond
+ * between nearest neighbours, with the opening that its elongation and its turning show.
  * @param[in] model the model @param[in] prefix path without ending, UTF-8; the folder must exist @return status @since
  * 0.1 */
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);
@@ -842,6 +1076,11 @@ BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* pref
 /** @brief Write the history with the reactions of all supports as comma-separated values.
  * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_write_history(const bempd_model* model, const char* path);
+
+/** @brief Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with event,
+ * total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none were recorded.
+ * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.3 */
+BEMPD_API bempd_status bempd_write_tips(const bempd_model* model, const char* path);
 
 #ifdef __cplusplus
 }

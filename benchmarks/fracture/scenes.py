@@ -13,10 +13,11 @@ LARGE = 1000.0
 
 
 def plate(half_width: float, half_height: float, element: float, cracks: Sequence[Points], *, stress: tuple[float, float] = (0, 1),
-          radius: float = 0, left: float | None = None, energy: float = 0, modulus: float = 1) -> bempd.Model:
+          radius: float = 0, left: float | None = None, energy: float = 0, modulus: float = 1, poisson: float = 0.3,
+          plane: str = "stress") -> bempd.Model:
     """A plate around the origin pulled by stress (x, y), in plane stress; `radius` of a hole in its middle."""
     model = bempd.Model()
-    material = model.add_material(young_modulus=modulus, poisson_ratio=0.3, fracture_energy=energy or None)
+    material = model.add_material(young_modulus=modulus, poisson_ratio=poisson, plane=plane, fracture_energy=energy or None)
     low = -half_width if left is None else left
     corners = bempd.rectangle(low, -half_height, half_width, half_height)
     body = model.add_bem_region(material, corners, element_length=element)
@@ -55,10 +56,21 @@ def inclined(degrees: float, element: float = 5) -> bempd.Model:
     return plate(20, 20, element, [[(-end[0], -end[1]), end]])
 
 
-def kinked(length: float) -> bempd.Model:
-    """A crack of length 2 with a kink of 45 degrees at its right end; length 0: straight. Pulled from all sides."""
-    kink = length * math.sqrt(0.5)
-    return plate(LARGE, LARGE, 500, [[(-1, 0), (1, 0)] + ([(1 + kink, kink)] if length else [])], stress=(1, 1))
+def kinked(length: float, degrees: float = 45, pieces: int = 1) -> bempd.Model:
+    """A crack of length 2 with a kink at its right end; length 0: straight. Pulled from all sides. Each leg in pieces, which
+    elements do not cross."""
+    angle = math.radians(degrees)
+    ends = [(-1.0, 0.0), (1.0, 0.0)]
+    if length:
+        ends.append((1 + length * math.cos(angle), length * math.sin(angle)))
+    points = [ends[0]]
+    for (x, y), (to_x, to_y) in zip(ends, ends[1:]):
+        points += [(x + (to_x - x) * k / pieces, y + (to_y - y) * k / pieces) for k in range(1, pieces + 1)]
+    return plate(LARGE, LARGE, 500, [points], stress=(1, 1))
+
+
+def incompressible() -> bempd.Model:
+    return plate(1, 3, 0.25, [[(-0.5, 0), (0.5, 0)]], poisson=0.5, plane="strain")
 
 
 def pressure() -> bempd.Model:

@@ -35,6 +35,13 @@ double distance(const CrackLine& line, const Point& x) {
   return least;
 }
 
+double given_length(const CrackLine& line) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+    if (!line.grown[i]) sum += segment(line, i).length();
+  return sum;
+}
+
 double turn(const CrackLine& line, std::size_t vertex) {
   const Point before = segment(line, vertex - 1).direction(), after = segment(line, vertex).direction();
   return std::abs(std::atan2(cross(before, after), before.dot(after)));
@@ -63,17 +70,40 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
     ways_.push_back({0.0});
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
       ways_.back().push_back(ways_.back().back() + segment(line, i).length());
+    targets_.push_back(given_length(line) / grading.elements_per_line);
   }
   for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
+}
+
+// What has been there before keeps its elements when a crack grows.
+double CrackSizes::target(int l, std::size_t i) const {
+  const CrackLine& line = cracks_.lines[l];
+  if (!line.grown[i]) return targets_[l];
+  const double length = segment(line, i).length();
+  return targets_[l] > 0 ? std::max(targets_[l], length / grading_.elements_per_growth) : length;
+}
+
+// Towards a tip on a short segment elements are no longer than the way to it.
+double CrackSizes::from_tips(int l, double way) const {
+  const CrackLine& line = cracks_.lines[l];
+  const std::vector<double>& ways = ways_[l];
+  double limit = infinite;
+  if (line.joints[0] < 0) limit = std::max(way, std::min(ways[1], target(l, 0)));
+  const std::size_t last = ways.size() - 2;
+  if (line.joints[1] < 0)
+    limit = std::min(limit, std::max(ways.back() - way, std::min(ways.back() - ways[last], target(l, last))));
+  return limit;
 }
 
 double CrackSizes::from_kinks(int l, double way) const {
   const CrackLine& line = cracks_.lines[l];
   const std::vector<double>& ways = ways_[l];
-  const double largest = 2 * ways.back() / grading_.elements_per_line,
-               halved = std::ldexp(1, -grading_.halvings_at_kinks);
+  const double halved = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   const auto consider = [&](double at, double shortest) {
+    std::size_t i = 0;
+    while (i + 2 < ways.size() && at > ways[i]) ++i;
+    const double largest = 2 * std::max(target(l, i), target(l, i > 0 ? i - 1 : 0));
     limit = std::min(limit, std::max(std::abs(way - at), halved * std::min(shortest, largest)));
   };
   for (std::size_t v = 1; v + 1 < ways.size(); ++v)
@@ -92,10 +122,10 @@ double CrackSizes::on_line(int l, double way) const {
   const Point x = segment(line, own).at((way - ways[own]) / (ways[own + 1] - ways[own]));
   const bool at_tip = (way == 0 && line.joints[0] < 0) || (way == ways.back() && line.joints[1] < 0);
   const double share = at_tip ? longest_at_tip : longest;
-  double limit = share * from_kinks(l, way);
+  double limit = std::min(share * from_kinks(l, way), from_tips(l, way));
   // `apart`: way from here to the thing along the line, infinite if the line does not lead to it. In the angle between
   // a line and what it leads to elements get no smaller than at kinks.
-  const double least = std::ldexp(ways.back() / grading_.elements_per_line, -grading_.halvings_at_kinks);
+  const double least = std::ldexp(target(l, own), -grading_.halvings_at_kinks);
   const auto consider = [&](double gap, double apart) {
     if (apart == infinite)
       limit = std::min(limit, share * gap);
@@ -128,13 +158,12 @@ double CrackSizes::on_line(int l, double way) const {
 std::vector<double> CrackSizes::stations_of(int l) const {
   const std::vector<double>& ways = ways_[l];
   const CrackLine& line = cracks_.lines[l];
-  const double target = ways.back() / grading_.elements_per_line;
   std::vector<double> stations{0.0};
   for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
     const double length = ways[i + 1] - ways[i];
     // An element has one tip at most.
     const bool two_tips = ways.size() == 2 && line.joints[0] < 0 && line.joints[1] < 0;
-    const int count = std::max(two_tips ? 2 : 1, static_cast<int>(std::ceil(length / target * (1 - 1e-9))));
+    const int count = std::max(two_tips ? 2 : 1, static_cast<int>(std::ceil(length / target(l, i) * (1 - 1e-9))));
     for (int k = 0; k < count; ++k)
       halve(
           ways[i] + length * k / count, k + 1 == count ? ways[i + 1] : ways[i] + length * (k + 1) / count,

@@ -8,8 +8,10 @@
 namespace bempd::bem {
 
 struct CrackGrading {
-  // Along every line; what is left of them is due to the graded ends.
+  // Along what a line has not grown; what is left of them is due to the graded ends.
   int elements_per_line = 8;
+  // Growth has elements as long, but no more of them along one segment.
+  int elements_per_growth = 4;
   // Elements at kinks and branches are this many times halved, for the stresses are singular there, if weakly.
   int halvings_at_kinks = 4;
 };
@@ -28,6 +30,8 @@ class CrackSizes {
   std::vector<double> refined(const Arc& piece, const std::vector<double>& stations) const;
 
  private:
+  double target(int line, std::size_t segment) const;
+  double from_tips(int line, double way) const;
   double on_line(int line, double way) const;
   double on_boundary(const Point& x) const;
   double from_kinks(int line, double way) const;
@@ -38,6 +42,7 @@ class CrackSizes {
   double tolerance_;
   CrackGrading grading_;
   std::vector<std::vector<double>> ways_;  // of the points of each line
+  std::vector<double> targets_;            // of the elements on what each line has not grown
   std::vector<std::vector<double>> stations_;
 };
 

@@ -97,10 +97,6 @@ StressIntensity shared_by_modes(const CrackedOperator& body, const CrackTip& tip
 
 }  // namespace
 
-double plane_modulus(const PlaneElasticity& elasticity) {
-  return 2 * elasticity.shear_modulus() / (1 - elasticity.effective_poisson_ratio());
-}
-
 std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
                                                              const std::vector<CrackedState>& states) {
   const CrackMesh& cracks = body.cracks();
@@ -143,14 +139,6 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
     results.push_back(stress);
   }
   return results;
-}
-
-Kink kink_of(const Point& factors) {
-  const double one = factors.x(), two = factors.y();
-  double angle = 0;
-  if (two != 0) angle = 2 * std::atan((one - std::sqrt(one * one + 8 * two * two)) / (4 * two));
-  const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
-  return {angle, c * c * (one * c - 3 * two * s)};
 }
 
 }  // namespace bempd::bem

@@ -5,6 +5,7 @@
 
 #include "bem/crack_forces.hpp"
 #include "bem/cracked_operator.hpp"
+#include "elasticity/griffith.hpp"
 
 namespace bempd::bem {
 
@@ -34,15 +35,5 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
 // its openings give equal stresses along and across it, so that T is the difference of those that all the rest gives at
 // the tip, plus the normal stress that loads press on the faces with.
 std::vector<double> stresses_along_crack(const CrackedOperator& body, const CrackedState& state);
-
-// E' of plane stress or strain.
-double plane_modulus(const PlaneElasticity& elasticity);
-
-// Angle in which a tip goes on by the largest hoop stress, counter-clockwise, and the mode I factor that is worth the
-// two (Erdogan and Sih, J. Basic Eng. 85, 1963).
-struct Kink {
-  double angle, equivalent_factor;
-};
-Kink kink_of(const Point& factors);
 
 }  // namespace bempd::bem

@@ -28,6 +28,25 @@ std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return places;
 }
 
+// map^T symmetric map, of a map most of whose columns are unit vectors.
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& symmetric, const Eigen::SparseMatrix<double>& map) {
+  Eigen::MatrixXd result(map.cols(), map.cols());
+  Eigen::VectorXd column(symmetric.rows());
+  for (Eigen::Index j = 0; j < map.cols(); ++j) {
+    column.setZero();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(map, j); entry; ++entry)
+      column += entry.value() * symmetric.col(entry.row());
+    for (Eigen::Index i = j; i < map.cols(); ++i) {
+      double sum = 0;
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(map, i); entry; ++entry)
+        sum += entry.value() * column[entry.row()];
+      result(i, j) = sum;
+    }
+  }
+  copy_lower_to_upper(result);
+  return result;
+}
+
 }  // namespace
 
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
@@ -62,23 +81,65 @@ Eigen::SparseMatrix<double> from_unknowns(const BoundaryMesh& mesh, const CrackM
 }
 
 CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
-                                 const AssemblyOptions& options)
+                                 const AssemblyOptions& options, const CrackedOperator* before)
     : mesh_(mesh),
       cracks_(cracks),
       elasticity_(elasticity),
       options_(options),
       boundary_(mesh),
       elements_(cracked_galerkin_elements(mesh, boundary_, cracks)) {
-  const int nodes = static_cast<int>(mesh.nodes.size() + cracks.nodes.size());
-  matrices_ =
-      assemble_galerkin(elements_, nodes, mesh.traction_node_count, elasticity.effective_poisson_ratio(), options);
+  if (before && (before->boundary_.centre != boundary_.centre || before->boundary_.length != boundary_.length ||
+                 before->elasticity_ != elasticity))
+    before = nullptr;
+  build(before);
+  full_ *= elasticity.thickness * elasticity.shear_modulus();
+  eliminate_openings();
+}
+
+void CrackedOperator::build(const CrackedOperator* before) {
+  const int on_boundary = static_cast<int>(mesh_.nodes.size());
+  const int nodes = on_boundary + static_cast<int>(cracks_.nodes.size()), tractions = mesh_.traction_node_count;
+  KeptNodes kept;
+  if (before) kept = kept_nodes(before->elements_, elements_, on_boundary, nodes, tractions);
+  const KnownBlocks known{kept, before ? before->matrices_ : matrices_};
+  matrices_ = assemble_galerkin(elements_, nodes, tractions, elasticity_.effective_poisson_ratio(), options_,
+                                before ? &known : nullptr);
   kernel_evaluations_ = matrices_.kernel_evaluations;
   copy_lower_to_upper(matrices_.hypersingular);
-  single_layer_.compute(matrices_.single_layer);
-  require_positive(single_layer_);
-  full_ = stiffness_of(matrices_, single_layer_, from_unknowns(mesh, cracks)) *
-          (elasticity.thickness * elasticity.shear_modulus());
-  eliminate_openings();
+  if (before && kept.whole_boundary) {
+    single_layer_ = before->single_layer_;
+  } else {
+    single_layer_ = std::make_shared<const Eigen::LLT<Eigen::MatrixXd>>(matrices_.single_layer);
+    require_positive(*single_layer_);
+  }
+  const Eigen::SparseMatrix<double> map = from_unknowns(mesh_, cracks_);
+  if (!before) {
+    full_ = stiffness_of(matrices_, *single_layer_, map);
+    return;
+  }
+  take_from(*before, kept);
+  full_ = congruent(raw_, map);
+}
+
+// Y = L^-1 B and D + Y^T Y, of which only the columns of new nodes are computed.
+void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& kept) {
+  const Eigen::Index size = matrices_.hypersingular.rows();
+  const bool knows = kept.whole_boundary && before.reduced_.size() > 0;
+  std::vector<Eigen::Index> fresh;
+  for (Eigen::Index n = 0; 2 * n < size; ++n)
+    if (!knows || kept.nodes[static_cast<std::size_t>(n)] < 0) fresh.insert(fresh.end(), {2 * n, 2 * n + 1});
+  reduced_.resize(matrices_.single_layer.rows(), size);
+  if (knows) copy_kept_columns(kept.nodes, before.reduced_, reduced_);
+  Eigen::MatrixXd columns = matrices_.double_layer(fresh, Eigen::all).transpose();
+  single_layer_->matrixL().solveInPlace(columns);
+  for (std::size_t k = 0; k < fresh.size(); ++k) reduced_.col(fresh[k]) = columns.col(static_cast<Eigen::Index>(k));
+  const Eigen::MatrixXd products = reduced_.transpose() * columns;
+  raw_.resize(size, size);
+  if (knows) copy_kept_blocks(kept.nodes, before.raw_, raw_);
+  for (std::size_t k = 0; k < fresh.size(); ++k) {
+    raw_.col(fresh[k]) = matrices_.hypersingular.col(fresh[k]) + products.col(static_cast<Eigen::Index>(k));
+    raw_.row(fresh[k]) = raw_.col(fresh[k]).transpose();
+  }
 }
 
 Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const Eigen::LLT<Eigen::MatrixXd>& single_layer,
@@ -134,7 +195,7 @@ Eigen::MatrixXd CrackedOperator::tractions(const Eigen::Ref<const Eigen::MatrixX
   const Eigen::Index u = stiffness_.rows();
   const Eigen::MatrixXd right =
       rows.topRows(u).transpose() * displacements + rows.bottomRows(rows.rows() - u).transpose() * openings;
-  return elasticity_.shear_modulus() / boundary_.length * single_layer_.solve(right);
+  return elasticity_.shear_modulus() / boundary_.length * single_layer_->solve(right);
 }
 
 }  // namespace bempd::bem

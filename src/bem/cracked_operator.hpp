@@ -3,11 +3,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "bem/boundary_operator.hpp"
 #include "bem/crack_mesh.hpp"
 #include "bem/galerkin_assembly.hpp"
+#include "bem/kept_blocks.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
 
@@ -21,9 +23,10 @@ namespace bempd::bem {
 // eliminated.
 class CrackedOperator final : public BoundaryOperator {
  public:
-  // The mesh with its nodes split at mouths.
+  // The mesh with its nodes split at mouths. What a body `before` with shorter cracks has in common is taken over from
+  // it: integrals, the factor of V, and products with that.
   CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
-                  const AssemblyOptions& options = {});
+                  const AssemblyOptions& options = {}, const CrackedOperator* before = nullptr);
 
   // Symmetric positive semidefinite, of the boundary's nodes.
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
@@ -54,6 +57,8 @@ class CrackedOperator final : public BoundaryOperator {
   const AssemblyOptions& options() const { return options_; }
 
  private:
+  void build(const CrackedOperator* before);
+  void take_from(const CrackedOperator& before, const KeptNodes& kept);
   void eliminate_openings();
 
   BoundaryMesh mesh_;
@@ -63,8 +68,11 @@ class CrackedOperator final : public BoundaryOperator {
   ScaledBoundary boundary_;
   std::vector<GalerkinElement> elements_;
   GalerkinMatrices matrices_;
+  std::shared_ptr<const Eigen::LLT<Eigen::MatrixXd>> single_layer_;
+  // Of all displacements and openings, L L^T being V: L^-1 B, and D + B^T V^-1 B. Empty unless cracks have grown.
+  Eigen::MatrixXd reduced_, raw_;
   Eigen::MatrixXd full_, stiffness_;
-  Eigen::LLT<Eigen::MatrixXd> single_layer_, of_openings_;
+  Eigen::LLT<Eigen::MatrixXd> of_openings_;
   std::int64_t kernel_evaluations_ = 0;
 };
 

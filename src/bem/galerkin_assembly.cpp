@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "bem/kept_blocks.hpp"
 #include "bem/pair_blocks.hpp"
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -39,8 +40,10 @@ std::vector<std::vector<int>> independent_groups(const std::vector<GalerkinEleme
 class Assembler {
  public:
   Assembler(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes, double nu,
-            const AssemblyOptions& options)
-      : elements_(elements), blocks_(elements, nu, options.quadrature_tolerance) {
+            const AssemblyOptions& options, const KnownBlocks* known)
+      : elements_(elements),
+        kept_(known ? &known->kept : nullptr),
+        blocks_(elements, nu, options.quadrature_tolerance) {
     matrices.single_layer.setZero(2 * traction_nodes, 2 * traction_nodes);
     matrices.hypersingular.setZero(2 * nodes, 2 * nodes);
     matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);
@@ -54,6 +57,7 @@ class Assembler {
     // The rows of integral equations belong to the boundary.
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
       if (inner % 32 == 0) check_cancelled();
+      if (kept_ && kept_->has(x, elements_[inner])) continue;
       const PairPart part = inner >= outer ? PairPart::everything : PairPart::double_layer_only;
       const PairMoments moments = blocks_.moments(outer, inner, part);
       if (!x.crack) add_double_layer(outer, inner, moments);
@@ -71,11 +75,12 @@ class Assembler {
     const bool tractions = !x.crack && !y.crack;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
-        if (tractions)
+        if (tractions && !(kept_ && kept_->has_traction_block(y.traction_nodes[b], x.traction_nodes[a])))
           matrices.single_layer.block<2, 2>(2 * y.traction_nodes[b], 2 * x.traction_nodes[a]) +=
               blocks_.single_layer(outer, inner, m, a, b);
-        matrices.hypersingular.block<2, 2>(2 * y.nodes[b], 2 * x.nodes[a]) +=
-            blocks_.hypersingular(outer, inner, m, a, b);
+        if (!(kept_ && kept_->has_block(y.nodes[b], x.nodes[a])))
+          matrices.hypersingular.block<2, 2>(2 * y.nodes[b], 2 * x.nodes[a]) +=
+              blocks_.hypersingular(outer, inner, m, a, b);
       }
   }
 
@@ -86,11 +91,13 @@ class Assembler {
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < functions; ++b) {
         const int node = b < 3 ? y.nodes[b] : x.nodes[b - 3];
+        if (kept_ && kept_->has_mixed_block(node, x.traction_nodes[a])) continue;
         matrices.double_layer.block<2, 2>(2 * node, 2 * x.traction_nodes[a]) += blocks_.double_layer(m, a, b);
       }
   }
 
   const std::vector<GalerkinElement>& elements_;
+  const KeptNodes* kept_;
   PairBlocks blocks_;
 };
 
@@ -133,8 +140,8 @@ void copy_lower_to_upper(Eigen::MatrixXd& a) {
 }
 
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
-                                   double nu, const AssemblyOptions& options) {
-  Assembler assembler(elements, nodes, traction_nodes, nu, options);
+                                   double nu, const AssemblyOptions& options, const KnownBlocks* known) {
+  Assembler assembler(elements, nodes, traction_nodes, nu, options, known);
   const int threads = options.threads_for(elements.size());
   std::atomic<std::int64_t> evaluations = 0;
   for (const std::vector<int>& group : independent_groups(elements, nodes)) {
@@ -143,6 +150,7 @@ GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements,
   assembler.matrices.kernel_evaluations = evaluations;
   complete_lower(assembler.matrices.single_layer);
   complete_lower(assembler.matrices.hypersingular);
+  if (known) copy_kept(*known, assembler.matrices);
   return std::move(assembler.matrices);
 }
 

@@ -30,8 +30,11 @@ struct GalerkinMatrices {
 
 // The Galerkin matrices of a body over the elements of its boundary, and of its cracks behind them; a crack has no
 // traction, so it has columns in B and D only.
+struct KnownBlocks;
+
+// Blocks that are known of another body are taken over (kept_blocks.hpp).
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
-                                   double nu, const AssemblyOptions& options);
+                                   double nu, const AssemblyOptions& options, const KnownBlocks* known = nullptr);
 
 // Throws Error (unsolvable) unless the single layer has a Cholesky factor.
 void require_positive(const Eigen::LLT<Eigen::MatrixXd>& single_layer);

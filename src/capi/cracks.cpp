@@ -3,6 +3,33 @@
 using namespace bempd;
 using namespace bempd::capi;
 
+namespace {
+
+bempd_crack_tip described(const regions::TipValues& t) {
+  return {sizeof(bempd_crack_tip),
+          t.crack,
+          t.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END,
+          t.place.x(),
+          t.place.y(),
+          t.direction.x(),
+          t.direction.y(),
+          t.factors.x(),
+          t.factors.y(),
+          t.energy_release_rate,
+          t.stress_along,
+          t.error,
+          t.kink_angle,
+          t.critical_load_factor,
+          t.method == regions::TipMethod::elements ? BEMPD_TIP_ELEMENTS : BEMPD_TIP_CONTOURS,
+          t.contours,
+          t.grown ? 1 : 0,
+          t.branched ? 1 : 0,
+          t.contour_radius,
+          t.felt_ahead};
+}
+
+}  // namespace
+
 bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size) {
   return init_struct(__func__, "tip", tip, struct_size, bempd_crack_tip{});
 }
@@ -16,14 +43,28 @@ bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip) 
   return with_model(model, __func__, [&](model::Model& m) {
     struct_bytes(tip, "tip", sizeof(int64_t));
     const auto count = static_cast<int64_t>(m.tips().size());
-    require(index >= 0 && index < count, "index is ", index, "; cracks in BEM regions have ", count, " tips");
-    const regions::TipValues& t = m.tips()[static_cast<std::size_t>(index)];
-    write_struct(
-        tip,
-        bempd_crack_tip{sizeof(bempd_crack_tip), t.crack, t.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, t.place.x(),
-                        t.place.y(), t.direction.x(), t.direction.y(), t.factors.x(), t.factors.y(),
-                        t.energy_release_rate, t.stress_along, t.error, t.kink_angle, t.critical_load_factor},
-        "tip");
+    require(index >= 0 && index < count, "index is ", index, "; cracks have ", count, " tips");
+    write_struct(tip, described(m.tips()[static_cast<std::size_t>(index)]), "tip");
+  });
+}
+
+bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count) {
+  return with_model(model, __func__,
+                    [&](const model::Model& m) { out(count, "count") = static_cast<int64_t>(m.tip_history().size()); });
+}
+
+bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event, int64_t* total_broken_bonds,
+                                   double* load_factor, bempd_crack_tip* tip) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    struct_bytes(tip, "tip", sizeof(int64_t));
+    const auto count = static_cast<int64_t>(m.tip_history().size());
+    require(index >= 0 && index < count, "index is ", index, "; ", count,
+            " tips were recorded; set the option tips.record before stepping");
+    const results::TipRecord& record = m.tip_history()[static_cast<std::size_t>(index)];
+    write_struct(tip, described(record.tip), "tip");
+    if (event) *event = record.event;
+    if (total_broken_bonds) *total_broken_bonds = record.total_broken_bonds;
+    if (load_factor) *load_factor = record.load_factor;
   });
 }
 
@@ -36,7 +77,47 @@ bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* 
     if (growth) struct_bytes(growth, "growth", sizeof(int64_t));
     const model::GrowthResult grown = m.grow_cracks(length);
     if (growth)
-      write_struct(growth, bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor}, "growth");
+      write_struct(growth,
+                   bempd_growth{sizeof(bempd_growth), grown.tips, grown.ended, grown.load_factor, grown.length,
+                                grown.released_energy},
+                   "growth");
+  });
+}
+
+bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(end == BEMPD_CRACK_START || end == BEMPD_CRACK_END, "end is ", end,
+            "; it must be BEMPD_CRACK_START (1) or BEMPD_CRACK_END (2)");
+    require(frozen == 0 || frozen == 1, "frozen is ", frozen, "; it must be 0 or 1");
+    m.set_tip_frozen(crack, end == BEMPD_CRACK_START ? 0 : 1, frozen == 1);
+  });
+}
+
+bempd_status bempd_crack_extension_init(bempd_crack_extension* extension, int64_t struct_size) {
+  return init_struct(__func__, "extension", extension, struct_size, bempd_crack_extension{});
+}
+
+bempd_status bempd_extension_count(const bempd_model* model, int64_t* count) {
+  return with_model(model, __func__,
+                    [&](const model::Model& m) { out(count, "count") = static_cast<int64_t>(m.extensions().size()); });
+}
+
+bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crack_extension* extension) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    struct_bytes(extension, "extension", sizeof(int64_t));
+    const auto all = m.extensions();
+    const auto count = static_cast<int64_t>(all.size());
+    require(index >= 0 && index < count, "index is ", index, "; cracks have been extended ", count, " times");
+    const fracture::CrackExtension& e = all[static_cast<std::size_t>(index)];
+    int32_t so_far = 0;
+    for (const fracture::CrackExtension& other : all.first(static_cast<std::size_t>(index) + 1))
+      so_far += other.crack == e.crack && other.end == e.end;
+    write_struct(
+        extension,
+        bempd_crack_extension{sizeof(bempd_crack_extension), e.event, e.crack,
+                              e.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, e.ended, so_far, e.x, e.y, e.angle,
+                              e.length, e.crack_length, e.load_factor, e.rate_before, e.rate_after, e.released_energy},
+        "extension");
   });
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "capi/guard.hpp"
 
@@ -9,8 +10,8 @@ using namespace bempd::capi;
 namespace {
 
 regions::Field field_of(std::int32_t field) {
-  require(field >= BEMPD_POSITION && field <= BEMPD_ELEMENT_STRESS, "field is ", field,
-          "; it must be a bempd_field, 1 .. 7");
+  require(field >= BEMPD_POSITION && field <= BEMPD_STRESS_ORDER, "field is ", field,
+          "; it must be a bempd_field, 1 .. 8");
   return static_cast<regions::Field>(field);
 }
 
@@ -27,12 +28,23 @@ bempd_status get_history_entry(const bempd_model* model, const char* function, s
     const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
     write_struct(entry,
                  {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
-                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
+                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual,
+                  h.critical_load_factor, h.critical_stored_energy, h.bond_energy},
                  "entry");
   });
 }
 
 }  // namespace
+
+bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, double* highest) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    double &low = out(lowest, "lowest"), &high = out(highest, "highest");
+    constexpr double largest = std::numeric_limits<double>::max();
+    const fracture::LoadInterval admissible = m.admissible_load_factors();
+    low = std::clamp(admissible.lowest, -largest, largest);
+    high = std::clamp(admissible.highest, -largest, largest);
+  });
+}
 
 bempd_status bempd_load_factor(const bempd_model* model, double* load_factor) {
   return with_model(model, __func__, [&](const model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });
@@ -126,6 +138,16 @@ bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x
   });
 }
 
+bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y, double* force,
+                                 double* moment) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
+    const model::Model::EdgeReaction reaction = m.edge_reaction(region, edge, Point(x, y));
+    if (force) std::copy_n(reaction.force.data(), 2, force);
+    if (moment) *moment = reaction.moment;
+  });
+}
+
 bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                             double* stress, int32_t* regions) {
   return with_model(model, __func__, [&](model::Model& m) {
@@ -134,6 +156,21 @@ bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* poi
       if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
       if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
       if (regions) regions[i] = values[i].region;
+    }
+  });
+}
+
+bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face, int64_t count, const double* points,
+                               double* displacement, double* stress) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.scene().region(region);
+    require(face == BEMPD_FACE_LEFT || face == BEMPD_FACE_RIGHT, "face is ", face,
+            "; it must be BEMPD_FACE_LEFT (1) or BEMPD_FACE_RIGHT (2)");
+    const auto values =
+        m.evaluate(points_from(points, count, "points"), stress != nullptr, {region, face == BEMPD_FACE_RIGHT});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
+      if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
     }
   });
 }

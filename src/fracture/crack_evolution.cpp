@@ -40,10 +40,18 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   state_.work = body_.energy_at_rest();
 }
 
-void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
+void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
   sources_.settle();
+  work_within_ = work_within;
   body_.set_load(force, prescribed);
 }
+
+double CrackEvolution::within(double load_factor) const {
+  const Eigen::Vector2d loads(1, load_factor);
+  return 0.5 * loads.dot(work_within_ * loads);
+}
+
+double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }
 
 void CrackEvolution::find_equilibrium() {
   if (state_.in_equilibrium) return;
@@ -59,6 +67,40 @@ void CrackEvolution::find_equilibrium() {
     sources_.forget();
     body_.restore();
     throw;
+  }
+}
+
+// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
+// have come to.
+void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
+  const EvolutionState& old = before.state();
+  static_cast<Sums&>(state_) = old;
+  state_.history = old.history;
+  state_.reactions = old.reactions;
+  state_.extensions = old.extensions;
+  state_.load_factor = old.load_factor;
+  state_.largest_force = old.largest_force;
+  held_ = body_.find_equilibrium().held;
+  const double f = state_.load_factor;
+  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within(f) - before.within(f);
+  state_.work = in_range(state_.work + work);
+  state_.released_energy =
+      in_range(state_.released_energy + work + before.body_.stored_energy() - body_.stored_energy());
+  ++state_.events;
+  HistoryEntry line;
+  line.event = state_.events;
+  line.stretch_ratio = 1;
+  line.stored_energy = body_.stored_energy();
+  line.critical_stored_energy = in_range(line.stored_energy + within(f));
+  line.critical_load_factor = state_.load_factor;
+  line.residual = body_.residual();
+  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
+}
+
+void CrackEvolution::book(const std::vector<CrackExtension>& extensions) {
+  for (const CrackExtension& extension : extensions) {
+    state_.extensions.push_back(extension);
+    state_.extensions.back().event = state_.events;
   }
 }
 
@@ -91,9 +133,13 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   for (;;) {
     if (goal == Goal::separation && state_.separated) return StopReason::separated;
     const Event* next = sources_.next(target, options);
-    if (!next && goal != Goal::load_factor) {
-      end_step();
-      return StopReason::no_further_event;
+    if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
+      sources_.bring_up_to_date();
+      const bool none = options.control == Control::path && body_.admissible().is_empty();
+      if (none || goal != Goal::load_factor) {
+        end_step();
+        return none ? StopReason::no_admissible_load : StopReason::no_further_event;
+      }
     }
     const bool upwards = target >= state_.load_factor;
     if (!next || (upwards ? next->load_factor > target : next->load_factor < target)) break;
@@ -102,7 +148,11 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
            " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
     }
     sources_.mark();
-    book(*next, sources_.perform());
+    const bool increments = options.mode == SteppingMode::increments;
+    if (!perform(*next, increments && state_.events > events_before)) {
+      end_step();
+      return StopReason::no_equilibrium;
+    }
     if (on_event) on_event(state_);
     if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
   }
@@ -112,10 +162,36 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   return state_.separated ? StopReason::separated : StopReason::load_factor;
 }
 
-void CrackEvolution::return_to(const Start& start) {
+// False if no equilibrium is left after the event, and what was reached before it is to be kept: then it did not
+// happen.
+bool CrackEvolution::perform(const Event& event, bool keep_what_was_reached) {
+  if (!keep_what_was_reached) {
+    book(event, sources_.perform());
+    return true;
+  }
+  BodyState before = state_;
+  const Start start{state_, state_.history.size(), state_.reactions.size()};
+  try {
+    book(event, sources_.perform());
+    return true;
+  } catch (const Error& error) {
+    if (error.failure() != Failure::unsolvable) throw;
+    forget_lines(start);
+    static_cast<BodyState&>(state_) = std::move(before);
+    sources_.forget();
+    body_.restore();
+    return false;
+  }
+}
+
+void CrackEvolution::forget_lines(const Start& start) {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
   state_.reactions.resize(start.reactions_size);
+}
+
+void CrackEvolution::return_to(const Start& start) {
+  forget_lines(start);
   sources_.return_to_mark();
 }
 
@@ -123,6 +199,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   state_.work += outcome.work_before;
   state_.work = in_range(state_.work + outcome.work);
   state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
+  state_.bond_energy = in_range(state_.bond_energy + outcome.bond_energy);
   ++state_.events;
   state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
@@ -131,6 +208,8 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   line.event = state_.events;
   line.stretch_ratio = event.ratio;
   line.stored_energy = outcome.stored_energy;
+  line.critical_load_factor = event.critical_load_factor;
+  line.critical_stored_energy = in_range(outcome.critical_stored_energy + within(event.critical_load_factor));
   line.residual = outcome.residual;
   write_line(line, outcome.energy_scale, outcome.reactions);
 }
@@ -139,6 +218,8 @@ void CrackEvolution::end_step() {
   sources_.bring_up_to_date();
   HistoryEntry line;
   line.stored_energy = body_.stored_energy();
+  line.critical_load_factor = state_.load_factor;
+  line.critical_stored_energy = in_range(line.stored_energy + within(state_.load_factor));
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }
@@ -149,10 +230,12 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   line.load_factor = state_.load_factor;
   line.stored_energy = in_range(line.stored_energy);
   line.released_energy = state_.released_energy;
-  line.work = state_.work;
-  state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
-  const double scale = std::max(state_.largest_work, energy_scale);
+  line.bond_energy = state_.bond_energy;
   const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);
+  line.stored_energy = in_range(line.stored_energy + within(state_.load_factor));
+  line.work = work();
+  state_.largest_work = std::max(state_.largest_work, std::abs(line.work));
+  const double scale = std::max(state_.largest_work, energy_scale);
   line.energy_balance_error = scale > 0 ? difference / scale : difference;
   if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // of energies that are lost
   if (!Eigen::Map<const Eigen::VectorXd>(reactions.data(), static_cast<Eigen::Index>(reactions.size())).allFinite() ||

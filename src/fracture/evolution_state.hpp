@@ -14,12 +14,31 @@ struct HistoryEntry {
   std::int64_t event = 0;
   std::int64_t total_broken_bonds = 0;
   double load_factor = 0;
-  double stretch_ratio = 0;  // largest stretch over critical stretch just before the break
+  double stretch_ratio = 0;  // largest stretch over critical stretch just before the break; 1 where cracks grew
   double stored_energy = 0;
   double released_energy = 0;
   double work = 0;
   double energy_balance_error = 0;
   double residual = 0;
+  // On the equilibrium path: where the bonds of the event just reach their critical stretch, and the energy stored
+  // there after it; at the end of a step the same as above.
+  double critical_load_factor = 0;
+  double critical_stored_energy = 0;
+  double bond_energy = 0;  // released by then, had each event happened there
+};
+
+// What a tip of a crack with elements did at an event: it went straight on to a place, where it is a tip again unless
+// it has ended at an edge or a crack.
+struct CrackExtension {
+  std::int64_t event = 0;
+  int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first
+  bool ended = false;
+  double x = 0, y = 0;
+  double angle = 0;  // by which it turned, counter-clockwise
+  double length = 0, crack_length = 0;
+  double load_factor = 0;
+  double rate_before = 0, rate_after = 0;  // energy release rates along the way [J/m^2]; none where it has ended
+  double released_energy = 0;              // their integral [J]
 };
 
 // The body as it is at a load factor.
@@ -43,6 +62,7 @@ struct Sums {
   std::int64_t broken_bonds = 0;
   std::int64_t fragments = 0;
   double released_energy = 0;
+  double bond_energy = 0;  // of it, what broken terms take; the rest would have become motion
   double work = 0;
   double largest_work = 0;
   double worst_energy_balance_error = 0;
@@ -53,6 +73,7 @@ struct Sums {
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
   std::vector<double> reactions;  // per line of the history: x and y of every support
+  std::vector<CrackExtension> extensions;
 };
 
 }  // namespace bempd::fracture

@@ -71,17 +71,22 @@ class LoadedBody {
 
   // Load factor of the next break on the way to a target, which may be infinite.
   std::optional<double> next_break(double target);
+  // Where the present bonds can be loaded no further in that direction; null if there is no such place.
+  std::optional<double> next_on_path(double target);
+  LoadInterval admissible() const { return ratios_.admissible(system_.intact()); }
 
   double stored_energy() const;
+  double stored_energy_at(double load_factor) const;  // in the same state of the bonds
   double unit_energy() const;
+  double potential_of_loads() const;  // what the loads lose of it on the way to the present displacements
   double residual() const;
   bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
+  double reaction_at(int dof) const;  // of one that is held [N]
 
  private:
-  double reaction_at(int dof) const;
   void apply_load();
 
   coupling::EquilibriumSystem& system_;

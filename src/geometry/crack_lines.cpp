@@ -112,11 +112,19 @@ void require_inside(const Path& path, double from, double to, const std::vector<
 
 CrackLine line_between(const Path& path, int crack, const Mark& from, const Mark& to, std::array<int, 2> joints,
                        double tolerance) {
-  CrackLine line{crack, {from.place}, from.way, joints};
+  CrackLine line{crack, {from.place}, from.way, joints, {}};
+  double reached = from.way;
+  const auto add = [&](const Point& place, double way) {
+    int segment = 0;
+    while (segment + 1 < path.segments() && 0.5 * (reached + way) > path.ways[segment + 1]) ++segment;
+    line.points.push_back(place);
+    line.grown.push_back(path.given.grown(segment));
+    reached = way;
+  };
   for (std::size_t i = 0; i < path.ways.size(); ++i)
     if (path.ways[i] > from.way + 4 * tolerance && path.ways[i] < to.way - 4 * tolerance)
-      line.points.push_back(path.given.points[i]);
-  line.points.push_back(to.place);
+      add(path.given.points[i], path.ways[i]);
+  add(to.place, to.way);
   return line;
 }
 

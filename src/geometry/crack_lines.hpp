@@ -7,10 +7,14 @@
 
 namespace bempd {
 
-// A crack as given: a polyline. `id` is for messages.
+// A polyline; `id` is for messages. So many segments at its ends have been added by growth.
 struct CrackPath {
   int id;
   std::vector<Point> points;
+  int grown_at_start = 0, grown_at_end = 0;
+
+  int segments() const { return static_cast<int>(points.size()) - 1; }
+  bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
 };
 
 // Piece of a crack between the places where it ends, meets another one or reaches the boundary.
@@ -19,6 +23,7 @@ struct CrackLine {
   std::vector<Point> points;
   double start;               // its way along the path
   std::array<int, 2> joints;  // at its start and end; -1: a tip
+  std::vector<char> grown;    // by segment
 
   double length() const;
 };

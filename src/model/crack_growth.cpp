@@ -2,95 +2,228 @@
 #include <cmath>
 #include <limits>
 
+#include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
-#include "geometry/segment.hpp"
+#include "model/crack_way.hpp"
 #include "model/model.hpp"
 
 namespace bempd::model {
 
-namespace {
-
-// Tips whose load factors differ by less grow together, so that what is symmetric stays so.
-constexpr double tie = 0.01;
-
-// An end that would stop this part of the step before an edge or a crack goes on to it: a shorter ligament breaks.
-constexpr double reach = 1.25;
-
-// The first place at which the way from a tip meets an edge or another crack, as a part of the way; beyond 1 if none.
-double first_meeting(const scene::Scene& scene, const Segment& way, double tolerance) {
-  double first = 2;
-  const double behind_tip = 10 * tolerance / way.length();
-  const auto consider = [&](double fraction) {
-    if (fraction > behind_tip) first = std::min(first, fraction);
-  };
-  for (const int region : scene.region_ids())
-    for (const Edge& edge : edges_of(scene.region(region).outline()))
-      for (const Crossing& meeting : meeting_points(Edge(way.start, way.end), edge)) consider(meeting.fraction_a);
-  for (const scene::Crack& crack : scene.cracks())
-    for (std::size_t i = 0; i + 1 < crack.points.size(); ++i)
-      if (const auto crossing = proper_crossing(way, {crack.points[i], crack.points[i + 1]}))
-        consider(crossing->fraction_a);
-  return first;
-}
-
-struct Extension {
-  int crack, end;
-  Point to;
-  bool ends;  // at an edge or a crack
+// The tips that grow at a load factor, each with its extension, and how long that is to be.
+struct Growing {
+  double load_factor = 0;
+  std::vector<regions::TipValues> tips;
+  std::vector<fracture::CrackExtension> extensions;
+  std::vector<double> lengths;
 };
 
-Extension extension_of(const scene::Scene& scene, const regions::TipValues& tip, double length, double tolerance) {
-  const double c = std::cos(tip.growth_angle), s = std::sin(tip.growth_angle);
-  const Point direction(c * tip.direction.x() - s * tip.direction.y(), s * tip.direction.x() + c * tip.direction.y());
-  const Segment way{tip.place, tip.place + reach * length * direction};
-  const double meeting = first_meeting(scene, way, tolerance);
-  if (meeting <= 1) return {tip.crack, tip.end, way.at(meeting), true};
-  return {tip.crack, tip.end, tip.place + length * direction, false};
+namespace {
+
+KinkCriterion criterion_of(const scene::Options& options) {
+  return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
+                                                            : KinkCriterion::hoop_stress;
+}
+
+Point turned(const Point& direction, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
+}
+
+Kink kink_at(const regions::TipValues& tip, double load_factor, KinkCriterion criterion) {
+  return kink_of(tip.constant_factors + load_factor * tip.proportional_factors, criterion);
+}
+
+Growing growing_tips(const std::vector<regions::TipValues>& tips, double length, const scene::Options& options) {
+  const KinkCriterion criterion = criterion_of(options);
+  std::vector<double> load_factors;
+  for (const regions::TipValues& tip : tips)
+    load_factors.push_back(
+        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion));
+  Growing growing;
+  growing.load_factor = *std::min_element(load_factors.begin(), load_factors.end());
+  if (!std::isfinite(growing.load_factor))
+    fail(Failure::unsolvable,
+         "no crack grows however large the load factor is; give their materials a fracture_energy, "
+         "and loads that open them");
+  const double share = options.number("growth.share"), exponent = options.number("growth.exponent");
+  for (std::size_t t = 0; t < tips.size(); ++t) {
+    if (!(load_factors[t] <= (1 + share) * growing.load_factor)) continue;
+    const regions::TipValues& tip = tips[t];
+    const Kink kink = kink_at(tip, growing.load_factor, criterion);
+    fracture::CrackExtension extension;
+    extension.crack = tip.crack;
+    extension.end = tip.end;
+    extension.angle = kink.angle;
+    extension.load_factor = growing.load_factor;
+    extension.rate_before = kink.equivalent_factor * kink.equivalent_factor / tip.plane_modulus;
+    growing.tips.push_back(tip);
+    growing.extensions.push_back(extension);
+    growing.lengths.push_back(length * std::pow(kink.equivalent_factor / tip.toughness, 2 * exponent));
+  }
+  return growing;
+}
+
+// One after another, so that two that run into each other meet.
+std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
+                                   Growing& growing) {
+  for (std::size_t k = 0; k < growing.tips.size(); ++k) {
+    fracture::CrackExtension& e = growing.extensions[k];
+    const Point& from = growing.tips[k].place;
+    const TipWay way = way_of_tip(scene, cracks, e.crack, e.end, turned(growing.tips[k].direction, e.angle),
+                                  growing.lengths[k], tolerance);
+    scene::Crack& crack = cracks[static_cast<std::size_t>(e.crack) - 1];
+    extend(crack, e.end, way.to);
+    e.ended = way.ends;
+    e.x = way.to.x();
+    e.y = way.to.y();
+    e.length = (way.to - from).norm();
+    e.crack_length = length_of(crack);
+  }
+  return cracks;
+}
+
+const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::vector<regions::TipValues>& tips) {
+  const auto found =
+      std::find_if(tips.begin(), tips.end(), [&](const auto& tip) { return tip.crack == e.crack && tip.end == e.end; });
+  return found == tips.end() ? nullptr : &*found;
+}
+
+// Of a curved path the chord's end turns on by as much as its start has turned. Says whether any does.
+bool turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options) {
+  bool any = false;
+  for (fracture::CrackExtension& e : growing.extensions) {
+    const regions::TipValues* tip = tip_of(e, after);
+    if (e.ended || !tip) continue;
+    e.angle += 0.5 * kink_at(*tip, e.load_factor, criterion_of(options)).angle;
+    any = true;
+  }
+  return any;
+}
+
+// By extension.
+std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
+                                 const std::vector<fracture::CrackExtension>& extensions) {
+  std::vector<double> thickness;
+  for (const fracture::CrackExtension& e : extensions) {
+    const int region = prepared.discretization.crack_regions[static_cast<std::size_t>(e.crack) - 1];
+    thickness.push_back(scene.material_of(region).elasticity.thickness);
+  }
+  return thickness;
+}
+
+// The energy that each took: the integral of its rate; what others leave where it has ended, for the rate on the way to
+// an edge is not known.
+GrowthResult share_energy(std::vector<fracture::CrackExtension>& extensions,
+                          const std::vector<regions::TipValues>& after, const std::vector<double>& thickness,
+                          double released) {
+  GrowthResult result{static_cast<int>(extensions.size()), 0, extensions.front().load_factor, 0, released};
+  double left = released, ended_length = 0;
+  for (std::size_t k = 0; k < extensions.size(); ++k) {
+    fracture::CrackExtension& e = extensions[k];
+    result.length += e.length;
+    result.ended += e.ended;
+    if (const regions::TipValues* tip = tip_of(e, after)) {
+      e.rate_after = tip->energy_release_rate;
+      e.released_energy = 0.5 * (e.rate_before + e.rate_after) * e.length * thickness[k];
+      left -= e.released_energy;
+    } else {
+      ended_length += e.length;
+    }
+  }
+  for (fracture::CrackExtension& e : extensions)
+    if (!tip_of(e, after)) e.released_energy = left * e.length / ended_length;
+  return result;
 }
 
 }  // namespace
 
-GrowthResult Model::grow_cracks(double length) {
-  require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
-  const std::vector<regions::TipValues> tips = this->tips();
-  require(!tips.empty(),
-          "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
+void Model::set_tip_frozen(int crack, int end, bool frozen) {
+  scene_.crack(crack);
+  if (frozen) {
+    frozen_tips_.insert({crack, end});
+  } else {
+    frozen_tips_.erase({crack, end});
+  }
+}
+
+std::span<const fracture::CrackExtension> Model::extensions() const {
+  if (!prepared_) return {};
+  return prepared_->evolution->progress().extensions;
+}
+
+// Those that may grow, with the load factors at which they do.
+std::vector<regions::TipValues> Model::free_tips() {
+  ensure_equilibrium();
   require(prepared_->system->terms().size() == 0,
           "the scene has peridynamic regions, whose cracks grow by steps; cracks grow by lengths where all regions are "
           "BEM regions");
-  GrowthResult result;
-  result.load_factor = std::numeric_limits<double>::infinity();
-  for (const regions::TipValues& tip : tips) result.load_factor = std::min(result.load_factor, tip.growth_load_factor);
-  if (!std::isfinite(result.load_factor))
-    fail(Failure::unsolvable,
-         "no crack grows however large the load factor is; give their materials a fracture_energy, "
-         "and loads that open them");
-  std::vector<scene::Crack> grown = scene_.cracks();
-  for (const regions::TipValues& tip : tips) {
-    if (tip.growth_load_factor > (1 + tie) * result.load_factor) continue;
-    const Extension extension = extension_of(scene_, tip, length, prepared_->discretization.tolerance);
-    std::vector<Point>& points = grown[static_cast<std::size_t>(extension.crack) - 1].points;
-    points.insert(extension.end == 0 ? points.begin() : points.end(), extension.to);
-    ++result.tips;
-    result.ended += extension.ends;
-  }
-  const std::vector<scene::Crack> before = scene_.cracks();
-  rebuild_with(grown, result.load_factor, before);
-  return result;
+  if (factors_generation_ != generation_) tip_factors_ = tips_of(*prepared_, regions::TipDetail::factors);
+  factors_generation_ = generation_;
+  std::vector<regions::TipValues> tips = tip_factors_;
+  require(!tips.empty(),
+          "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
+  std::erase_if(tips, [&](const auto& tip) { return frozen_tips_.count({tip.crack, tip.end}) > 0; });
+  require(!tips.empty(), "all tips are frozen; let one grow again with bempd_set_tip_frozen()");
+  return tips;
 }
 
-// The old scene and its state come back if the new one cannot be.
-void Model::rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before) {
-  std::unique_ptr<PreparedScene> old = std::move(prepared_);
-  scene_.set_cracks(std::move(cracks));
+GrowthResult Model::grow_cracks(double length) {
+  require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
+  Growing growing = growing_tips(free_tips(), length, options_);
+  const std::vector<scene::Crack> before = scene_.cracks();
+  const fracture::EvolutionState state = prepared_->evolution->state();
+  GrowthResult result;
   try {
-    advance(load_factor, fracture::Goal::load_factor);
+    if (load_factor() != growing.load_factor)
+      prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {});
+    std::unique_ptr<PreparedScene> next = extended_scene(before, growing);
+    if (options_.text_value("growth.direction") == "chord" &&
+        turn_to_chords(growing, tips_of(*next, regions::TipDetail::factors), options_)) {
+      next = extended_scene(before, growing);
+    }
+    tip_factors_ = tips_of(*next, regions::TipDetail::factors);
+    result =
+        share_energy(growing.extensions, tip_factors_, thickness_at(scene_, *next, growing.extensions),
+                     next->evolution->progress().released_energy - prepared_->evolution->progress().released_energy);
+    next->evolution->book(growing.extensions);
+    prepared_ = std::move(next);
+    factors_generation_ = ++generation_;
   } catch (...) {
-    scene_.set_cracks(std::move(before));
-    prepared_ = std::move(old);
+    scene_.set_cracks(before);
+    prepared_->evolution->restore(state);
     ++generation_;
     throw;
   }
+  if (records_tips()) record_tips();
+  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
+  log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
+  warn_of_equilibrium();
+  return result;
+}
+
+// Built beside the present one, whose run it goes on with.
+std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing) {
+  scene_.set_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing));
+  std::unique_ptr<PreparedScene> next = build();
+  next->evolution->go_on_after_growth(*prepared_->evolution);
+  return next;
+}
+
+std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
+  const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
+  const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
+  const std::span<const fracture::CrackExtension> present = this->extensions();
+  if (std::equal(present.begin(), present.end(), extensions.begin(), extensions.end(), same)) return nullptr;
+  std::vector<scene::Crack> cracks;
+  for (const scene::Crack& crack : scene_.cracks())
+    cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+  for (const fracture::CrackExtension& e : extensions) {
+    require(e.crack <= static_cast<int>(cracks.size()) && !cracks[static_cast<std::size_t>(e.crack) - 1].points.empty(),
+            "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
+    extend(cracks[static_cast<std::size_t>(e.crack) - 1], e.end, {e.x, e.y});
+  }
+  scene_.set_cracks(std::move(cracks));
+  return build();
 }
 
 }  // namespace bempd::model

@@ -2,23 +2,55 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
+#include "regions/tips/lattice_pictures.hpp"
+#include "regions/tips/lattice_tips.hpp"
 
 namespace bempd::model {
+
+regions::BondedBody Model::bonded_body() const {
+  const coupling::EquilibriumSystem& system = *prepared_->system;
+  return {scene_,          prepared_->discretization, system.terms(), system.present_stiffness(),
+          system.intact(), prepared_->cut_bonds};
+}
+
+std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {
+  std::vector<regions::TipValues> tips;
+  for (const auto& region : prepared.discretization.regions) {
+    const std::vector<regions::TipValues> found = region->tips(solution_of(prepared), detail);
+    tips.insert(tips.end(), found.begin(), found.end());
+  }
+  // By crack, its first point first.
+  std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
+    return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
+  });
+  return tips;
+}
+
+std::vector<regions::TipValues> Model::compute_tips() const {
+  std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
+  const std::vector<regions::TipValues> in_lattices = regions::lattice_tips(bonded_body(), solution());
+  all.insert(all.end(), in_lattices.begin(), in_lattices.end());
+  return all;
+}
 
 const std::vector<regions::TipValues>& Model::tips() {
   ensure_equilibrium();
   if (tips_generation_ == generation_) return tips_;
-  tips_.clear();
-  for (const auto& region : prepared_->discretization.regions) {
-    const std::vector<regions::TipValues> found = region->tips(solution());
-    tips_.insert(tips_.end(), found.begin(), found.end());
-  }
-  // By crack, its first point first.
-  std::stable_sort(tips_.begin(), tips_.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
-    return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
-  });
+  tips_ = compute_tips();
   tips_generation_ = generation_;
   return tips_;
+}
+
+std::vector<regions::CrackPicture> Model::crack_pictures() const {
+  std::vector<regions::CrackPicture> cracks;
+  for (const auto& region : prepared_->discretization.regions) {
+    const auto pictures = region->crack_pictures(solution());
+    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
+  }
+  if (!records_tips()) return cracks;
+  const auto in_lattices = regions::lattice_crack_pictures(bonded_body(), solution().displacement);
+  cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
+  return cracks;
 }
 
 std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& fractions) {

@@ -64,7 +64,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   for (const scene::Crack& crack : scene.cracks()) {
     if (crack.points.empty()) continue;
     Hash hash;
-    for (const Point& p : crack.points) hash.add(p.x()), hash.add(p.y());
+    for (const Point& p : crack.given()) hash.add(p.x()), hash.add(p.y());
     cracks += hash.value();
   }
   body.add(cracks);

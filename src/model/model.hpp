@@ -5,6 +5,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,12 +14,16 @@
 #include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "fracture/interface_bonds.hpp"
 #include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
+#include "regions/singular_places.hpp"
+#include "regions/tips/tip_rings.hpp"
 #include "results/field_cache.hpp"
 #include "results/point_values.hpp"
 #include "results/snapshots.hpp"
+#include "results/tip_record.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
@@ -27,6 +33,7 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
+  std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
 
@@ -35,6 +42,7 @@ struct SavedState {
   SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
+  std::vector<results::TipRecord> tips;  // not among its bytes
 };
 
 // Everything that is built from a finished scene.
@@ -45,14 +53,20 @@ struct PreparedScene {
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
+  std::optional<fracture::InterfaceBonds> interface_bonds;
   std::int64_t interior_kernel_evaluations = 0;
+  std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
 
 struct GrowthResult {
   int tips = 0;   // that have grown
   int ended = 0;  // of them at an edge, a hole or another crack
   double load_factor = 0;
+  double length = 0;  // of all extensions
+  double released_energy = 0;
 };
+
+struct Growing;
 
 // A scene, its state, and what can be asked of them.
 class Model {
@@ -75,10 +89,12 @@ class Model {
 
   StepResult advance(double target, fracture::Goal goal);
 
-  // Tips that reach their fracture energy first grow by a length, in the direction of the largest hoop stress; then the
-  // scene is built anew, at the load factor at which they did. Throws Error if no tip can grow, or if a crack would cut
-  // a region in two; then nothing has changed (crack_growth.cpp).
+  // Tips that are critical first grow by a length, at the load factor at which they are; what they do not touch of the
+  // scene stays prepared. Throws Error if no tip can grow, or if a crack would cut a region in two; then nothing has
+  // changed (crack_growth.cpp).
   GrowthResult grow_cracks(double length);
+  void set_tip_frozen(int crack, int end, bool frozen);
+  std::span<const fracture::CrackExtension> extensions() const;
 
   using Progress = std::function<bool(double load_factor, std::int64_t events, std::int64_t broken_bonds)>;
   using Log = std::function<void(int level, const std::string& message)>;
@@ -92,6 +108,7 @@ class Model {
   }
 
   double load_factor() const;
+  fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
   // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
@@ -106,12 +123,23 @@ class Model {
 
   Eigen::Vector2d reaction(int support);
   double reaction_moment(int support, const Point& about);
+  struct EdgeReaction {
+    Eigen::Vector2d force;
+    double moment;
+  };
+  // Of all supports on an edge (edge_reactions.cpp).
+  EdgeReaction edge_reaction(int region, int edge, const Point& about);
 
   // Values at places in the body; stress only if asked for.
-  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);
+  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress,
+                                            const results::Side& side = {});
+  // Places where stress is unbounded.
+  const std::vector<regions::SingularPlace>& singular_places();
 
-  // Tips of cracks that have elements, by crack; computed once per generation (crack_results.cpp).
+  // Tips of cracks that have elements, by crack, then of those among bonds; computed once per generation
+  // (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
+  const std::vector<results::TipRecord>& tip_history() const { return tip_history_; }
   // Openings along a crack and normal to it [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
@@ -122,6 +150,7 @@ class Model {
   // Files
   void write_snapshot(const std::string& prefix);
   void write_history(const std::string& path) const;
+  void write_tips(const std::string& path) const;
 
  private:
   void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
@@ -130,12 +159,26 @@ class Model {
   void warn_of_held_parts();
   void warn_of_blas() const;
   void warn_of_overlap();
+  void warn_of_interface();
   void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
+  bool records_tips() const { return options_.whole_number("tips.record") > 0; }
+  void record_tips();
+  // As CrackEvolution::advance() (recording.cpp).
+  fracture::StopReason run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping);
+  regions::BondedBody bonded_body() const;
+  std::vector<regions::TipValues> compute_tips() const;
+  std::vector<regions::CrackPicture> crack_pictures() const;
   void reload();
-  void rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before);
+  std::unique_ptr<PreparedScene> build() const;
+  std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
+  std::vector<regions::TipValues> free_tips();
+  std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing);
+  // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
+  std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
-  regions::Solution solution() const;
+  regions::Solution solution() const { return solution_of(*prepared_); }
+  static regions::Solution solution_of(const PreparedScene& prepared);
   results::FieldsOfScene fields();
   void log(int level, const std::string& message) const;
 
@@ -150,7 +193,12 @@ class Model {
   std::atomic<bool> cancel_requested_{false};
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
+  std::vector<results::TipRecord> tip_history_;
+  std::vector<regions::TipValues> tip_factors_;  // of the same without errors, as growth needs them
+  std::int64_t factors_generation_ = 0;
+  std::set<std::pair<int, int>> frozen_tips_;  // crack and end
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
+  bool warned_of_interface_ = false;
 };
 
 // Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.

@@ -34,7 +34,8 @@ SavedState Model::save() {
   if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
   // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
   prepared_->evolution->synchronize();
-  return {prepared_->fingerprint, load_fingerprint(scene_, prepared_->conditions), prepared_->evolution->state()};
+  return {prepared_->fingerprint, load_fingerprint(scene_, prepared_->conditions), prepared_->evolution->state(),
+          tip_history_};
 }
 
 void Model::restore(const SavedState& state) {
@@ -44,7 +45,15 @@ void Model::restore(const SavedState& state) {
   require(state.scene.supports == prepared_->fingerprint.supports,
           "the state was saved with other supports, or with the same ones in another order; add those of the model "
           "that was saved, in its order");
-  require_fit(state.evolution, *prepared_);
+  const std::vector<scene::Crack> cracks = scene_.cracks();
+  try {
+    std::unique_ptr<PreparedScene> grown = as_grown(state.evolution.extensions);
+    require_fit(state.evolution, grown ? *grown : *prepared_);
+    if (grown) prepared_ = std::move(grown);
+  } catch (...) {
+    scene_.set_cracks(cracks);
+    throw;
+  }
   fracture::EvolutionState copy = state.evolution;
   // Loads given new values since the state was saved act on it from the next step on.
   if (state.load_fingerprint != load_fingerprint(scene_, prepared_->conditions)) {
@@ -52,6 +61,7 @@ void Model::restore(const SavedState& state) {
     copy.first_unit_energy = -1;
   }
   prepared_->evolution->restore(std::move(copy));
+  tip_history_ = state.tips;
   ++generation_;
 }
 

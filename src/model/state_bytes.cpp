@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 3;
+constexpr std::uint32_t format_version = 5;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -27,6 +27,15 @@ requires std::is_same_v<std::remove_const_t<Line>, fracture::HistoryEntry>
 void visit_members(Line& h, Visit& visit) {
   visit(h.event), visit(h.total_broken_bonds), visit(h.load_factor), visit(h.stretch_ratio), visit(h.stored_energy);
   visit(h.released_energy), visit(h.work), visit(h.energy_balance_error), visit(h.residual);
+  visit(h.critical_load_factor), visit(h.critical_stored_energy), visit(h.bond_energy);
+}
+
+template <class Extension, class Visit>
+requires std::is_same_v<std::remove_const_t<Extension>, fracture::CrackExtension>
+void visit_members(Extension& e, Visit& visit) {
+  visit(e.event), visit(e.crack), visit(e.end), visit(e.ended), visit(e.x), visit(e.y), visit(e.angle);
+  visit(e.length), visit(e.crack_length), visit(e.load_factor), visit(e.rate_before), visit(e.rate_after);
+  visit(e.released_energy);
 }
 
 // Numbers go one by one: the padding of a struct holds what lay in memory before.
@@ -44,6 +53,7 @@ class Writer {
   }
   void operator()(const coupling::HoldingSpring& spring) { visit_members(spring, *this); }
   void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
+  void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void raw(const void* data, std::size_t size) {
     const auto* first = static_cast<const std::uint8_t*>(data);
     bytes_.insert(bytes_.end(), first, first + size);
@@ -81,6 +91,7 @@ class Reader {
   }
   void operator()(coupling::HoldingSpring& spring) { visit_members(spring, *this); }
   void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
+  void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void raw(void* target, std::size_t size) {
     require(size <= left_, "the bytes of the state end too early; give all bytes that bempd_state_to_bytes() wrote");
     std::memcpy(target, bytes_, size);
@@ -116,10 +127,10 @@ void visit_members(State& state, Visit& visit) {
   auto& e = state.evolution;
   visit(e.load_factor), visit(e.in_equilibrium), visit(e.separated);
   visit(e.events), visit(e.broken_bonds), visit(e.fragments);
-  visit(e.first_unit_energy), visit(e.released_energy), visit(e.work), visit(e.largest_work);
+  visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
-  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions);
+  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions), visit(e.extensions);
 }
 
 void check_header(Reader& reader) {
@@ -147,7 +158,11 @@ bool is_sound(const coupling::HoldingSpring& s, Eigen::Index dofs) {
 // Energies may be beyond the range of numbers (CrackEvolution::energies_are_lost), nothing else may.
 bool is_sound(const fracture::HistoryEntry& line) {
   return line.event >= 0 && line.total_broken_bonds >= 0 && std::isfinite(line.load_factor) &&
-         std::isfinite(line.stretch_ratio);
+         std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor);
+}
+
+bool is_sound(const fracture::CrackExtension& e) {
+  return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y);
 }
 
 void require_consistent(const fracture::EvolutionState& e) {
@@ -169,6 +184,8 @@ void require_consistent(const fracture::EvolutionState& e) {
         "its reactions are not those of the lines of its history");
   sound(std::all_of(e.reactions.begin(), e.reactions.end(), [](double force) { return std::isfinite(force); }),
         "a reaction is not a finite number");
+  sound(std::all_of(e.extensions.begin(), e.extensions.end(), [](const auto& one) { return is_sound(one); }),
+        "an extension of a crack is none");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ BoundaryMesh CollocationRegion::make_mesh(const std::vector<std::vector<Panel>>&
 }
 
 std::shared_ptr<const bem::BoundaryOperator> CollocationRegion::make_operator(
-    const bem::AssemblyOptions& assembly) const {
+    const regions::Preparation& /*preparation*/, const bem::AssemblyOptions& assembly) const {
   require(!elasticity().incompressible(), "region ", id(),
           " is incompressible (Poisson's ratio 1/2 in plane strain); scheme paper cannot solve that, choose scheme "
           "symmetric");

@@ -25,7 +25,8 @@ class CollocationRegion final : public regions::BoundaryRegion {
  protected:
   regions::MeshingRules meshing_rules(const regions::Preparation&) const override { return {true, false}; }
   BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const override;
-  std::shared_ptr<const bem::BoundaryOperator> make_operator(const bem::AssemblyOptions& assembly) const override;
+  std::shared_ptr<const bem::BoundaryOperator> make_operator(const regions::Preparation& preparation,
+                                                             const bem::AssemblyOptions& assembly) const override;
   const coupling::SolutionMethod& solution_method() const override { return unsymmetric_solution(); }
   Eigen::MatrixXd own_stiffness(const regions::Preparation& preparation) const override;
 

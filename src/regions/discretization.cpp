@@ -71,7 +71,7 @@ RegionStatistics Discretization::statistics() const {
   return sum;
 }
 
-Discretization discretize(const scene::Scene& scene, const scene::Options& options) {
+Discretization discretize(const scene::Scene& scene, const scene::Options& options, const Discretization* before) {
   Discretization d;
   std::vector<Outline> outlines;
   for (int id : scene.region_ids()) outlines.push_back(scene.region(id).outline());
@@ -81,7 +81,8 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
   number_by_ids(d.arrangement, scene);
   warn_of_gaps(scene, outlines, d);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
-  const Preparation preparation{scene, options, *scheme, d.arrangement, d.tolerance, d.regions, d.crack_regions};
+  const Preparation preparation{scene,       options,   *scheme,         d.arrangement,
+                                d.tolerance, d.regions, d.crack_regions, before ? &before->regions : nullptr};
   require_compatible(preparation);
 
   for (int id : scene.region_ids()) d.regions.push_back(scene.region(id).build(id, preparation));

@@ -29,7 +29,9 @@ struct Discretization {
   RegionStatistics statistics() const;
 };
 
-// Throws Error (argument) if regions overlap, touch at points only, or do not match at interfaces.
-Discretization discretize(const scene::Scene& scene, const scene::Options& options);
+// Throws Error (argument) if regions overlap, touch at points only, or do not match at interfaces. `before` is that of
+// the same scene with shorter cracks, if there is one.
+Discretization discretize(const scene::Scene& scene, const scene::Options& options,
+                          const Discretization* before = nullptr);
 
 }  // namespace bempd::regions

@@ -25,6 +25,8 @@ struct Preparation {
   double tolerance;                                     // distance below which places are the same
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
   const std::vector<int>& crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
+  // Those of the same scene with shorter cracks, of which what has not changed is taken over; null if there are none.
+  const std::vector<std::unique_ptr<Region>>* before;
 };
 
 // What they add to.

@@ -41,20 +41,32 @@ struct LeadingElements {
   std::vector<int> nodes;  // of the scene
 };
 
-// The tip of a crack with elements.
+enum class TipMethod { elements = 1, contours = 2 };
+
+// The tip of a crack.
 struct TipValues {
-  int crack;                   // id
-  int end;                     // 1: the crack's last point, 0: its first
-  Point place, direction;      // unit vector in which a straight crack would go on
-  Point factors;               // K_I, K_II [Pa m^(1/2)]
-  double energy_release_rate;  // [J/m^2]
-  double stress_along;         // T [Pa]
-  double error;                // of the factors [Pa m^(1/2)]
-  double kink_angle;           // from the direction, counter-clockwise [rad]
-  double growth_load_factor;   // at which it goes on in the direction of the largest hoop stress, and its angle [rad]
-  double growth_angle;
+  int crack;                    // id
+  int end;                      // 1: the crack's last point, 0: its first
+  Point place, direction;       // unit vector in which a straight crack would go on
+  Point factors;                // K_I, K_II [Pa m^(1/2)]
+  double energy_release_rate;   // [J/m^2]
+  double stress_along;          // T [Pa]
+  double error;                 // of the factors [Pa m^(1/2)]
+  double kink_angle;            // from the direction, counter-clockwise [rad]
   double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
+  // Of a tip with elements, which grows by lengths.
+  Point constant_factors = {0, 0}, proportional_factors = {0, 0};  // what the loads' parts make of K_I, K_II
+  double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
+  double plane_modulus = 0;  // [Pa]
+
+  // Of a tip among bonds; without contours there are no numbers above but place and direction.
+  TipMethod method = TipMethod::elements;
+  int contours = 0;
+  bool grown = false, branched = false;
+  double contour_radius = 0, felt_ahead = 0;  // [m]
 };
+
+enum class TipDetail { factors, everything };
 
 struct Overlap {
   int crack;
@@ -66,6 +78,12 @@ struct Overlap {
 struct CrackPicture {
   int crack;
   std::vector<Point> places, openings;
+};
+
+// Places of material points: origin + spacing * (i, j).
+struct LatticeGrid {
+  Point origin;
+  double spacing, horizon;  // [m]
 };
 
 struct RegionOperator {
@@ -138,6 +156,19 @@ class Region {
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
   // Adds nodal forces [N] of a constant force per volume [N/m^3].
   virtual void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
+  // What the constant and the proportional part of the loads on its inside, forces per volume and tractions on cracks,
+  // do to each other's displacements [J] beside the work of the nodal forces, of which the nodes know nothing.
+  virtual Eigen::Matrix2d work_within(const std::array<Point, 2>& /*body_force*/,
+                                      const std::vector<CrackLoad>& /*crack_loads*/) const {
+    return Eigen::Matrix2d::Zero();
+  }
+
+  // Force [N] of the body's own stress on one side of each of some nodes: what its tractions on this edge add up to
+  // there. Where edges share a node it tells their parts of the force.
+  virtual std::vector<Point> forces_on_edge(const EdgeSpan& /*span*/, const std::vector<int>& nodes_of_scene,
+                                            const FieldsOfRegion& /*fields*/) const {
+    return std::vector<Point>(nodes_of_scene.size(), Point::Zero());
+  }
 
   // --- Cracks and bonds
 
@@ -146,8 +177,8 @@ class Region {
   virtual bool has_crack_elements() const { return false; }
   // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
   virtual void add_crack_load(const CrackLoad& /*load*/, int /*part*/, Eigen::Ref<Eigen::VectorXd> /*force*/) const {}
-  // Tips of its cracks and what they carry.
-  virtual std::vector<TipValues> tips(const Solution& /*solution*/) const { return {}; }
+  // Tips of its cracks and what they carry; for their growth factors are enough, without T and errors.
+  virtual std::vector<TipValues> tips(const Solution& /*solution*/, TipDetail /*detail*/) const { return {}; }
   // Openings of one of its cracks at parts of its length: along it and normal to it, positive if it is open [m].
   virtual std::vector<Point> crack_openings(int /*crack*/, const std::vector<double>& /*fractions*/,
                                             const Solution& /*solution*/) const {
@@ -163,6 +194,8 @@ class Region {
   // nodes that no region has both of.
   virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
+  // Of a region whose bonds show what a crack tip among them carries.
+  virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
 
   // --- Results
 

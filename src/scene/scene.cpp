@@ -33,7 +33,7 @@ int Scene::add_crack(const std::vector<Point>& points) {
             " of the crack are the same; give distinct points");
   }
   require_possible_crack(points);
-  cracks_.push_back({points});
+  cracks_.push_back({points, 0, 0});
   return static_cast<int>(cracks_.size());
 }
 

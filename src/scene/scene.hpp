@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "scene/condition.hpp"
@@ -11,6 +12,13 @@ namespace bempd::scene {
 
 struct Crack {
   std::vector<Point> points;  // none: it was removed
+  // Points that growth has added at its ends.
+  int grown_at_start = 0, grown_at_end = 0;
+
+  std::span<const Point> given() const {
+    return std::span(points).subspan(static_cast<std::size_t>(grown_at_start),
+                                     points.size() - static_cast<std::size_t>(grown_at_start + grown_at_end));
+  }
 };
 
 // The scene as the host described it. Ids are positions in these vectors plus 1; what is removed leaves its place
@@ -24,6 +32,8 @@ class Scene {
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
   // The edge becomes the arc through a place between its ends.
   void set_edge_arc(int region, int edge, const Point& between);
+  // The edge becomes the arc about a centre, on which both of its ends lie.
+  void set_edge_arc_about(int region, int edge, const Point& centre, double radius, bool clockwise);
   // A row of edges of one loop becomes a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);

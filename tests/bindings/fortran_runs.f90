@@ -69,10 +69,13 @@ program fortran_runs
   call options_are_set_listed_and_read_back()
   call indices_count_from_one()
   call pressure_in_a_crack_has_its_factor_and_opening()
+  call cracks_grow_where_they_are_not_frozen()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
+  call edges_sides_arcs_and_singular_places()
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
+  call the_path_of_equilibrium_costs_what_bonds_take()
   call models_are_freed_and_created_again()
   call finish_checks()
 
@@ -288,6 +291,8 @@ contains
     type(bempd_crack_tip), allocatable :: found(:)
     real(dp), allocatable :: normal(:), tangential(:)
     integer(c_int32_t) :: material, crack, load
+    integer(c_int64_t), allocatable :: events(:)
+    real(dp), allocatable :: factors(:)
     real(dp), parameter :: expected = 3 * sqrt(acos(-1.0_dp) * .01_dp)
     integer :: stat
     character(200) :: message
@@ -306,6 +311,14 @@ contains
     call model%crack_opening(crack, [.5_dp, 1.0_dp], normal, tangential)
     call check(abs(normal(1) - 4 * 3 * .01_dp) < 1e-3_dp * normal(1) .and. abs(normal(2)) < 1e-12_dp, "it opens")
     call check(maxval(abs(tangential)) < 1e-6_dp * normal(1), "it does not slide")
+    call check(all(found%method == BEMPD_TIP_ELEMENTS), "they have elements")
+    call model%set_option("tips.record", 1.0_dp)
+    call model%step(2._dp)
+    call model%tip_history(found, events=events, load_factors=factors)
+    call check(size(found) == 2 .and. all(events == 0) .and. all(factors == 2), "tips are recorded")
+    call check(maxval(abs(found%stress_intensity_1 / expected - 1)) < 3e-4_dp, "recorded tips have their factors")
+    call model%write_tips("nowhere/at/all.csv", stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_IO, message, "bempd_write_tips: ")
     call model%grow_cracks(.001_dp, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_UNSOLVABLE, message, "bempd_grow_cracks: ")
     call model%crack_opening(2, [.5_dp], normal, stat=stat, errmsg=message)
@@ -313,6 +326,32 @@ contains
     call model%add_crack_traction(crack, 7, constant=[3.0_dp], stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ORDER, message, "bempd_add_crack_traction: ")
   end subroutine pressure_in_a_crack_has_its_factor_and_opening
+
+  subroutine cracks_grow_where_they_are_not_frozen()
+    type(bempd_model) :: model
+    type(bempd_growth) :: growth
+    type(bempd_crack_extension), allocatable :: found(:)
+    integer(c_int32_t) :: material, crack
+    integer :: stat
+    character(200) :: message
+
+    call model%create()
+    call model%add_material(1.0_dp, .3_dp, material, fracture_energy=1.0_dp)
+    call model%add_bem_region(material, reshape([-1, -1, 1, -1, 1, 1, -1, 1] * 1.0_dp, [2, 4]), .5_dp)
+    call model%add_crack(reshape([-.3_dp, 0.0_dp, .3_dp, 0.0_dp], [2, 2]), crack)
+    call model%fix_point(-1.0_dp, -1.0_dp, BEMPD_BOTH)
+    call model%fix_point(1.0_dp, -1.0_dp, BEMPD_Y)
+    call model%add_crack_traction(crack, BEMPD_PRESSURE, proportional=[1.0_dp])
+    call model%set_tip_frozen(crack, BEMPD_CRACK_START, .true.)
+    call model%grow_cracks(.1_dp, growth)
+    call model%extensions(found)
+    call check(size(found) == 1 .and. growth%tips == 1, "one tip grows")
+    call check(found(1)%end == BEMPD_CRACK_END .and. abs(found(1)%x - .4_dp) < 1e-6_dp, "it is the one that is not frozen")
+    call check(abs(found(1)%energy_release_rate_before - 1) < 1e-9_dp, "it grows at its fracture energy")
+    call check(abs(found(1)%length - growth%length) < 1e-12_dp, "the lengths are the same")
+    call model%set_tip_frozen(2, BEMPD_CRACK_START, .true., stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_tip_frozen: ")
+  end subroutine cracks_grow_where_they_are_not_frozen
 
   subroutine pressure_and_moments_balance()
     type(bempd_model) :: model
@@ -328,6 +367,37 @@ contains
     call model%reaction_moment(1, 0._dp, .5_dp, moment)
     call check(abs(moment) < 1e-9_dp, "it has no moment about its middle")
   end subroutine pressure_and_moments_balance
+
+  subroutine edges_sides_arcs_and_singular_places()
+    type(bempd_model) :: model
+    type(bempd_singularity), allocatable :: singular(:)
+    real(dp), allocatable :: stress(:, :)
+    real(dp) :: force(2), moment
+    integer(c_int32_t) :: disc
+    integer :: stat
+    character(200) :: message
+
+    call make_square(model)
+    call model%add_traction(1, 2, BEMPD_X, constant=[0._dp], proportional=[10._dp])
+    call model%add_bem_disc(1, .5_dp, 3._dp, .5_dp, .2_dp, region=disc)
+    call model%set_edge_arc_about(disc, 1, .5_dp, 3._dp, .5_dp, BEMPD_COUNTER_CLOCKWISE)
+    call model%set_edge_arc_about(disc, 1, .5_dp, 3._dp, .6_dp, BEMPD_CLOCKWISE, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_edge_arc_about: edge 1 of region 2 begins 0.5")
+    call model%fix_edge(disc, 1, BEMPD_BOTH)
+    call model%step(1._dp)
+    call model%edge_reaction(1, 4, 0._dp, .5_dp, force, moment)
+    call check(abs(force(1) + 10) < 1e-9_dp .and. abs(moment) < 1e-9_dp, "the edge holds the traction")
+    call model%edge_reaction(1, 1, 0._dp, .5_dp, force, moment, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_edge_reaction: no support holds edge 1")
+    call model%evaluate_in(1, reshape([1._dp, .5_dp], [2, 1]), stress=stress)
+    call check(abs(stress(1, 1) - 10) < 1e-7_dp, "the region has its stress on its boundary")
+    call model%evaluate_in(disc, reshape([1._dp, .5_dp], [2, 1]), stress=stress, face=BEMPD_FACE_RIGHT, stat=stat, &
+      errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_evaluate_in: point 0")
+    call model%singularities(singular)
+    call check(count(singular%region == disc .and. singular%kind == BEMPD_SINGULAR_CORNER) == 2, "a clamp has two ends")
+    call check(all(singular%exponent < 1), "stress is unbounded there")
+  end subroutine edges_sides_arcs_and_singular_places
 
   subroutine reactions_and_evaluation_agree_with_a_uniform_bar()
     type(bempd_model) :: model
@@ -390,6 +460,22 @@ contains
     call check(statistics%broken_bonds == report%total_broken_bonds, "the statistics count the broken bonds")
     call check(lines(size(lines))%total_broken_bonds == report%total_broken_bonds, "and so does the last line")
   end subroutine history_and_statistics_belong_together
+
+  subroutine the_path_of_equilibrium_costs_what_bonds_take()
+    type(bempd_model) :: held, path
+    type(bempd_step_report) :: at_load, on_path
+    real(dp) :: lowest, highest
+
+    call make_strip(held)
+    call held%admissible_load_factors(lowest, highest)
+    call check(lowest < 0 .and. highest > 0, "the body bears no load at all")
+    call held%run_to_separation(1e6_dp, at_load)
+    call make_strip(path)
+    call path%set_option("stepping.control", "path")
+    call path%run_to_separation(1e6_dp, on_path)
+    call check(on_path%unstable_event == 0 .and. at_load%unstable_event > 0, "only a held load loses equilibrium")
+    call check(abs(on_path%released_energy / at_load%bond_energy - 1) < 1e-9_dp, "bonds take the same on both ways")
+  end subroutine the_path_of_equilibrium_costs_what_bonds_take
 
   subroutine models_are_freed_and_created_again()
     type(bempd_model) :: models(2)

@@ -1,7 +1,7 @@
 """Random bodies of boundary element and peridynamic boxes, torn with windows and without: both must break the same bonds at
 the same loads, with equilibrium and energy balance held to stated bounds.
 
-    random_scenes.py [--first SEED] [--count N] [--verbose]
+    random_scenes.py [--first SEED] [--count N] [--also SEED ...] [--verbose]
 
 A scene follows from its number alone. Prints one line for every scene that fails and a summary; exits with 1 if any does."""
 
@@ -22,7 +22,7 @@ import bempd
 MOST_RESIDUAL, MOST_IMBALANCE = 1e-8, 1e-8
 # In which windows and plain solutions may differ, relative to the largest value.
 LOADS, ENERGIES, REACTIONS = 1e-7, 1e-6, 1e-6
-MOST_GROWTH = 1e3  # of the load factor over that of the first event
+MOST_GROWTH = 1e6  # of the load factor over that of the first event
 EVENTS = 40
 
 
@@ -157,7 +157,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
     size = max((np.abs(r).max() for r in plain.reactions), default=0) + natural + 1e-300
     for number, (a, b) in enumerate(zip(plain.reports, window.reports), 1):
         if a.load_factor > MOST_GROWTH * plain.reports[0].load_factor:
-            return None  # what breaks there hardly feels the load, and ties are decided by rounding
+            return None  # what breaks there hardly feels the load: its stretch has lost as many digits
         if a.total_broken_bonds != b.total_broken_bonds or a.stop_reason != b.stop_reason:
             return (f"event {number}: {a.total_broken_bonds} bonds, {a.stop_reason.name}; with windows "
                     f"{b.total_broken_bonds}, {b.stop_reason.name}")
@@ -175,7 +175,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
                 continue
             a, b = plain.history[name].astype(float), window.history[name].astype(float)
             size = np.abs(a).max(initial=0)
-            if name in ("stored_energy", "released_energy"):
+            if name.endswith("_energy"):
                 size = max(size, largest_energy)
             if len(a) != len(b) or np.abs(a - b).max(initial=0) > ENERGIES * size:
                 return f"history: {name} differs"
@@ -186,6 +186,7 @@ def arguments_with(count: int) -> argparse.Namespace:
     parser = argparse.ArgumentParser()
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--count", type=int, default=count)
+    parser.add_argument("--also", type=int, nargs="*", default=[], help="scenes that failed once")
     parser.add_argument("--verbose", action="store_true")
     return parser.parse_args()
 
@@ -193,7 +194,8 @@ def arguments_with(count: int) -> argparse.Namespace:
 def main() -> int:
     arguments = arguments_with(count=200)
     failed = compared = refused = 0
-    for seed in range(arguments.first, arguments.first + arguments.count):
+    seeds = [*range(arguments.first, arguments.first + arguments.count), *arguments.also]
+    for seed in seeds:
         plain, window = run(seed, "plain"), run(seed, "window")
         finding = unsound(plain) or unsound(window) or difference(plain, window)
         compared += len(plain.reports)
@@ -203,7 +205,7 @@ def main() -> int:
             print(f"scene {seed}: {finding}", flush=True)
         elif arguments.verbose:
             print(f"scene {seed}: {len(plain.reports)} events, {plain.error}", flush=True)
-    print(f"{arguments.count} scenes, {compared} events compared, {refused} ended with an error, {failed} failed")
+    print(f"{len(seeds)} scenes, {compared} events compared, {refused} ended with an error, {failed} failed")
     return 1 if failed else 0
 
 

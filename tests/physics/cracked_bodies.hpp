@@ -55,9 +55,12 @@ struct CrackedBody {
 
   CrackedBody(const std::vector<std::vector<Panel>>& outline, const std::vector<std::vector<Point>>& paths,
               const PlaneElasticity& elasticity, double target, const bem::CrackGrading& grading = {},
+              double tolerance = 1e-10)
+      : CrackedBody(outline, as_given(paths), elasticity, target, grading, tolerance) {}
+
+  CrackedBody(const std::vector<std::vector<Panel>>& outline, const std::vector<CrackPath>& given,
+              const PlaneElasticity& elasticity, double target, const bem::CrackGrading& grading = {},
               double tolerance = 1e-10) {
-    std::vector<CrackPath> given;
-    for (const auto& points : paths) given.push_back({static_cast<int>(given.size()) + 1, points});
     const std::vector<Edge> edges = edges_of_loops(outline);
     lines = crack_lines(given, edges, tolerance);
     loops = parted_at_mouths(outline, lines, target);
@@ -67,6 +70,12 @@ struct CrackedBody {
     mesh = mesh_boundary(loops);
     cracks = bem::mesh_cracks(lines, sizes.stations(), mesh, tolerance);
     op = std::make_unique<bem::CrackedOperator>(mesh, cracks, elasticity);
+  }
+
+  static std::vector<CrackPath> as_given(const std::vector<std::vector<Point>>& paths) {
+    std::vector<CrackPath> given;
+    for (const auto& points : paths) given.push_back({static_cast<int>(given.size()) + 1, points});
+    return given;
   }
 
   // Under tractions of a stress on the whole boundary and tractions on crack faces.

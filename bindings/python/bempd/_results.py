@@ -13,7 +13,24 @@ from ._arguments import FloatArray
 from ._handle import Handle
 from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
-from .reports import Bonds, CrackOpening, CrackTip, Growth, PointValues, Statistics, crack_tip, rows, values_of
+from .reports import (
+    Bonds,
+    CrackExtension,
+    CrackOpening,
+    CrackTip,
+    EdgeReaction,
+    Growth,
+    PointValues,
+    Singularity,
+    Statistics,
+    TipEnd,
+    TipRecord,
+    crack_extension,
+    crack_tip,
+    rows,
+    singularity,
+    values_of,
+)
 
 FIELDS = {
     "position": lib.BEMPD_POSITION,
@@ -23,7 +40,9 @@ FIELDS = {
     "traction": lib.BEMPD_TRACTION,
     "bond_stretch": lib.BEMPD_BOND_STRETCH,
     "element_stress": lib.BEMPD_ELEMENT_STRESS,
+    "stress_order": lib.BEMPD_STRESS_ORDER,
 }
+FACES = {"left": lib.BEMPD_FACE_LEFT, "right": lib.BEMPD_FACE_RIGHT}
 IntArray = npt.NDArray[np.int32]
 
 
@@ -31,7 +50,8 @@ class Results:
     """What can be asked of a model. Asking prepares it if need be.
 
     Fields are "position", "displacement", "stress" (xx, yy, xy), "damage" (PD), "traction" (BEM, at the three nodes of
-    every element), "element_stress" (BEM, there too) and "bond_stretch" (PD). There are three ways to a field:
+    every element), "element_stress" (BEM, there too), "bond_stretch" (PD) and "stress_order" (0 where stress is
+    bounded). There are three ways to a field:
 
     field()       a read-only array that keeps the values of the moment; asked again before the model changes, the same
                   array. Yours for as long as you like, whatever becomes of the model.
@@ -138,10 +158,24 @@ class Results:
         self._open().call("bempd_reaction", support, ffi.from_buffer("double[]", force))
         return force
 
+    def admissible_load_factors(self) -> tuple[float, float]:
+        """Lowest and highest load factor that the body bears with its present bonds; the lowest is above the highest
+        where there is none, and both are at the ends of the range of numbers where nothing bounds them."""
+        lowest, highest = ffi.new("double *"), ffi.new("double *")
+        self._open().call("bempd_admissible_load_factors", lowest, highest)
+        return float(lowest[0]), float(highest[0])
+
     def reaction_moment(self, support: int, about: Sequence[float] = (0.0, 0.0)) -> float:
         """Moment [N m] about a place of the forces of a support on the body, positive counter-clockwise."""
         return float(self._number("bempd_reaction_moment", "double", support,
                                   *arguments.place("reaction_moment: about", about)))
+
+    def edge_reaction(self, region: int, edge: int, about: Sequence[float] = (0.0, 0.0)) -> EdgeReaction:
+        """Force and moment about a place that supports exert through one edge; corners are shared among edges."""
+        force, moment = np.empty(2), ffi.new("double *")
+        self._open().call("bempd_edge_reaction", region, edge, *arguments.place("edge_reaction: about", about),
+                          ffi.from_buffer("double[]", force), moment)
+        return EdgeReaction(force, float(moment[0]))
 
     def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues:
         """Displacement, stress and region at places in the body; without `stress` it is faster."""
@@ -153,8 +187,38 @@ class Results:
                           arguments.doubles(tensor), ffi.from_buffer("int32_t[]", regions))
         return PointValues(displacement, tensor, regions)
 
+    def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: str = "left",
+                    stress: bool = True) -> PointValues:
+        """As evaluate(), as one region has it: on its side of interfaces, and on the "left" or "right" face of cracks."""
+        places = arguments.point_array("evaluate_in: points", points)
+        count = len(places)
+        displacement, tensor = np.empty((count, 2)), np.empty((count, 3)) if stress else None
+        self._open().call("bempd_evaluate_in", region, arguments.choice("evaluate_in: face", face, FACES), count,
+                          arguments.doubles(places), arguments.doubles(displacement), arguments.doubles(tensor))
+        return PointValues(displacement, tensor, np.full(count, region, dtype=np.int32))
+
+    def singularities(self) -> list[Singularity]:
+        """Places where stress is unbounded, so that its number there depends on the elements.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> corner = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+        >>> bracket = model.add_bem_region(glass, corner, element_length=0.25)
+        >>> support = model.fix_edge(bracket, 5, "y"), model.fix_point((0, 0), "x")
+        >>> [(place.kind.name, place.x, place.y, round(place.exponent, 4)) for place in model.singularities()]
+        [('CORNER', 1.0, 1.0, 0.5445), ('POINT', 0.0, 0.0, 0.0)]
+        """
+        count = int(self._number("bempd_singularity_count", "int64_t"))
+        found = []
+        for index in range(count):
+            struct = new_struct("bempd_singularity", "bempd_singularity_init")
+            self._open().call("bempd_get_singularity", index, struct)
+            found.append(singularity(struct))
+        return found
+
     def tips(self) -> list[CrackTip]:
-        """Tips of cracks in BEM regions with their stress intensity factors, by crack.
+        """Tips of cracks with their stress intensity factors, those in BEM regions first, by crack.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -175,14 +239,51 @@ class Results:
             found.append(crack_tip(struct))
         return found
 
+    def tip_history(self) -> list[TipRecord]:
+        """The tips that were recorded: at every n-th event and at the ends of steps with the option tips.record = n.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> model.options["tips.record"] = 1
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+        >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
+        >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> report = model.step(1), model.step(2)
+        >>> [(record.load_factor, f"{record.tip.stress_intensity_1:.4g}") for record in model.tip_history()[::2]]
+        [(1.0, '1.487e+06'), (2.0, '2.973e+06')]
+        """
+        event, broken, factor = ffi.new("int64_t *"), ffi.new("int64_t *"), ffi.new("double *")
+        records = []
+        for index in range(int(self._number("bempd_tip_history_count", "int64_t"))):
+            struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
+            self._open().call("bempd_get_tip_history", index, event, broken, factor, struct)
+            records.append(TipRecord(event[0], broken[0], factor[0], crack_tip(struct)))
+        return records
+
     def grow_cracks(self, length: float) -> Growth:
         """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
 
-        The load factor is solved for and the model is there afterwards, with the longer cracks and a new history.
+        The load factor is solved for and the model is there afterwards, with the longer cracks; the history goes on.
+        The options named growth.* choose criterion, direction and which tips grow together.
         """
         struct = new_struct("bempd_growth", "bempd_growth_init")
         self._open().call("bempd_grow_cracks", arguments.real("grow_cracks: length", length), struct, changes=True)
         return Growth(**values_of(struct, "bempd_growth", Growth))
+
+    def set_tip_frozen(self, crack: int, end: TipEnd | int, frozen: bool = True) -> None:
+        """Keep the tip at an end of a crack from growing, or let it grow again."""
+        self._open().call("bempd_set_tip_frozen", crack, int(end), int(frozen))
+
+    def extensions(self) -> list[CrackExtension]:
+        """What every tip did in every call of `grow_cracks`, in order."""
+        found = []
+        for index in range(int(self._number("bempd_extension_count", "int64_t"))):
+            struct = new_struct("bempd_crack_extension", "bempd_crack_extension_init")
+            self._open().call("bempd_extension", index, struct)
+            found.append(crack_extension(struct))
+        return found
 
     def crack_opening(self, crack: int, fractions: npt.ArrayLike) -> CrackOpening:
         """Openings [m] of a crack in a BEM region at places given as fractions of its length."""
@@ -221,7 +322,12 @@ class Results:
         """Write the history with the reactions of all supports as comma-separated values."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
 
+    def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write what tip_history() has as comma-separated values; read_history() reads them."""
+        self._open().call("bempd_write_tips", arguments.file_name("write_tips: path", path))
+
 
 def read_history(path: Union[str, "os.PathLike[str]"]) -> npt.NDArray[Any]:
-    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ..."""
+    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ...; or what
+    Model.write_tips() wrote."""
     return np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64))

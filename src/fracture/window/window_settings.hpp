@@ -70,6 +70,8 @@ struct WindowSettings {
   // What rounding may do to what the certificate compares, and to energies, relative to the stiffness around a window.
   static constexpr double certificate_margin = 1e-9;
   static constexpr double energy_rounding = 1e-13;
+  // Of the energy of the undamaged scene: with less the body may be separated, and rounding may hide it.
+  static constexpr double doubtful_energy = 1e-7;
   // Worst residual with which computed events are taken; what is left is rounding.
   static constexpr double acceptable_residual = 1e-11;
 };

@@ -24,8 +24,16 @@ MeshingRules BoundaryRegion::meshing_rules(const Preparation& preparation) const
   return {false, preparation.options.text_value("bem.grading") == "auto"};
 }
 
-std::shared_ptr<const bem::BoundaryOperator> BoundaryRegion::make_operator(const bem::AssemblyOptions& assembly) const {
-  if (cracks_) return std::make_shared<const bem::CrackedOperator>(mesh_, cracks_->elements(), elasticity(), assembly);
+std::shared_ptr<const bem::BoundaryOperator> BoundaryRegion::make_operator(const Preparation& preparation,
+                                                                           const bem::AssemblyOptions& assembly) const {
+  if (cracks_) {
+    const bem::CrackedOperator* before = nullptr;
+    if (preparation.before)
+      for (const auto& region : *preparation.before)
+        if (const auto& same = static_cast<const BoundaryRegion&>(*region); region->id() == id() && same.cracks_)
+          before = &same.cracked();
+    return std::make_shared<const bem::CrackedOperator>(mesh_, cracks_->elements(), elasticity(), assembly, before);
+  }
   return std::make_shared<const bem::GalerkinOperator>(mesh_, elasticity(), assembly);
 }
 
@@ -103,8 +111,8 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     break;
   }
   if (!operator_) {
-    operator_ = make_operator(
-        {preparation.options.number("bem.quadrature_tolerance"), preparation.options.whole_number("threads")});
+    operator_ = make_operator(preparation, {preparation.options.number("bem.quadrature_tolerance"),
+                                            preparation.options.whole_number("threads")});
   }
   // Which nodes have interfaces is a matter of the region, not of its shape.
   stiffness_ = own_stiffness(preparation);

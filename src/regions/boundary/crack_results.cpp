@@ -1,7 +1,8 @@
 #include <cmath>
-#include <limits>
 
 #include "bem/coarse_level.hpp"
+#include "elasticity/griffith.hpp"
+#include "elasticity/kinked_tip.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
 
@@ -16,33 +17,6 @@ constexpr double error_of_difference = 1.0 / 3;
 const std::vector<CrackLoad>& loads_of(const Solution& solution) {
   static const std::vector<CrackLoad> none;
   return solution.crack_loads ? *solution.crack_loads : none;
-}
-
-// The smallest load factor > 0 at which |constant + factor * proportional|^2 is `square`.
-double critical_factor(const Point& constant, const Point& proportional, double square) {
-  const double a = proportional.squaredNorm(), b = constant.dot(proportional), c = constant.squaredNorm() - square;
-  const double root = b * b - a * c;
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(square > 0) || c >= 0) return square > 0 ? 0.0 : never;
-  // Between the two roots, which have different signs, the crack stands still.
-  return a > 0 ? (std::sqrt(root) - b) / a : never;
-}
-
-// The smallest load factor >= 0 at which the mode I factor that is worth constant + factor * proportional reaches the
-// toughness. As the largest hoop stress it is a convex function of the load factor.
-double growth_factor(const Point& constant, const Point& proportional, double toughness) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(toughness > 0)) return never;
-  const auto excess = [&](double factor) {
-    return bem::kink_of(constant + factor * proportional).equivalent_factor - toughness;
-  };
-  if (excess(0) >= 0) return 0;
-  const double slope = bem::kink_of(proportional).equivalent_factor;
-  if (!(slope > 0)) return never;
-  // It lies above the factor times `slope` less what the constant part can take away.
-  double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
-  for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
-  return high;
 }
 
 }  // namespace
@@ -77,27 +51,39 @@ void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<
   scatter(trace_.transpose() * cracked().forces_on_boundary(forces), force);
 }
 
-std::vector<TipValues> BoundaryRegion::tips(const Solution& solution) const {
+// With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
+// the part that depends on u.
+Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::vector<CrackLoad>& loads) const {
+  const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
+  Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
+  for (int part = 0; part < 2; ++part) {
+    const auto traction = cracks_->traction(loads, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
+    if (traction) forces.col(part) = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
+  }
+  if (forces.isZero(0)) return Eigen::Matrix2d::Zero();
+  const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
+  return forces.transpose() * cracked().openings(held, forces);
+}
+
+std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail detail) const {
   if (!cracks_ || cracks_->elements().tips.empty()) return {};
-  const bem::CrackedState whole = cracked_state(solution);
-  const auto factors = bem::stress_intensities(
-      cracked(), {whole, bem::coarse_state(cracked(), whole), cracked_state(solution.parts->col(0), solution, 1, 0),
-                  cracked_state(solution.parts->col(1), solution, 0, 1)});
-  const std::vector<double> along = bem::stresses_along_crack(cracked(), whole);
-  const double toughness = std::sqrt(bem::plane_modulus(elasticity()) * material().fracture_energy);
+  std::vector<bem::CrackedState> states{cracked_state(solution.parts->col(0), solution, 1, 0),
+                                        cracked_state(solution.parts->col(1), solution, 0, 1), cracked_state(solution)};
+  if (detail == TipDetail::everything) states.push_back(bem::coarse_state(cracked(), states.back()));
+  const auto factors = bem::stress_intensities(cracked(), states);
+  std::vector<double> along(factors.size(), 0);
+  if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
+  const double modulus = plane_modulus(elasticity()), toughness = std::sqrt(modulus * material().fracture_energy);
   std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
     const bem::CrackTip& tip = cracks_->elements().tips[t];
-    const auto& [present, coarse, constant, proportional] =
-        std::tie(factors[t][0], factors[t][1], factors[t][2], factors[t][3]);
-    const double growth = growth_factor(constant.factors, proportional.factors, toughness);
-    const Point at_growth =
-        std::isfinite(growth) ? Point(constant.factors + growth * proportional.factors) : present.factors;
+    const bem::StressIntensity &constant = factors[t][0], &proportional = factors[t][1], &present = factors[t][2];
     values.push_back({cracks_->id_of(tip), tip.end == bem::TipEnd::end ? 1 : 0, tip.place, tip.direction,
                       present.factors, present.energy_release_rate, along[t],
-                      error_of_difference * (present.factors - coarse.factors).norm(),
-                      bem::kink_of(present.factors).angle, growth, bem::kink_of(at_growth).angle,
-                      critical_factor(constant.factors, proportional.factors, toughness * toughness)});
+                      error_of_difference * (present.factors - factors[t].back().factors).norm(),
+                      kink_of(present.factors).angle,
+                      critical_load_factor(constant.factors, proportional.factors, toughness), constant.factors,
+                      proportional.factors, toughness, modulus});
   }
   return values;
 }

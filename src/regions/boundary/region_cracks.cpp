@@ -14,8 +14,15 @@ namespace {
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
   std::vector<CrackPath> paths;
   for (std::size_t c = 0; c < p.crack_regions.size(); ++c)
-    if (p.crack_regions[c] == region) paths.push_back({static_cast<int>(c) + 1, p.scene.cracks()[c].points});
+    if (const scene::Crack& crack = p.scene.cracks()[c]; p.crack_regions[c] == region)
+      paths.push_back({static_cast<int>(c) + 1, crack.points, crack.grown_at_start, crack.grown_at_end});
   return paths;
+}
+
+double way_to(const CrackPath& path, int point) {
+  double sum = 0;
+  for (int i = 0; i < point; ++i) sum += (path.points[i + 1] - path.points[i]).norm();
+  return sum;
 }
 
 Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
@@ -83,12 +90,7 @@ bool RegionCracks::has(int crack) const {
   return std::any_of(paths_.begin(), paths_.end(), [&](const CrackPath& path) { return path.id == crack; });
 }
 
-double RegionCracks::length_of(int path) const {
-  double sum = 0;
-  const std::vector<Point>& points = paths_[path].points;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) sum += (points[i + 1] - points[i]).norm();
-  return sum;
-}
+double RegionCracks::length_of(int path) const { return way_to(paths_[path], paths_[path].segments()); }
 
 double RegionCracks::fraction_at(int l, const Point& x) const {
   const CrackLine& line = lines_.lines[l];
@@ -99,7 +101,10 @@ double RegionCracks::fraction_at(int l, const Point& x) const {
     if (gap < least) least = gap, way = before + along * segment.length();
     before += segment.length();
   }
-  return std::clamp((line.start + way) / length_of(line.crack), 0.0, 1.0);
+  const CrackPath& path = paths_[line.crack];
+  const double start = way_to(path, path.grown_at_start),
+               length = way_to(path, path.segments() - path.grown_at_end) - start;
+  return std::clamp((line.start + way - start) / length, 0.0, 1.0);
 }
 
 bem::FaceTraction RegionCracks::traction(const std::vector<CrackLoad>& loads, double constant,

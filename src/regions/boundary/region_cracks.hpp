@@ -34,6 +34,7 @@ class RegionCracks {
 
  private:
   double length_of(int path) const;
+  // Part of the crack as it was given: loads stay where they are when it grows, and go on beyond its ends.
   double fraction_at(int line, const Point& x) const;
   void require_one_piece(const Preparation& preparation, int region) const;
 

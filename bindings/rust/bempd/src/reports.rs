@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::{CrackId, StopReason, TipEnd};
+use crate::{CrackId, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
 
 /// Where a run stands, told after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,14 +57,46 @@ impl FromRaw<i32> for CrackId {
     }
 }
 
+impl FromRaw<i32> for RegionId {
+    fn from_raw(raw: i32) -> RegionId {
+        RegionId(raw)
+    }
+}
+
+impl FromRaw<i32> for SingularityKind {
+    fn from_raw(raw: i32) -> SingularityKind {
+        SingularityKind::from_raw(raw)
+    }
+}
+
 impl FromRaw<i32> for TipEnd {
     fn from_raw(raw: i32) -> TipEnd {
         TipEnd::from_raw(raw)
     }
 }
 
+impl FromRaw<i32> for TipMethod {
+    fn from_raw(raw: i32) -> TipMethod {
+        TipMethod::from_raw(raw)
+    }
+}
+
+/// A tip as it was.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct TipRecord {
+    /// Number of the event, or 0 for the end of a step.
+    pub event: i64,
+    /// Bonds broken by then.
+    pub total_broken_bonds: i64,
+    /// Load factor then [-].
+    pub load_factor: f64,
+    /// The tip.
+    pub tip: CrackTip,
+}
+
 mirror! {
-    /// The tip of a crack in a boundary element region, at the present load factor.
+    /// The tip of a crack at the present load factor; `bempd_crack_tip` in the C header says how its values are found.
     CrackTip of bempd_crack_tip {
         /// The crack.
         crack: CrackId,
@@ -92,6 +124,36 @@ mirror! {
         kink_angle: f64,
         /// Smallest load factor >= 0 at which the energy release rate is the fracture energy; infinite if it never is.
         critical_load_factor: f64,
+        /// What the values come from.
+        method: TipMethod,
+        /// Rings that the values come from; a tip in a peridynamic region that has 0 has NaN for them.
+        contours: i32,
+        /// Whether bonds have broken since so that the tip is not the described end any more.
+        grown: bool,
+        /// Whether other ways lead on from the crack, too.
+        branched: bool,
+        /// Outer radius of the largest ring [m].
+        contour_radius: f64,
+        /// How far ahead of its place the tip is felt [m].
+        felt_ahead: f64,
+    }
+}
+
+mirror! {
+    /// A place where the stress of the elastic body is unbounded: it grows as r to the power of exponent - 1.
+    Singularity of bempd_singularity {
+        /// Why it is.
+        kind: SingularityKind,
+        /// A region there.
+        region: RegionId,
+        /// Place [m].
+        x: f64,
+        /// Place [m].
+        y: f64,
+        /// Of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-].
+        exponent: f64,
+        /// Imaginary part of the exponent [-].
+        oscillation: f64,
     }
 }
 
@@ -104,6 +166,44 @@ mirror! {
         ended: i32,
         /// Load factor at which they did [-].
         load_factor: f64,
+        /// Sum of their ways [m].
+        length: f64,
+        /// Energy that the body has released by it [J].
+        released_energy: f64,
+    }
+}
+
+mirror! {
+    /// What one tip did when cracks grew.
+    CrackExtension of bempd_crack_extension {
+        /// Event of the history that it was part of.
+        event: i64,
+        /// The crack.
+        crack: CrackId,
+        /// Which of its ends.
+        end: TipEnd,
+        /// 1: it has reached an edge, a hole or another crack; else 0.
+        ended: i32,
+        /// Extensions of this end up to this one.
+        count: i32,
+        /// Where it came to [m].
+        x: f64,
+        /// [m].
+        y: f64,
+        /// By which it turned, counter-clockwise [rad].
+        angle: f64,
+        /// Of its way [m].
+        length: f64,
+        /// Of the whole crack after it [m].
+        crack_length: f64,
+        /// At which it grew [-].
+        load_factor: f64,
+        /// When it set out in the new direction [J/m^2].
+        energy_release_rate_before: f64,
+        /// When it had arrived [J/m^2]; 0 if it has ended.
+        energy_release_rate_after: f64,
+        /// Mean of both times way and thickness, or what the others of the event leave [J].
+        released_energy: f64,
     }
 }
 
@@ -145,6 +245,11 @@ mirror! {
         seconds_update: f64,
         /// Of it: stretches, choice of bonds, connectivity [s].
         seconds_search: f64,
+        /// Of the released energy what bonds take where they just reach their critical stretch; the rest would have
+        /// become motion [J].
+        bond_energy: f64,
+        /// The first event of this step at which equilibrium was lost; 0 if each was in equilibrium.
+        unstable_event: i64,
     }
 }
 
@@ -169,6 +274,13 @@ mirror! {
         energy_balance_error: f64,
         /// Largest unbalanced force over the largest internal nodal force so far [-].
         residual: f64,
+        /// On the equilibrium path: where the most stretched bond just reaches its critical stretch; at the end of a
+        /// step the load factor [-].
+        critical_load_factor: f64,
+        /// Elastic energy there, after the event [J].
+        critical_stored_energy: f64,
+        /// What bonds broken so far take where they just reach their critical stretch [J].
+        bond_energy: f64,
     }
 }
 

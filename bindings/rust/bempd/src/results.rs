@@ -1,5 +1,6 @@
 use crate::{
-    BondState, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics, SupportId, View,
+    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, Model, RegionId, Result, Singularity,
+    Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -29,6 +30,15 @@ pub struct PointValues {
     pub stress: Vec<[f64; 3]>,
     /// The regions that hold the places.
     pub regions: Vec<RegionId>,
+}
+
+/// What supports exert on the body through one edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeReaction {
+    /// Resultant [N].
+    pub force: [f64; 2],
+    /// Moment, positive counter-clockwise [N m].
+    pub moment: f64,
 }
 
 /// Openings of a crack, one entry a place: displacement of its left face less that of its right one.
@@ -115,6 +125,12 @@ impl Model {
         self.handle.reaction_moment(support.0, about)
     }
 
+    /// Lowest and highest load factor that the body bears with its present bonds; the lowest is above the highest where
+    /// there is none, and both are at the ends of the range of numbers where nothing bounds them.
+    pub fn admissible_load_factors(&self) -> Result<(f64, f64)> {
+        self.handle.admissible_load_factors()
+    }
+
     /// Displacement and stress at places in the body [m]: by the interior identities in boundary element regions, by
     /// interpolation between material points in peridynamic ones.
     pub fn evaluate(&self, places: &[[f64; 2]]) -> Result<PointValues> {
@@ -127,7 +143,26 @@ impl Model {
         self.handle.evaluate_displacement(places)
     }
 
-    /// Number of tips that cracks in boundary element regions have.
+    /// Force, and moment about a place, that all supports of an edge exert through it; what corners carry is shared among
+    /// the edges that meet there.
+    pub fn edge_reaction(&self, region: RegionId, edge: i32, about: [f64; 2]) -> Result<EdgeReaction> {
+        let (force, moment) = self.handle.edge_reaction(region.0, edge, about)?;
+        Ok(EdgeReaction { force, moment })
+    }
+
+    /// As [`Model::evaluate`], as one region has it: on its side of interfaces, and on one face of cracks.
+    pub fn evaluate_in(&self, region: RegionId, face: Face, places: &[[f64; 2]]) -> Result<PointValues> {
+        let (displacement, stress) = self.handle.evaluate_in(region.0, face as i32, places)?;
+        Ok(PointValues { displacement, stress, regions: vec![region; places.len()] })
+    }
+
+    /// All places where stress is unbounded, so that its number there depends on the elements.
+    pub fn singularities(&self) -> Result<Vec<Singularity>> {
+        let count = self.handle.singularity_count()?;
+        (0..count).map(|index| Ok(Singularity::from_raw(&self.handle.singularity(index)?))).collect()
+    }
+
+    /// Number of tips that cracks have.
     pub fn tip_count(&self) -> Result<usize> {
         self.handle.tip_count().map(|count| count as usize)
     }
@@ -137,7 +172,7 @@ impl Model {
         Ok(CrackTip::from_raw(&self.handle.tip(index as i64)?))
     }
 
-    /// All tips, by crack, with their stress intensity factors.
+    /// All tips with their stress intensity factors: those in boundary element regions first, by crack.
     ///
     /// ```
     /// use bempd::{Component, FaceComponent, Material, Model, TipEnd, Values};
@@ -165,10 +200,77 @@ impl Model {
         (0..self.tip_count()?).map(|index| self.tip(index)).collect()
     }
 
+    /// The tips that were recorded: at every n-th event and at the ends of steps with the option `tips.record` = n.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, TipMethod, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// model.set_option("tips.record", 1.0)?;
+    /// let glass = model.add_material(&Material::new(1.0, 1.0 / 3.0))?;
+    /// let square = [[-20.5, -20.5], [20.5, -20.5], [20.5, 20.5], [-20.5, 20.5]];
+    /// let plate = model.add_pd_region(glass, &square, 1.0, 3)?;
+    /// model.add_crack(&[[-10.0, 0.0], [10.0, 0.0]])?;
+    /// model.fix_point([-20.5, -20.5], Component::Both)?;
+    /// model.fix_point([20.5, -20.5], Component::Y)?;
+    /// model.add_traction(plate, 3, Component::Y, Values::proportional(&[1.0]))?;
+    /// model.add_traction(plate, 1, Component::Y, Values::proportional(&[-1.0]))?;
+    /// model.step(0.01)?;
+    ///
+    /// let recorded = model.tip_history()?;
+    /// assert_eq!((recorded.len(), recorded[1].event, recorded[1].load_factor), (2, 0, 0.01));
+    /// assert_eq!((recorded[1].tip.method, recorded[1].tip.contours), (TipMethod::Contours, 3));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn tip_history(&self) -> Result<Vec<TipRecord>> {
+        let count = self.handle.tip_history_count()?;
+        let record = |index| {
+            let (event, total_broken_bonds, load_factor, tip) = self.handle.tip_record(index)?;
+            Ok(TipRecord { event, total_broken_bonds, load_factor, tip: CrackTip::from_raw(&tip) })
+        };
+        (0..count).map(record).collect()
+    }
+
     /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
-    /// The load factor is solved for; the model is there afterwards, with the longer cracks and a new history.
+    /// The load factor is solved for; the model is there afterwards, with the longer cracks; the history goes on. The
+    /// options named `growth.*` choose criterion, direction and which tips grow together.
     pub fn grow_cracks(&mut self, length: f64) -> Result<Growth> {
         Ok(Growth::from_raw(&self.handle.grow_cracks(length)?))
+    }
+
+    /// Keeps the tip at an end of a crack from growing, or lets it grow again.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, TipEnd, Values, FaceComponent};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material::new(1.0, 0.3).fracture_energy(1.0))?;
+    /// model.add_bem_region(glass, &[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-0.3, 0.0], [0.3, 0.0]])?;
+    /// model.fix_point([-1.0, -1.0], Component::Both)?;
+    /// model.fix_point([1.0, -1.0], Component::Y)?;
+    /// model.add_crack_traction(crack, FaceComponent::Pressure, Values::proportional(&[1.0]))?;
+    /// model.set_tip_frozen(crack, TipEnd::Start, true)?;
+    /// let growth = model.grow_cracks(0.1)?;
+    /// let extensions = model.extensions()?;
+    /// assert_eq!((growth.tips, extensions.len(), extensions[0].end), (1, 1, TipEnd::End));
+    /// assert!((extensions[0].x - 0.4).abs() < 1e-6);
+    /// assert!((extensions[0].energy_release_rate_before - 1.0).abs() < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn set_tip_frozen(&mut self, crack: CrackId, end: TipEnd, frozen: bool) -> Result<()> {
+        self.handle.set_tip_frozen(crack.0, end.raw(), frozen)
+    }
+
+    /// What every tip did in every call of `grow_cracks`, in order.
+    pub fn extensions(&self) -> Result<Vec<CrackExtension>> {
+        (0..self.handle.extension_count()?)
+            .map(|index| Ok(CrackExtension::from_raw(&self.handle.extension(index)?)))
+            .collect()
     }
 
     /// Openings of a crack in a boundary element region at places given as fractions of its length.

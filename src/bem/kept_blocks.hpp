@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "bem/galerkin_assembly.hpp"
+
+namespace bempd::bem {
+
+// What a body has in common with one whose cracks are others: nodes around which all elements are the same, so that
+// their blocks in the matrices are.
+struct KeptNodes {
+  std::vector<int> nodes, traction_nodes;  // of the other body, by node; -1 for what is new
+  bool whole_boundary = false;             // with its traction nodes in their order
+  int boundary_nodes = 0;                  // of `nodes`, the first ones
+
+  bool has(const GalerkinElement& element) const;
+  // Whether integrals over a pair of elements are known. What keeps B's rows of boundary nodes free of forces in rigid
+  // motions sums over the whole boundary.
+  bool has(const GalerkinElement& outer, const GalerkinElement& inner) const {
+    return has(outer) && has(inner) && (whole_boundary || outer.crack || inner.crack);
+  }
+  bool has_block(int a, int b) const { return nodes[a] >= 0 && nodes[b] >= 0; }
+  bool has_traction_block(int a, int b) const { return traction_nodes[a] >= 0 && traction_nodes[b] >= 0; }
+  bool has_mixed_block(int node, int traction) const {
+    return nodes[node] >= 0 && traction_nodes[traction] >= 0 && (whole_boundary || node >= boundary_nodes);
+  }
+};
+
+KeptNodes kept_nodes(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
+                     int boundary_nodes, int nodes, int traction_nodes);
+
+// The other body's matrices, D being whole, as a source of blocks.
+struct KnownBlocks {
+  const KeptNodes& kept;
+  const GalerkinMatrices& matrices;
+};
+
+// Copies all blocks of nodes that are kept.
+void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices);
+
+// Two components a node: columns, or rows and columns, that are kept.
+void copy_kept_columns(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to);
+void copy_kept_blocks(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to);
+
+}  // namespace bempd::bem

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace bempd::model {
+
+// Where a tip comes to.
+struct TipWay {
+  Point to;
+  bool ends;  // at an edge or a crack
+};
+
+// The way of the tip at `end` of a crack that goes straight on by a length: to the first edge, hole or crack that lies
+// on it or little beyond, for a thin ligament breaks; to a crack's own end if it passes close to that.
+TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
+                  const Point& direction, double length, double tolerance);
+
+// Puts a point behind an end of a crack, 1 for its last one.
+void extend(scene::Crack& crack, int end, const Point& to);
+
+double length_of(const scene::Crack& crack);
+
+}  // namespace bempd::model

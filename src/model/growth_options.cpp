@@ -1,0 +1,29 @@
+#include "scene/options.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+const scene::OptionGroup group(scene::OptionPlace::growth, [] {
+  return std::vector<scene::OptionDescription>{
+      scene::text_option("growth.criterion",
+                         "What decides when a crack of a BEM region grows and in which direction: hoop, the largest "
+                         "hoop stress before it turns; energy, the largest energy release rate after it has.",
+                         "hoop | energy", "hoop"),
+      scene::text_option("growth.direction",
+                         "Direction of an extension: tip, that at its start; chord, turned by half the angle by which "
+                         "its end would turn on, as the chord of a curved path, for one solution more.",
+                         "tip | chord", "tip"),
+      scene::number_option("growth.share",
+                           "Tips whose load factor of growth is higher than the smallest one by less than this share "
+                           "grow together with that one.",
+                           0.01, 0, 1e9, false),
+      scene::number_option("growth.exponent",
+                           "Tips that grow together do so by the length asked for times this power of their energy "
+                           "release rate over the fracture energy; 0: all by that length.",
+                           0, 0, 100, false)};
+});
+
+}  // namespace
+
+}  // namespace bempd::model

@@ -1,0 +1,89 @@
+// Kinks of cracks: criteria of growth against the boundary elements' own kinked cracks and published angles.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "physics/cracked_bodies.hpp"
+
+namespace bempd::crack_test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double degree = pi / 180;
+const PlaneElasticity material{1, 0.3, PlaneState::stress, 1};
+
+// Factors of a crack of length 2 with a kink at its right end, over those of a straight one.
+Point kinked(double angle, double length, const Eigen::Matrix2d& stress) {
+  std::vector<Point> points{{-1, 0}, {1, 0}};
+  if (length > 0) points.emplace_back(1 + length * std::cos(angle), length * std::sin(angle));
+  const CrackedBody body({plate(1000, 1000, 500)}, {points}, material, 500, {}, 1e-9);
+  return body.tips(body.solve([&](const Point&) { return stress; }))[1].factors / std::sqrt(pi);
+}
+
+TEST(Kink, factors_of_amestoy_and_leblond_are_those_of_a_tiny_kink) {
+  Eigen::Matrix2d pull = Eigen::Matrix2d::Identity(), shear;
+  shear << 0, 1, 1, 0;
+  for (const double degrees : {3.0, 15.0, 45.0, 75.0, -60.0}) {
+    const Point one = kinked(degrees * degree, 1e-4, pull), two = kinked(degrees * degree, 1e-4, shear);
+    const Point known_one = bem::kinked_factors({1, 0}, degrees * degree);
+    const Point known_two = bem::kinked_factors({0, 1}, degrees * degree);
+    std::printf("%g degrees: %.5f %.5f %.5f %.5f, known %.5f %.5f %.5f %.5f\n", degrees, one.x(), one.y(), two.x(),
+                two.y(), known_one.x(), known_one.y(), known_two.x(), known_two.y());
+    EXPECT_LE((one - known_one).norm(), 1e-3) << degrees;
+    EXPECT_LE((two - known_two).norm(), 1e-3) << degrees;
+  }
+}
+
+TEST(Kink, goes_to_the_largest_energy_release_rate) {
+  using enum bem::KinkCriterion;
+  // Pure shear: 75.6 degrees, between hoop stress (70.5) and vanishing K_II (77.3); Amestoy and Leblond 1992.
+  EXPECT_NEAR(bem::kink_of({0, 1}, energy_release_rate).angle / degree, -75.6, 0.3);
+  EXPECT_NEAR(bem::kink_of({0, -1}, energy_release_rate).angle / degree, 75.6, 0.3);
+  EXPECT_EQ(bem::kink_of({2, 0}, energy_release_rate).angle, 0);
+  EXPECT_EQ(bem::kink_of({2, 0}, energy_release_rate).equivalent_factor, 2);
+  EXPECT_LT(bem::kink_of({-2, 0}, energy_release_rate).equivalent_factor, 0);
+  // For a little shear both criteria turn by 2 K_II / K_I.
+  EXPECT_NEAR(bem::kink_of({1, 0.01}, energy_release_rate).angle, -0.02, 2e-5);
+  EXPECT_NEAR(bem::kink_of({1, 0.01}, hoop_stress).angle, -0.02, 2e-5);
+  for (const double two : {0.1, 0.5, 1.0, 5.0}) {
+    const bem::Kink best = bem::kink_of({1, two}, energy_release_rate);
+    for (double angle = -1.8; angle <= 1.8; angle += 0.01)
+      EXPECT_LE(bem::kinked_factors({1, two}, angle).norm(), best.equivalent_factor * (1 + 1e-12));
+  }
+}
+
+TEST(Kink, load_factor_brings_the_equivalent_factor_to_the_toughness) {
+  for (const auto criterion : {bem::KinkCriterion::hoop_stress, bem::KinkCriterion::energy_release_rate}) {
+    for (const auto& [constant, proportional] :
+         {std::pair(Point(0, 0), Point(1, 0.5)), std::pair(Point(-1, 0.3), Point(2, -1)),
+          std::pair(Point(0.5, 0), Point(0, 1))}) {
+      const double factor = bem::growth_load_factor(constant, proportional, 3, criterion);
+      EXPECT_NEAR(bem::kink_of(constant + factor * proportional, criterion).equivalent_factor, 3, 1e-10);
+    }
+    EXPECT_EQ(bem::growth_load_factor({5, 0}, {1, 0}, 3, criterion), 0);
+    EXPECT_TRUE(std::isinf(bem::growth_load_factor({0, 0}, {-1, 0}, 3, criterion)));
+    EXPECT_TRUE(std::isinf(bem::growth_load_factor({0, 0}, {1, 0}, 0, criterion)));
+  }
+}
+
+// Against the same on elements half as long: faces of a sharp kink lie close to each other.
+TEST(Kink, that_nearly_closes_keeps_its_digits) {
+  Eigen::Matrix2d pull = Eigen::Matrix2d::Identity();
+  for (const double degrees : {120.0, 150.0, 170.0, 177.0}) {
+    const double angle = degrees * degree;
+    const std::vector<Point> points{{-1, 0}, {1, 0}, {1 + 0.5 * std::cos(angle), 0.5 * std::sin(angle)}};
+    Point factors[2];
+    for (int fine = 0; fine < 2; ++fine) {
+      const bem::CrackGrading grading{fine ? 16 : 8, 4, fine ? 6 : 4};
+      const CrackedBody body({plate(100, 100, fine ? 25 : 50)}, {points}, material, fine ? 25 : 50, grading, 1e-9);
+      factors[fine] = body.tips(body.solve([&](const Point&) { return pull; }))[1].factors;
+    }
+    const Point straight = kinked(0, 0, pull) * std::sqrt(pi);
+    std::printf("%g degrees: K_I %.6f, K_II %.6f; finer %.6f, %.6f\n", degrees, factors[0].x(), factors[0].y(),
+                factors[1].x(), factors[1].y());
+    EXPECT_LE((factors[0] - factors[1]).norm(), 2e-4 * straight.norm()) << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace bempd::crack_test
