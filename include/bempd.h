@@ -486,7 +486,7 @@ BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function func
 /** @brief Ask the call that runs in another thread to stop: preparing, a step, results. It fails as cancelled and
  * leaves the model as it was before. A request made while no call runs is forgotten.
  *
- * The request is heard within 0.2 s, but for single factorizations of the sparse system (CHOLMOD, UMFPACK) and of dense
+ * The request is heard within 0.3 s, but for single factorizations of the sparse system (CHOLMOD, UMFPACK) and of dense
  * matrices (of a boundary element region, of a window): these cannot be interrupted, and the call ends after the one
  * that runs.
  * @param[in] model the model @return status @since 0.1 */

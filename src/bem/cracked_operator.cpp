@@ -1,6 +1,7 @@
 #include "bem/cracked_operator.hpp"
 
 #include <map>
+#include <numeric>
 
 #include "error.hpp"
 
@@ -12,8 +13,8 @@ namespace {
 // the ends of cracks at a joint.
 std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   const int boundary = static_cast<int>(mesh.nodes.size());
-  std::vector<int> places;
-  for (int n = 0; n < boundary + static_cast<int>(cracks.nodes.size()); ++n) places.push_back(n);
+  std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());
+  std::iota(places.begin(), places.end(), 0);
   std::map<int, int> place_of_joint;
   for (std::size_t j = 0; j < cracks.mouth_of_joint.size(); ++j) {
     const auto [before, after] = cracks.mouth_of_joint[j];

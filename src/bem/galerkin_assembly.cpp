@@ -56,7 +56,7 @@ class Assembler {
     const GalerkinElement& x = elements_[outer];
     // The rows of integral equations belong to the boundary.
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
-      check_cancelled();
+      if (inner % 32 == 0) check_cancelled();
       if (kept_ && kept_->has(x, elements_[inner])) continue;
       const PairPart part = inner >= outer ? PairPart::everything : PairPart::double_layer_only;
       const PairMoments moments = blocks_.moments(outer, inner, part);

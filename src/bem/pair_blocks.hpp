@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <numbers>
 #include <vector>
 
 #include "bem/galerkin_assembly.hpp"
@@ -8,7 +11,8 @@
 namespace bempd::bem {
 
 // Blocks of the Galerkin matrices that two elements give, x on the outer one and y on the inner one, by the nodes a of
-// the outer and b of the inner one.
+// the outer and b of the inner one. They are here to be expanded where they are added up: calls would cost as much as
+// the sums.
 class PairBlocks {
  public:
   PairBlocks(const std::vector<GalerkinElement>& elements, double nu, double quadrature_tolerance);
@@ -16,14 +20,42 @@ class PairBlocks {
   PairMoments moments(int outer, int inner, PairPart part) const;
 
   // Half of the blocks of an element with itself: they come back with the transpose.
-  Eigen::Matrix2d single_layer(int outer, int inner, const PairMoments& moments, int a, int b) const;
-  Eigen::Matrix2d hypersingular(int outer, int inner, const PairMoments& moments, int a, int b) const;
+  Eigen::Matrix2d single_layer(int outer, int inner, const PairMoments& m, int a, int b) const {
+    const double single = (outer == inner ? 0.5 : 1.0) * single_;
+    // Trace part 1/2 of e e^T: a product of integrals here, nothing in the closed loops of D.
+    const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
+    return single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][b][a], m.mass[1][b][a], m.mass[2][b][a]);
+  }
+
+  Eigen::Matrix2d hypersingular(int outer, int inner, const PairMoments& m, int a, int b) const {
+    const double hyper = (outer == inner ? 0.5 : 1.0) * hyper_;
+    return hyper * symmetric_block(-m.derivative[0][b][a], m.derivative[1][b][a], m.derivative[2][b][a]);
+  }
+
   // Transposed; b as in PairMoments::double_layer.
-  Eigen::Matrix2d double_layer(const PairMoments& moments, int a, int b) const;
+  Eigen::Matrix2d double_layer(const PairMoments& m, int a, int b) const {
+    const auto& moment = m.double_layer;
+    const double rotation = (1 - 2 * nu_) * moment[1][b][a];
+    Eigen::Matrix2d transposed =
+        symmetric_block((2 - 2 * nu_) * moment[0][b][a], 2 * moment[2][b][a], 2 * moment[3][b][a]);
+    transposed(1, 0) += rotation;
+    transposed(0, 1) -= rotation;
+    return double_ * transposed;
+  }
 
  private:
+  // isotropic * I + (cosine, sine; sine, -cosine).
+  static Eigen::Matrix2d symmetric_block(double isotropic, double cosine, double sine) {
+    Eigen::Matrix2d block;
+    block << isotropic + cosine, sine, sine, isotropic - cosine;
+    return block;
+  }
+
   const std::vector<GalerkinElement>& elements_;
   double nu_;
+  double single_ = 1 / (8 * std::numbers::pi * (1 - nu_));
+  double hyper_ = 1 / (2 * std::numbers::pi * (1 - nu_));
+  double double_ = -1 / (4 * std::numbers::pi * (1 - nu_));
   PairIntegrator integrator_;
   std::vector<std::array<double, 3>> node_lengths_;
 };

@@ -20,6 +20,7 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
   return distances;
 }
 
+constexpr int largest_rule = static_cast<int>(regular_point_counts.size()) - 1;
 // About as much work as alongside() does.
 constexpr std::size_t most_short_pairs = 256;
 
@@ -55,11 +56,10 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
   return scratch;
 }
 
-// The kernels are analytic along one stretch, seen from a point of the other
-// one, up to the complex parameter at which r vanishes. On a straight one that
-// is where its line meets the other point, whose distances to both ends are
-// real distances in the plane. False when it takes more pairs than are worth it.
-bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const {
+// The kernels are analytic along one stretch, seen from a point of the other one, up to the complex parameter at which
+// r vanishes. On a straight one that is where its line meets the other point, whose distances to both ends are real
+// distances in the plane.
+PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const Stretch& inner) const {
   const Distances d = distances_between(outer.sample, inner.sample);
   const double outer_sum = outer.straight
                                ? std::min({d[0][0] + d[2][0], d[0][1] + d[2][1], d[0][2] + d[2][2]}) / outer.half_length
@@ -67,12 +67,16 @@ bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth
   const double inner_sum = inner.straight
                                ? std::min({d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}) / inner.half_length
                                : closest_singularity(elements_[inner.side.element], inner.side.interval, outer.sample);
-  const int outer_rule = std::max(rules_.rule(outer_sum), outer.shape_rule);
-  const int inner_rule = std::max(rules_.rule(inner_sum), inner.shape_rule);
+  return {outer_sum, inner_sum, std::max(rules_.rule(outer_sum), outer.shape_rule),
+          std::max(rules_.rule(inner_sum), inner.shape_rule)};
+}
 
-  constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1, max_depth = 60;
-  if ((outer_rule <= largest && inner_rule <= largest) || depth == max_depth) {
-    pairs.push_back({outer.side, inner.side, std::min(outer_rule, largest), std::min(inner_rule, largest)});
+// False when it takes more pairs than are worth it.
+bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const {
+  constexpr int max_depth = 60;
+  const auto [outer_sum, inner_sum, outer_rule, inner_rule] = closeness(outer, inner);
+  if ((outer_rule <= largest_rule && inner_rule <= largest_rule) || depth == max_depth) {
+    pairs.push_back({outer.side, inner.side, std::min(outer_rule, largest_rule), std::min(inner_rule, largest_rule)});
     return pairs.size() <= most_short_pairs;
   }
   const bool halve_outer = outer_sum < inner_sum;
@@ -91,8 +95,10 @@ void PairIntegrator::add(const ShortPair& pair, PairPart part, PairMoments& mome
 }
 
 void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const {
-  thread_local std::vector<ShortPair> pairs;
-  pairs.clear();
+  const Closeness close = closeness(outer, inner);
+  if (close.outer_rule <= largest_rule && close.inner_rule <= largest_rule)
+    return add({outer.side, inner.side, close.outer_rule, close.inner_rule}, part, moments);
+  std::vector<ShortPair> pairs;
   if (!halve(outer, inner, 0, pairs)) return alongside(outer.side, inner.side, part, moments);
   for (const ShortPair& pair : pairs) add(pair, part, moments);
 }

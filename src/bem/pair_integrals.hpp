@@ -73,6 +73,12 @@ class PairIntegrator {
     int rule;
   };
   void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
+  // The sums of distances and the rules that they ask for; larger than the largest rule if a side is too long.
+  struct Closeness {
+    double outer_sum, inner_sum;
+    int outer_rule, inner_rule;
+  };
+  Closeness closeness(const Stretch& outer, const Stretch& inner) const;
   bool halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const;
   void add(const ShortPair& pair, PairPart part, PairMoments& moments) const;
   void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;

@@ -58,7 +58,7 @@ StiffnessRange stiffness_range(int node_count, const std::vector<DenseOperator>&
 }  // namespace
 
 EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, Terms terms,
-                                     std::vector<char> prescribed_dofs, NodeTies ties)
+                                     const std::vector<char>& prescribed_dofs, NodeTies ties)
     : node_count_(node_count),
       method_(least_demanding(operators)),
       in_body_(node_count, 0),
@@ -109,8 +109,33 @@ void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   for (int dof = 0; dof < 2 * node_count_; ++dof) {
     if (!is_prescribed(dof)) prescribed_.row(dof).setZero();
   }
+  collect_support_motions();
   ties_.collect(force_);
   if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
+}
+
+// Supports are edges and points that move alike: a few motions for thousands of degrees of freedom.
+void EquilibriumSystem::collect_support_motions() {
+  support_motions_.clear();
+  for (int dof = 0; dof < 2 * node_count_; ++dof) {
+    const std::array<double, 2> motion{prescribed_(dof, 0), prescribed_(dof, 1)};
+    if (motion != std::array<double, 2>{}) support_motions_.push_back(motion);
+  }
+  std::sort(support_motions_.begin(), support_motions_.end());
+  support_motions_.erase(std::unique(support_motions_.begin(), support_motions_.end()), support_motions_.end());
+}
+
+double EquilibriumSystem::support_motion() const {
+  double largest = 0;
+  for (const auto& motion : support_motions_) largest = std::max(largest, std::abs(motion[1]));
+  return largest;
+}
+
+double EquilibriumSystem::support_motion(double load_factor) const {
+  double largest = 0;
+  for (const auto& motion : support_motions_)
+    largest = std::max(largest, std::abs(motion[0] + load_factor * motion[1]));
+  return largest;
 }
 
 void EquilibriumSystem::condense() {

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -45,7 +46,7 @@ class EquilibriumSystem {
  public:
   // Masters of tied nodes belong to dense operators; tied nodes carry terms only and cannot be prescribed.
   EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, Terms terms,
-                    std::vector<char> prescribed_dofs, NodeTies ties = {});
+                    const std::vector<char>& prescribed_dofs, NodeTies ties = {});
   EquilibriumSystem(const EquilibriumSystem&) = delete;
   EquilibriumSystem& operator=(const EquilibriumSystem&) = delete;
 
@@ -87,6 +88,9 @@ class EquilibriumSystem {
   void set_load(Affine force, Affine prescribed);
   const Affine& force() const { return force_; }
   const Affine& prescribed() const { return prescribed_; }
+  // How far supports move at most: proportionally, and at a load factor [m]. Asked for at every event.
+  double support_motion() const;
+  double support_motion(double load_factor) const;
   const NodeTies& ties() const { return ties_; }
 
   // A change of stages takes two calls, so that the parts it frees can be found in between and held before the matrix
@@ -157,6 +161,7 @@ class EquilibriumSystem {
   enum class Condensed : char { nothing, operators, operators_and_load };
 
   void collect_bodies(const std::vector<DenseOperator>& operators);
+  void collect_support_motions();
   void condense_load();
   void factorize();
   bool has_load(int part) const;
@@ -190,6 +195,7 @@ class EquilibriumSystem {
   std::vector<HoldingSpring> springs_;
   Unknowns unknowns_;
   Affine force_, prescribed_, condensed_load_;
+  std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0
   Condensed condensed_ = Condensed::nothing;
   mutable std::unique_ptr<StiffnessAssembly> assembly_;  // once condensed
   SolverCounters counters_;

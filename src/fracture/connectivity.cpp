@@ -17,7 +17,11 @@ std::vector<std::vector<int>> Connectivity::pieces() const {
   linalg::DisjointSets sets(system_.node_count());
   const coupling::Terms& terms = system_.terms();
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    if (system_.intact()[t]) terms.for_each_node(t, [&](int node) { sets.join(terms.first[t], node); });
+    if (system_.intact()[t]) sets.join(terms.first[t], terms.second[t]);
+  }
+  for (int t : terms.wide.term) {
+    const auto term = static_cast<std::size_t>(t);
+    if (system_.intact()[term]) terms.for_each_node(term, [&](int node) { sets.join(terms.first[term], node); });
   }
   for (const auto& body : system_.dense_bodies()) {
     for (int node : body) sets.join(body.front(), node);

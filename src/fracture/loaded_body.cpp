@@ -28,7 +28,7 @@ constexpr double suspicious_residual = 1e-8;
 
 // How far supports, and springs that hold what came free, have moved the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
-  double largest = coupling::evaluate(system.prescribed(), load_factor).lpNorm<Eigen::Infinity>();
+  double largest = system.support_motion(load_factor);
   for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
   return largest;
 }
@@ -39,7 +39,7 @@ using coupling::Affine;
 using coupling::evaluate;
 
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
-  const double moved = system.prescribed().col(1).lpNorm<Eigen::Infinity>();
+  const double moved = system.support_motion();
   const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
   return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
 }

@@ -132,6 +132,7 @@ void add_lines(Path& path, int crack, const std::vector<Edge>& boundary, double 
   merge_marks(path, tolerance);
   std::vector<Mark> stations = path.marks;
   std::vector<int> joints;
+  joints.reserve(stations.size() + 2);
   for (const Mark& mark : stations) joints.push_back(joint_at(mark, tolerance, result.joints));
   if (stations.empty() || stations.front().way > 4 * tolerance) {
     stations.insert(stations.begin(), {0, path.given.points.front(), false});

@@ -13,6 +13,7 @@ class HingeFinder {
   HingeFinder(const std::vector<EdgeTree>& boundaries, const std::vector<Contact>& contacts, double tolerance)
       : boundaries_(boundaries), tolerance_(tolerance) {
     std::vector<Box> boxes;
+    boxes.reserve(boundaries.size());
     for (const EdgeTree& boundary : boundaries) boxes.push_back(boundary.box);
     regions_ = BoxTree(boxes);
     for (const Contact& c : contacts) {
@@ -85,6 +86,7 @@ class HingeFinder {
     std::map<int, std::vector<int>> members;
     for (int r : present) members[label[r]].push_back(r);
     std::vector<std::vector<int>> groups;
+    groups.reserve(members.size());
     for (auto& entry : members) groups.push_back(std::move(entry.second));
     std::sort(groups.begin(), groups.end());
     return groups;

@@ -149,6 +149,7 @@ OutlineCheck check_outline(const Outline& outline) {
     if (const OutlineCheck check = check_orientation(loop); !check.sound()) return check;
   }
   std::vector<Box> boxes;
+  boxes.reserve(loops.size());
   for (const Loop& loop : loops) boxes.push_back(loop.boundary.box);
   const BoxTree tree(boxes);
   for (int hole = 1; hole < static_cast<int>(loops.size()); ++hole)

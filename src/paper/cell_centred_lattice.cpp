@@ -47,6 +47,7 @@ std::vector<LatticeRegion::EdgePoint> CellCentredLattice::edge_points(int edge) 
   const LatticePoint to_corner(std::min({0, step.x() + left.x(), step.x(), left.x()}),
                                std::min({0, step.y() + left.y(), step.y(), left.y()}));
   std::vector<EdgePoint> found;
+  found.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) found.push_back({grid().find_point(start + step * i + to_corner), (i + 0.5) / count});
   return found;
 }

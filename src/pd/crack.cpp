@@ -12,6 +12,9 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
+// Points or bonds that are gone through, in microseconds, before the host's wish to stop is looked at again.
+constexpr std::size_t between_polls = 256;
+
 double distance(const Point& p, const Point& a, const Point& b) {
   const Point ab = b - a;
   const double square = ab.squaredNorm();
@@ -77,7 +80,7 @@ class Polyline {
 std::vector<int> points_on(const std::vector<Point>& points, const Polyline& polyline) {
   std::vector<int> found;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    check_cancelled();
+    if (i % between_polls == 0) check_cancelled();
     const Point& p = points[i];
     const auto meets = [&](const Point& c, const Point& d) { return distance(p, c, d) <= tolerance; };
     if (polyline.any_near(p, p, meets)) found.push_back(static_cast<int>(i));
@@ -105,7 +108,7 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
   }
   std::vector<int> cut;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    check_cancelled();
+    if (b % between_polls == 0) check_cancelled();
     const Point &from = points[bonds[b].first], &to = points[bonds[b].second];
     const bool end_on_crack = bridges[bonds[b].first] || bridges[bonds[b].second];
     const auto meets = [&](const Point& c, const Point& d) {

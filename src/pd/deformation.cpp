@@ -149,6 +149,7 @@ std::vector<Vector3d> bond_strains(int point_count, const Network& network, cons
   const ShownStretches bonds(network, states, displacements);
   const std::vector<PointBonds> points = collect(point_count, bonds);
   std::vector<Vector3d> strains;
+  strains.reserve(points.size());
   for (const PointBonds& point : points) strains.push_back(solve_semidefinite(point.response, point.carried));
   refine_at_faces(points, bonds, strains);
   for (Vector3d& strain : strains) strain.z() /= std::numbers::sqrt2;

@@ -60,6 +60,7 @@ std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
     if (auto dense = region->dense_operator(known)) known.push_back({region.get(), std::move(*dense)});
   }
   std::vector<coupling::DenseOperator> operators;
+  operators.reserve(known.size());
   for (RegionOperator& one : known) operators.push_back(std::move(one.dense));
   return operators;
 }

@@ -42,6 +42,7 @@ class GridBuilder {
     const regions::Cells cells = region.cells();
     for (std::size_t e = 0; e < cells.nodes.size(); e += cells.nodes_per_cell) {
       std::vector<std::int64_t> nodes;
+      nodes.reserve(static_cast<std::size_t>(cells.nodes_per_cell));
       for (int k = 0; k < cells.nodes_per_cell; ++k) nodes.push_back(first + cells.nodes[e + k]);
       // VTK lists the ends of a quadratic edge before its middle.
       if (block_.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);

@@ -7,7 +7,6 @@ Prints one line for every property of a scene that fails and a summary; exits wi
 
 from __future__ import annotations
 
-import argparse
 import sys
 from typing import Any, Callable, Optional
 
@@ -142,16 +141,9 @@ def record(seed: int) -> tuple[Recorder, int]:
 
 
 def run(model: bempd.Model, supports: int) -> Outcome:
-    outcome = Outcome(None, None, [], [])
-    try:
-        for _ in range(EVENTS):
-            report = model.step_to_next_event(1e9)
-            outcome.reports.append(report)
-            outcome.reactions.append(np.array([model.reaction(s) for s in range(1, supports + 1)]))
-            if report.stop_reason != bempd.StopReason.EVENT:
-                break
-    except bempd.Error as failed:
-        outcome.error = type(failed).__name__
+    outcome = random_scenes.follow(model, supports, 1e9, EVENTS)
+    if outcome.error:
+        outcome.error = outcome.error.split(":")[0]  # the sentence speaks of numbers, which have other units
     return outcome
 
 
@@ -226,11 +218,7 @@ SAYINGS: dict[str, Saying] = {"lengths x 1e-6": Units(1e-6, 1), "lengths x 1e5, 
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=20)
-    parser.add_argument("--verbose", action="store_true")
-    arguments = parser.parse_args()
+    arguments = random_scenes.arguments_with(count=20)
     failed = events = compared = 0
     for seed in range(arguments.first, arguments.first + arguments.count):
         recorder, supports = record(seed)

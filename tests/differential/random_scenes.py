@@ -107,26 +107,30 @@ def add_conditions(model: bempd.Model, regions: list[int], columns: list[str], h
     return supports
 
 
+def follow(model: bempd.Model, supports: int, limit: float, events: int) -> Outcome:
+    """The model from event to event, with the reactions of all its supports."""
+    outcome = Outcome(None, None, [], [])
+    try:
+        for _ in range(events):
+            report = model.step_to_next_event(limit)
+            outcome.reports.append(report)
+            outcome.reactions.append(np.array([model.reaction(s) for s in range(1, supports + 1)]))
+            if report.stop_reason != bempd.StopReason.EVENT:
+                break
+    except bempd.Error as failed:
+        outcome.error = f"{type(failed).__name__}: {failed}"
+    return outcome
+
+
 def run(seed: int, solver: str) -> Outcome:
-    reports: list[bempd.StepReport] = []
-    reactions: list[np.ndarray] = []
-    error = None
     try:
         model, supports, limit = build(seed, solver)
     except bempd.ArgumentError as refused:  # of both solvers alike
         return Outcome(str(refused), None, [], [])
-    try:
-        for _ in range(EVENTS):
-            report = model.step_to_next_event(1e9 * limit)
-            reports.append(report)
-            reactions.append(np.array([model.reaction(s) for s in range(1, supports + 1)]))
-            if report.stop_reason != bempd.StopReason.EVENT:
-                break
-    except bempd.Error as failed:
-        error = f"{type(failed).__name__}: {failed}"
-    history = model.history() if reports else None
+    outcome = follow(model, supports, 1e9 * limit, EVENTS)
+    outcome.history = model.history() if outcome.reports else None
     model.close()
-    return Outcome(error, history, reactions, reports)
+    return outcome
 
 
 def unsound(outcome: Outcome) -> Optional[str]:
@@ -178,13 +182,17 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
     return None
 
 
-def main() -> int:
+def arguments_with(count: int) -> argparse.Namespace:
     parser = argparse.ArgumentParser()
     parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--count", type=int, default=count)
     parser.add_argument("--also", type=int, nargs="*", default=[], help="scenes that failed once")
     parser.add_argument("--verbose", action="store_true")
-    arguments = parser.parse_args()
+    return parser.parse_args()
+
+
+def main() -> int:
+    arguments = arguments_with(count=200)
     failed = compared = refused = 0
     seeds = [*range(arguments.first, arguments.first + arguments.count), *arguments.also]
     for seed in seeds:

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <claims.hpp>
 #include <numbers>
 
 #include "bem/coarse_level.hpp"
@@ -27,7 +28,8 @@ TEST(StressIntensity, centre_cracks_of_a_strip) {
     const double a = 0.1 * (i + 1);
     const CrackedBody body({plate(1, 3, 0.25)}, {{{-a, 0}, {a, 0}}}, unit, 0.25);
     const auto tips = body.tips(body.solve(constant_stress(0, 1, 0)));
-    expect_close("centre crack", tips[0].factors.x() / std::sqrt(pi * a), reference[i], 1e-4);
+    expect_close("centre crack", tips[0].factors.x() / std::sqrt(pi * a), reference[i],
+                 std::min(claims::tip_centre, claims::tip_factors));
     EXPECT_NEAR(tips[1].factors.x(), tips[0].factors.x(), 1e-9);
     EXPECT_NEAR(tips[0].factors.y(), 0, 1e-9);
   }
@@ -41,7 +43,8 @@ TEST(StressIntensity, single_edge_cracks_of_a_strip) {
     const auto strip = bem_test::polygon({{0, -3}, {1, -3}, {1, 3}, {0, 3}}, 0.125);
     const CrackedBody body({strip}, {{{0, 0}, {a, 0}}}, unit, 0.125);
     const auto tips = body.tips(body.solve(constant_stress(0, 1, 0)));
-    expect_close("edge crack", tips[0].factors.x() / std::sqrt(pi * a), reference[i], 1e-4);
+    expect_close("edge crack", tips[0].factors.x() / std::sqrt(pi * a), reference[i],
+                 std::min(claims::tip_edge, claims::tip_factors));
   }
 }
 
@@ -60,7 +63,7 @@ TEST(StressIntensity, cracks_from_a_hole) {
       return s;
     };
     const auto tips = body.tips(body.solve(stress));
-    expect_close("crack from a hole", tips[0].factors.x() / std::sqrt(pi * a), reference, 1e-3);
+    expect_close("crack from a hole", tips[0].factors.x() / std::sqrt(pi * a), reference, claims::tip_hole);
   }
 }
 
@@ -74,8 +77,8 @@ TEST(StressIntensity, an_inclined_crack) {
   };
   const Point coarse = factors(8), fine = factors(48);
   const double infinite = std::sqrt(pi) * std::cos(angle);
-  expect_close("K_I of an inclined crack", coarse.x(), fine.x(), 1e-5);
-  expect_close("K_II of an inclined crack", coarse.y(), fine.y(), 1e-5);
+  expect_close("K_I of an inclined crack", coarse.x(), fine.x(), claims::tip_inclined);
+  expect_close("K_II of an inclined crack", coarse.y(), fine.y(), claims::tip_inclined);
   expect_close("K_I and the infinite plate", coarse.x(), infinite * std::cos(angle), 4e-3);
   expect_close("K_II and the infinite plate", coarse.y(), infinite * std::sin(angle), 4e-3);
 }
@@ -89,8 +92,8 @@ TEST(StressIntensity, an_infinitesimal_kink) {
   };
   const double straight = factors({{-1, 0}, {1, 0}}).x(), kink = 1e-4 * std::sqrt(0.5);
   const Point kinked = factors({{-1, 0}, {1, 0}, {1 + kink, kink}});
-  expect_close("K_I of a kink", kinked.x() / straight, 0.79090, 2e-4);
-  expect_close("K_II of a kink", kinked.y() / straight, 0.32328, 2e-4);
+  expect_close("K_I of a kink", kinked.x() / straight, 0.79090, claims::tip_kink);
+  expect_close("K_II of a kink", kinked.y() / straight, 0.32328, claims::tip_kink);
 }
 
 // Sneddon, Proc. R. Soc. A 187, 1946: K = p sqrt(pi a), and the opening is an ellipse.
@@ -98,8 +101,8 @@ TEST(StressIntensity, pressure_in_a_crack) {
   const CrackedBody body({plate(1000, 1000, 500)}, {{{-1, 0}, {1, 0}}}, unit, 500);
   const auto state =
       body.solve(constant_stress(0, 0, 0), [](int, const Point&, const Point& n) -> Point { return -n; });
-  expect_close("K_I of a pressure", body.tips(state)[0].factors.x(), std::sqrt(pi), 3e-5);
-  expect_close("stress along it", bem::stresses_along_crack(*body.op, state)[0], -1, 1e-5);
+  expect_close("K_I of a pressure", body.tips(state)[0].factors.x(), std::sqrt(pi), claims::tip_pressure);
+  expect_close("stress along it", bem::stresses_along_crack(*body.op, state)[0], -1, claims::tip_stress_along);
   for (std::size_t n = 1; n + 1 < body.cracks.nodes.size(); ++n) {
     const double x = body.cracks.nodes[n].x();
     EXPECT_NEAR(state.openings[2 * n + 1], 4 * std::sqrt(1 - x * x), 4 * 5e-4);
@@ -114,8 +117,8 @@ TEST(StressIntensity, two_cracks_close_to_each_other) {
     const double outer = std::sqrt(pi * b) * (1 - ratio) * b / std::sqrt(b * b - c * c);
     const CrackedBody body({plate(1000, 1000, 500)}, {{{-b, 0}, {-c, 0}}, {{c, 0}, {b, 0}}}, unit, 500);
     const auto tips = body.tips(body.solve(constant_stress(0, 1, 0)));
-    expect_close("inner tip", tips[1].factors.x(), inner, 1e-4);
-    expect_close("outer tip", tips[0].factors.x(), outer, 1e-4);
+    expect_close("inner tip", tips[1].factors.x(), inner, claims::tip_two);
+    expect_close("outer tip", tips[0].factors.x(), outer, claims::tip_two);
   }
 }
 
@@ -132,8 +135,8 @@ TEST(StressIntensity, an_arc) {
   const CrackedBody body({plate(1000, 1000, 500)}, {points}, unit, 500);
   const auto tips = body.tips(body.solve(constant_stress(1, 1, 0)));
   const double scale = std::sqrt(pi * std::sin(half)) / (1 + std::pow(std::sin(half / 2), 2));
-  expect_close("K_I of an arc", tips[0].factors.x(), scale * std::cos(half / 2), 1e-3);
-  expect_close("K_II of an arc", std::abs(tips[0].factors.y()), scale * std::sin(half / 2), 1e-3);
+  expect_close("K_I of an arc", tips[0].factors.x(), scale * std::cos(half / 2), claims::tip_arc);
+  expect_close("K_II of an arc", std::abs(tips[0].factors.y()), scale * std::sin(half / 2), claims::tip_arc);
 }
 
 // The difference of the levels is of the size of the error, or larger.

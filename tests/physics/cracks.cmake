@@ -1,5 +1,6 @@
 bempd_add_engine_test(crack_operator_test crack_operator_test.cpp)
 bempd_add_engine_test(crack_factors_test crack_factors_test.cpp)
+target_link_libraries(crack_factors_test PRIVATE bempd_claims)
 bempd_add_engine_test(crack_extremes_test crack_extremes_test.cpp)
 bempd_add_engine_test(crack_kept_blocks_test crack_kept_blocks_test.cpp)
 bempd_add_engine_test(crack_kinks_test crack_kinks_test.cpp)

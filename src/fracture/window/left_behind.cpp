@@ -21,6 +21,7 @@ void LeftBehind::note_loss(const Form& elongation, double stiffness) { broken_.p
 
 std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool has_constant_part) const {
   std::vector<Affine> result;
+  result.reserve(states.size());
   for (const State& state : states) result.push_back(state.displacement);
   const int first_part = has_constant_part ? 0 : 1, parts = 2 - first_part;
   // What was left behind last comes first: bonds that broke before end on it.

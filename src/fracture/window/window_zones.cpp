@@ -77,6 +77,7 @@ class Builder {
     if (zone.axis.dot(crack) > 0) zone.axis = -zone.axis;
     const bool one_way = -zone.axis.dot(crack) > 0.5 * crack.norm() && crack.norm() > 0;
     std::vector<Point> middles;
+    middles.reserve(crowd.size());
     for (int b : crowd) middles.push_back(middle(b));
     fit(zone, middles, one_way ? shape.back : shape.ahead, shape, dx);
     return zone;
@@ -124,11 +125,13 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
     if (!intact[b]) parted.push_back(builder.middle(static_cast<int>(b)));
   }
   std::vector<Point> middles;
+  middles.reserve(hot.size());
   for (int b : hot) middles.push_back(builder.middle(b));
   const double dx = hot.empty() ? 0 : spacing[ratios.terms().first[hot.front()]];
   std::vector<Zone> zones;
   for (const std::vector<int>& crowd : crowds(middles, S::crowd_distance * dx)) {
     std::vector<int> members;
+    members.reserve(crowd.size());
     for (int k : crowd) members.push_back(hot[k]);
     zones.push_back(builder.zone(members, parted, shape));
   }
@@ -139,6 +142,7 @@ std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Ter
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape) {
   std::vector<Point> middles;
+  middles.reserve(cut.size());
   for (int b : cut) middles.push_back(0.5 * (positions[bonds.first[b]] + positions[bonds.second[b]]));
   const double dx = spacing[bonds.first[cut.front()]];
   std::vector<Zone> zones;

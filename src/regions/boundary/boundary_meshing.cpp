@@ -127,6 +127,7 @@ void grade_corners(const Scene& scene, int region, BoundaryPanels& panels) {
   std::size_t first = 0;
   for (auto& loop : panels.loops) {
     std::vector<BoundaryPiece> pieces;
+    pieces.reserve(loop.size());
     for (std::size_t p = 0; p < loop.size(); ++p)
       pieces.push_back({loop[p].arc(), held_on(scene, region, panels.sources[first + p])});
     const std::vector<SingularEnds> singular = singular_ends(pieces);

@@ -92,6 +92,7 @@ std::vector<Point> BoundaryRegion::crack_openings(int crack, const std::vector<d
                                                   const Solution& solution) const {
   const Eigen::VectorXd openings = cracked_state(solution).openings;
   std::vector<Point> values;
+  values.reserve(fractions.size());
   for (const double fraction : fractions) values.push_back(cracks_->opening_at(crack, fraction, openings));
   return values;
 }

@@ -82,6 +82,7 @@ class Union {
  private:
   static std::vector<pd::CellLattice::Part> parts(const std::vector<LatticeRegion*>& members) {
     std::vector<pd::CellLattice::Part> parts;
+    parts.reserve(members.size());
     for (std::size_t m = 0; m < members.size(); ++m) parts.push_back({&members[m]->grid(), shift_of(members, m)});
     return parts;
   }
@@ -184,6 +185,7 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
   const auto rows = bonds_by_owner(all, network, members_.size());
   std::vector<std::size_t> of_scene(network.bonds.size());
   std::vector<MemberBonds> parts;
+  parts.reserve(members_.size());
   for (std::size_t m = 0; m < members_.size(); ++m)
     parts.emplace_back(all, network, static_cast<int>(m), Union::shift_of(members_, m),
                        members_[m]->grid().point_count());

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "scene/place.hpp"
+#include "regions/places/off_edges.hpp"
 
 namespace bempd::regions {
 
 // Both faces of a crack, loaded by a pressure (component x of a condition) that pushes them apart and by a shear
 // (component y) that drives the left face, seen along the crack, forward and the right one back [Pa].
-class CrackFaces final : public scene::Place {
+class CrackFaces final : public OffEdges {
  public:
   explicit CrackFaces(int crack) : crack_(crack) {}
 
@@ -16,8 +16,6 @@ class CrackFaces final : public scene::Place {
     hash.add(std::string_view("crack faces"));
     hash.add(crack_);
   }
-  std::vector<double> breaks_on(const scene::Scene&, int, int, double) const override { return {}; }
-  bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
                                      int support) const override;
   void add_load(const scene::Scene& scene, const Discretization& discretization, int load,

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "scene/place.hpp"
+#include "regions/places/off_edges.hpp"
 
 namespace bempd::regions {
 
 // All of a region; loads on it are forces per volume [N/m^3], the same everywhere.
-class WholeRegion final : public scene::Place {
+class WholeRegion final : public OffEdges {
  public:
   explicit WholeRegion(int region) : region_(region) {}
 
@@ -15,8 +15,6 @@ class WholeRegion final : public scene::Place {
     hash.add(std::string_view("whole region"));
     hash.add(region_);
   }
-  std::vector<double> breaks_on(const scene::Scene&, int, int, double) const override { return {}; }
-  bool covers(int, int, double) const override { return false; }
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
                                      int support) const override;
   void add_load(const scene::Scene& scene, const Discretization& discretization, int load,

@@ -959,7 +959,7 @@ extern "C" {
     /// cancelled and leaves the model as it was before. A request made while no call runs is
     /// forgotten.
     ///
-    /// The request is heard within 0.2 s, but for single factorizations of the sparse system
+    /// The request is heard within 0.3 s, but for single factorizations of the sparse system
     /// (CHOLMOD, UMFPACK) and of dense matrices (of a boundary element region, of a window): these
     /// cannot be interrupted, and the call ends after the one that runs.
     ///
