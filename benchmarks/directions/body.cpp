@@ -24,7 +24,7 @@ Point field(const Point& p, double mode) {
   return scale * (std::cos(mode) * one + std::sin(mode) * two);
 }
 
-void connect(Body& body, const Layout& layout, const Point& crack_begin, const Point& crack_end) {
+void connect(Body& body, const Layout& layout) {
   std::vector<Bond> bonds = make_bonds(layout, body.points);
   std::vector<Bond> inner;
   double inner_points = 0;
@@ -34,7 +34,7 @@ void connect(Body& body, const Layout& layout, const Point& crack_begin, const P
     for (const std::size_t end : {a, b})
       if (body.in_window[end]) inner.push_back(bond);
     if (body.held[a] && body.held[b]) continue;
-    if (!layout.cracked || !crosses(body.points[a], body.points[b], crack_begin, crack_end)) body.bonds.push_back(bond);
+    if (!layout.cracked || !crosses(body.points[a], body.points[b], body.crack_begin, body.tip)) body.bonds.push_back(bond);
   }
   for (Bond& bond : inner) bond.stiffness /= 2;
   body.critical_stretch = mean_critical_stretch(inner, inner_points);
@@ -71,7 +71,7 @@ Body strip(const Layout& layout, double half_height, double growth) {
     body.given[k] = Point(0, p.y() > 0 ? 1 : -1);
     body.in_window[k] = p.x() > -3 - layout.horizon && p.x() < growth + layout.horizon + 2 && std::abs(p.y()) < layout.width;
   }
-  connect(body, layout, Point(-1e4, 0), Point(0, 0));
+  connect(body, layout);
   return body;
 }
 
@@ -85,8 +85,26 @@ Body disc(const Layout& layout, double radius, double mode_degrees) {
     body.given[k] = field(body.points[k], mode);
     body.in_window[k] = body.points[k].norm() < 21;
   }
-  connect(body, layout, Point(-1e4, 0), Point(0, 0));
+  connect(body, layout);
   body.release = 9.0 / 8;  // K^2 / E
+  return body;
+}
+
+Body plate(const Layout& layout, double width, double incline_degrees) {
+  Body body;
+  const double half = width / 2, incline = incline_degrees * std::numbers::pi / 180;
+  const Point along(std::cos(incline), std::sin(incline));
+  place(body, layout, Point(half, 0), Point(half, half + layout.horizon), [](const Point&) { return true; });
+  body.tip = width / 5 * along;
+  body.crack_begin = -width * along;
+  for (std::size_t k = 0; k < body.points.size(); ++k) {
+    const Point p = body.points[k], ahead = p - body.tip;
+    body.held[k] = std::abs(p.y()) > half;
+    body.given[k] = Point(0, p.y() > 0 ? 1 : -1);
+    body.in_window[k] = ahead.x() > -4 - layout.horizon && p.x() < width - 2 && std::abs(ahead.y()) < layout.width;
+  }
+  connect(body, layout);
+  body.release = 1;  // not known
   return body;
 }
 

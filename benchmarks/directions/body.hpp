@@ -25,6 +25,7 @@ struct Body {
   double horizon = 0;
   double critical_stretch = 0;       // a straight cut costs G0 = 1, on average over its directions
   double release = 0;                // energy released per length of crack at load factor one
+  Point crack_begin = {-1e4, 0}, tip = {0, 0};
   std::vector<char> in_window;       // points between which bonds may break
 };
 
@@ -44,6 +45,10 @@ Body strip(const Layout& layout, double half_height, double growth);
 
 // A disc about the tip of a crack whose rim moves as the field of stress intensity factors cos(mode) and sin(mode).
 Body disc(const Layout& layout, double radius, double mode_degrees);
+
+// A square plate of this width whose left edge a crack meets at the middle, inclined and a fifth of the width long; its
+// upper and lower edges are clamped and move apart.
+Body plate(const Layout& layout, double width, double incline_degrees);
 
 // Whether the segments a-b and c-d meet.
 bool crosses(const Point& a, const Point& b, const Point& c, const Point& d);

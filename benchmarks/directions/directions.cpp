@@ -25,7 +25,7 @@ struct Run {
 // Whether the bond comes close to the end of the window.
 bool at_rim(const Body& body, const Bond& bond, double width, bool is_strip) {
   const Point p = (body.points[static_cast<std::size_t>(bond.first)] + body.points[static_cast<std::size_t>(bond.second)]) / 2;
-  return is_strip ? p.x() > growth || std::abs(p.y()) > width - body.horizon : p.norm() > 20 - body.horizon;
+  return is_strip ? p.x() > 72 || (body.tip.x() == 0 && p.x() > growth) || std::abs(p.y() - body.tip.y()) > width - body.horizon : p.norm() > 20 - body.horizon;
 }
 
 double length_of(const std::vector<Point>& line) {
@@ -55,6 +55,7 @@ Run follow(const Setting& setting, const Layout& layout, const Body& body, Windo
       const Point p = (body.points[static_cast<std::size_t>(bond.first)] + body.points[static_cast<std::size_t>(bond.second)]) / 2;
       if (window.stiffness(loss.bond) <= 0) run.middles.push_back(p), reach = std::max(reach, is_strip ? p.x() : p.norm());
     }
+    rule->released(spent / (event.load * event.load));
     run.loads.push_back(event.load);
     run.spent.push_back(spent);
     run.own.push_back(own);
@@ -119,6 +120,9 @@ Setting parse(const std::string& text) {
     else if (key == "cone") s.cone = number;
     else if (key == "opening") s.opening = number;
     else if (key == "shear") s.shear = number;
+    else if (key == "learn") s.learn = static_cast<int>(number);
+    else if (key == "inner") s.inner = number;
+    else if (key == "outer") s.outer = number;
     else if (key == "back") s.back = number;
     else if (key == "turn") s.turn = value;
     else if (key == "load") s.load = value;
@@ -148,8 +152,8 @@ int main(int count, char** argument) {
   layout.kernel = argument[7];
   if (scene == "narrow") layout.width = 4 + layout.horizon;
   const auto begin = std::chrono::steady_clock::now();
-  Body body = is_strip ? strip(layout, half_height, growth) : disc(layout, 45, mode);
-  if (is_strip) body.release = strip_release(layout, half_height, growth);
+  Body body = scene == "plate" ? plate(layout, 80, mode) : is_strip ? strip(layout, half_height, growth) : disc(layout, 45, mode);
+  if (is_strip && scene != "plate") body.release = strip_release(layout, half_height, growth);
   const Window window(body);
   std::fprintf(stderr, "prepared in %.2f s: %zu points, %zu in the window\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
                body.points.size(), window.points().size());

@@ -11,7 +11,12 @@ namespace {
 class LineRule final : public Rule {
  public:
   LineRule(const Setting& setting, const Body& body, Window& window)
-      : setting_(setting), body_(body), window_(window), mean_(body, window, setting.smooth * body.horizon), line_{{-10, 0}, {0, 0}} {}
+      : setting_(setting), body_(body), window_(window), mean_(body, window, setting.smooth * body.horizon), line_{body.tip + 10 * (body.crack_begin - body.tip).normalized(), body.tip} {}
+
+  void released(double energy) override {
+    lengths_.push_back((line_[line_.size() - 1] - line_[line_.size() - 2]).norm());
+    spent_.push_back(energy * guess_ * guess_);
+  }
 
   const std::vector<Point>* line() const override { return &line_; }
 
@@ -22,7 +27,8 @@ class LineRule final : public Rule {
     for (double reach = setting_.step; reach < 4 && event.losses.empty(); reach += setting_.step) {
       event = {};
       for (const int k : across(tip, tip + reach * direction)) event.losses.push_back({k, window_.stiffness(k)});
-      event.load = load(tip, direction);
+      guess_ = load(tip, direction);
+      event.load = corrected(guess_);
       line_.resize(before_);
       line_.push_back(tip + reach * direction);
     }
@@ -41,6 +47,14 @@ class LineRule final : public Rule {
         break;
       }
     return (line_.back() - from).normalized();
+  }
+
+  // The energy that the last steps would have taken at the guessed load factors is what their length costs.
+  double corrected(double guess) const {
+    double length = 2, spent = 2;  // as if two spacings had been guessed well
+    for (std::size_t k = lengths_.size(); k-- > 0 && lengths_.size() - k <= static_cast<std::size_t>(setting_.learn);)
+      length += lengths_[k], spent += spent_[k];
+    return guess * std::sqrt(length / spent);
   }
 
   std::vector<int> across(const Point& begin, const Point& end) const {
@@ -78,9 +92,15 @@ class LineRule final : public Rule {
     return {part(side, side) * scale / setting_.opening, part(along, side) * scale / setting_.shear};
   }
 
+  Intensity field(const Point& tip, const Point& along) {
+    mean_.update();
+    return fit_stresses(body_, window_, mean_, tip, along, setting_.inner * body_.horizon, setting_.outer * body_.horizon);
+  }
+
   double load(const Point& tip, const Point& direction) {
     if (setting_.load == "ahead") return std::sqrt(8.0 / 9) / hoop_intensity(ahead(tip, tangent()));
     if (setting_.load == "williams") return std::sqrt(8.0 / 9) / hoop_intensity(intensity(tip, tangent()));
+    if (setting_.load == "field") return std::sqrt(8.0 / 9) / hoop_intensity(field(tip, tangent()));
     return std::sqrt(setting_.look / window_.release_of(across(tip, tip + setting_.look * direction)));
   }
 
@@ -90,6 +110,7 @@ class LineRule final : public Rule {
     double kink = 0;
     if (setting_.turn == "williams") kink = hoop_angle(intensity(tip, along));
     if (setting_.turn == "ahead") kink = hoop_angle(ahead(tip, along));
+    if (setting_.turn == "field") kink = hoop_angle(field(tip, along));
     if (setting_.turn == "stress") {
       mean_.update();
       const Point ahead = tip + 0.0 * along;
@@ -120,6 +141,8 @@ class LineRule final : public Rule {
   MeanStress mean_;
   std::vector<Point> line_;
   std::size_t before_ = 2;
+  double guess_ = 0;
+  std::vector<double> lengths_, spent_;  // of the steps so far; spent: at the guessed load factors
 };
 
 }  // namespace

@@ -22,6 +22,8 @@ class Rule {
  public:
   virtual ~Rule() = default;
   virtual Event next() = 0;
+  // What the event before has released at load factor one.
+  virtual void released(double) {}
   // Tip of the crack's line where the rule keeps one.
   virtual const std::vector<Point>* line() const { return nullptr; }
 };
@@ -36,7 +38,8 @@ struct Setting {
   double ductility = 1; // stretch without force over stretch of the peak
   double step = 1;      // of a crack line, in spacings
   double look = 3;      // ahead, for the release of energy
-  double smooth = 0, cone = 0, opening = 0.5, shear = 0.4, back = 0.9;
+  double smooth = 0, cone = 0, opening = 0.5, shear = 0.4, back = 0.9, inner = 0.5, outer = 2.5;
+  int learn = 0;        // steps from whose released energy a line corrects its load factor
   std::string turn = "stress", load = "release";
 };
 

@@ -19,6 +19,8 @@ BONDS = ["stretch:name=stretch", "stretch:scatter=0.1:name=scatter-10", "stretch
          "bond:radius=0.5:mix=0.5:name=half-mean-strain", "facet:radius=0.5:name=facet"]
 SOFT = ["stretch:teeth=6:ductility=4:name=softening-4"]
 AHEAD = "line:turn=ahead:radius=1.5:cone=0.5:opening=0.79:shear=0.482"
+FIELD = AHEAD + ":load=field:inner=1:outer=3"
+BEST = [FIELD + ":learn=8:name=line-field-learn", FIELD + ":name=line-field"]
 LINES = [AHEAD + ":look=3:name=line-release-3", AHEAD + ":look=6:name=line-release-6", AHEAD + ":load=ahead:name=line-ahead",
          "line:turn=stress:radius=1:smooth=1:look=6:name=line-principal", "line:turn=release:look=4:name=line-most-release",
          "line:turn=williams:radius=2:load=williams:name=line-williams"]
@@ -28,6 +30,23 @@ def jobs() -> list[tuple]:
     """(scene, m, angle, mode, seed, points, kernel, rules)."""
     found = []
     for seed in range(1, 9):
+        for m in (3, 4):
+            for angle in (0, 7.5, 15, 22.5, 30, 45):
+                found.append(("narrow", m, angle, 0, seed, "lattice", "quartic", BEST))
+    for incline in (15, 30, 45, 60, 75):
+        for m in (3, 4):
+            for angle in (0, 20):
+                found.append(("plate", m, angle, incline, 1, "lattice", "quartic", BEST[:1] + BONDS[:1]))
+    for seed in (1, 2):
+        for m in (5, 6):
+            for angle in (0, 15, 30, 45):
+                found.append(("narrow", m, angle, 0, seed, "lattice", "quartic", BEST[:1]))
+    for seed in range(1, 5):
+        for m in (3, 4):
+            for angle in (10, 30):
+                for mode in (15, 30, 45, 60, 75):
+                    found.append(("disc", m, angle, mode, seed, "lattice", "quartic", BEST[:1] + LINES[1:2] + BONDS[:1]))
+    for seed in range(1, 5):
         for m in (3, 4):
             for angle in (0, 7.5, 15, 22.5, 30, 45):
                 found.append(("narrow", m, angle, 0, seed, "lattice", "quartic", LINES))
@@ -46,15 +65,6 @@ def jobs() -> list[tuple]:
             for angle in (10, 20):
                 found.append(("strip", m, angle, 0, seed, "lattice", "quartic", SOFT))
             found.append(("strip", m, 0, 0, seed, "lloyd=4", "quartic", SOFT))
-    for seed in range(1, 9):
-        for m in (3, 4):
-            for angle in (10, 30):
-                for mode in (15, 30, 45, 60, 75):
-                    found.append(("disc", m, angle, mode, seed, "lattice", "quartic", LINES[1:4]))
-    for seed in (1, 2, 3):
-        for m in (5, 6):
-            for angle in (0, 15, 30, 45):
-                found.append(("narrow", m, angle, 0, seed, "lattice", "quartic", LINES[1:2]))
     return found
 
 

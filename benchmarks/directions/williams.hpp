@@ -11,6 +11,11 @@ struct Intensity {
 };
 Intensity fit_williams(const Body& body, const Window& window, const Point& tip, const Point& direction, double inner, double outer);
 
+// The same from stresses at points ahead of the tip, none of which is beside the crack.
+class MeanStress;
+Intensity fit_stresses(const Body& body, const Window& window, const MeanStress& stress, const Point& tip, const Point& direction,
+                       double inner, double outer);
+
 // Angle of a kink by the largest hoop stress (Erdogan and Sih 1963), and the intensity that it compares with toughness.
 double hoop_angle(const Intensity& k);
 double hoop_intensity(const Intensity& k);
