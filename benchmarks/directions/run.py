@@ -1,6 +1,6 @@
 """What turns a crack: every candidate on one table, into out/directions/ and docs/directions.md.
 
-    run.py [--jobs N] [--only WORD] [--table]
+    run.py [--jobs N] [--only WORD] [--table]    --table: from what is there
 
 A strip between clamps, the crack along its middle, the lattice turned under it; and a disc about a crack tip in mixed
 mode. Results are kept line by line in results.csv: what is there is not run again."""
@@ -12,6 +12,9 @@ import concurrent.futures
 import os
 import pathlib
 import subprocess
+import sys
+
+import report
 
 OUT = pathlib.Path(os.environ.get("BEMPD_OUTPUT", "out/directions"))
 PROGRAM = pathlib.Path(os.environ.get("BEMPD_BENCHMARKS", "build/release/benchmarks")) / "bempd_directions"
@@ -105,16 +108,26 @@ def main() -> None:
     options = argparse.ArgumentParser()
     options.add_argument("--jobs", type=int, default=1)
     options.add_argument("--only", default="")
+    options.add_argument("--table", action="store_true")
     options = options.parse_args()
     OUT.mkdir(parents=True, exist_ok=True)
     file = OUT / "results.csv"
     have = done(file)
     chosen = [job for job in jobs() if options.only in str(job)]
+    if options.table:
+        chosen = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for lines in pool.map(lambda job: run(job, have), chosen):
             if lines:
                 with open(file, "a", encoding="ascii") as table:
                     table.write("\n".join(lines) + "\n")
+    references = OUT / "boundary_paths.txt"
+    if not references.exists():
+        answer = subprocess.run([sys.executable, pathlib.Path(__file__).with_name("boundary_path.py"), "15", "30", "45", "60", "75"],
+                                capture_output=True, text=True, check=True)
+        references.write_text(answer.stdout, encoding="ascii")
+    if not options.only:
+        report.write(OUT)
 
 
 if __name__ == "__main__":
