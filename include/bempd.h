@@ -480,7 +480,14 @@ typedef enum bempd_stop_reason {
   /** The body is separated: the proportional load meets no resistance any more. */
   BEMPD_STOP_SEPARATED = 3,
   /** No bond can break however far the load factor goes in this direction. */
-  BEMPD_STOP_NO_FURTHER_EVENT = 4
+  BEMPD_STOP_NO_FURTHER_EVENT = 4,
+  /** With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
+   * load factor, so that the path ends here; see bempd_admissible_load_factors(). @since 0.2 */
+  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
+  /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
+   * step keeps the increments before. Where already its first one leaves none the step fails instead, as
+   * BEMPD_ERROR_UNSOLVABLE. @since 0.2 */
+  BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 
 /** @brief What a step did. Fill it with bempd_step_report_init(). @since 0.1 */
@@ -505,6 +512,11 @@ typedef struct bempd_step_report {
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
+  /* Since 0.2. */
+  double bond_energy;     /**< of the energy released since the beginning, what bonds take where they just reach their
+                             critical stretch; the rest would have become motion [J] */
+  int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
+                             stretched beyond what they bear; 0 if each event was in equilibrium */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill
@@ -527,6 +539,12 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  * equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With the option
  * stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end
  * of each every bond that exceeds its critical stretch breaks.
+ *
+ * Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that the
+ * body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the load factor
+ * falls there instead: each event lies where the most stretched bonds just reach their critical stretch, and the body
+ * follows its path of equilibrium through snap-back until it bears the load factor asked for, or more. Under
+ * proportional loads the same bonds break in the same order.
  * @param[in] model the model @param[in] load_factor where to go, up or down [-]
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);
@@ -578,6 +596,14 @@ typedef enum bempd_bond_state {
 
 /** @brief Present load factor. @param[in] model the model @param[out] load_factor [-] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_load_factor(const bempd_model* model, double* load_factor);
+
+/** @brief Load factors at which the body bears its loads with the present bonds: no bond exceeds its critical stretch.
+ *
+ * Where the loads of the scene are proportional this is 0 and what is around it; constant ones may leave nothing:
+ * lowest > highest then. Where nothing bounds them they are -1.7976931348623157e308 and 1.7976931348623157e308.
+ * @param[in] model the model, which is prepared if needed @param[out] lowest [-] @param[out] highest [-]
+ * @return status @since 0.2 */
+BEMPD_API bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, double* highest);
 
 /** @brief Number that changes whenever the model's fields may have changed. @param[in] model the model
  * @param[out] generation the number @return status @since 0.1 */
@@ -778,6 +804,12 @@ typedef struct bempd_history_entry {
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
+  /* Since 0.2: the equilibrium path, whatever the option stepping.control. */
+  double critical_load_factor;   /**< at which the most stretched bond of the event just reaches its critical
+                                    stretch; at the end of a step the load factor [-] */
+  double critical_stored_energy; /**< elastic energy at that load factor, after the event [J] */
+  double bond_energy;            /**< energy that bonds broken so far take where they just reach their critical
+                                    stretch [J] */
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill

@@ -19,7 +19,8 @@ module bempd
   use bempd_c, only: BEMPD_OK, BEMPD_ERROR_ARGUMENT, BEMPD_ERROR_ORDER, BEMPD_ERROR_UNSOLVABLE, &
     BEMPD_ERROR_CONVERGENCE, BEMPD_ERROR_CANCELLED, BEMPD_ERROR_MEMORY, BEMPD_ERROR_IO, BEMPD_ERROR_INTERNAL, &
     BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
-    BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, BEMPD_POSITION, &
+    BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, &
+    BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, BEMPD_POSITION, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
     BEMPD_CRACK_END, bempd_step_report, bempd_statistics, bempd_history_entry, bempd_crack_tip, bempd_growth, &
@@ -48,7 +49,7 @@ module bempd
     procedure :: add_crack_traction, tips, crack_opening, grow_cracks
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
-    procedure :: load_factor, generation, copy_field, view_field, copy_elements, copy_bonds
+    procedure :: load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds
     procedure :: reaction, reaction_moment, evaluate
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
@@ -81,7 +82,8 @@ module bempd
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
     set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
-    load_factor, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, reaction_moment, evaluate, &
+    load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
+    reaction_moment, evaluate, &
     get_statistics, &
     history, add_crack_traction, tips, crack_opening, grow_cracks, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
@@ -400,6 +402,13 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine load_factor
+    !> Lowest and highest load factor that the body bears with its present bonds; lowest > highest if there is none.
+    module subroutine admissible_load_factors(self, lowest, highest, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(out) :: lowest, highest
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine admissible_load_factors
     module subroutine generation(self, number, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int64_t), intent(out) :: number

@@ -78,6 +78,17 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_STOP_SEPARATED = 3
   !> No bond can break however far the load factor goes in this direction.
   integer(c_int), parameter :: BEMPD_STOP_NO_FURTHER_EVENT = 4
+  !> With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
+  !> load factor, so that the path ends here; see bempd_admissible_load_factors().
+  !>
+  !> since: 0.2
+  integer(c_int), parameter :: BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
+  !> With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
+  !> step keeps the increments before. Where already its first one leaves none the step fails instead, as
+  !> BEMPD_ERROR_UNSOLVABLE.
+  !>
+  !> since: 0.2
+  integer(c_int), parameter :: BEMPD_STOP_NO_EQUILIBRIUM = 6
 
   !> A field on a region. Nodes are boundary nodes or material points.
   !>
@@ -218,6 +229,12 @@ module bempd_c
     real(c_double) :: seconds_update
     !> of it: stretches, choice of bonds, connectivity [s]
     real(c_double) :: seconds_search
+    !> of the energy released since the beginning, what bonds take where they just reach their critical stretch; the
+    !> rest would have become motion [J]
+    real(c_double) :: bond_energy
+    !> number of the first event of this step at which equilibrium was lost: bonds were stretched beyond what they bear;
+    !> 0 if each event was in equilibrium
+    integer(c_int64_t) :: unstable_event
   end type bempd_step_report
 
   !> The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
@@ -350,6 +367,13 @@ module bempd_c
     real(c_double) :: energy_balance_error
     !> largest unbalanced force over the largest internal nodal force so far [-]
     real(c_double) :: residual
+    !> at which the most stretched bond of the event just reaches its critical stretch; at the end of a step the load
+    !> factor [-]
+    real(c_double) :: critical_load_factor
+    !> elastic energy at that load factor, after the event [J]
+    real(c_double) :: critical_stored_energy
+    !> energy that bonds broken so far take where they just reach their critical stretch [J]
+    real(c_double) :: bond_energy
   end type bempd_history_entry
 
   abstract interface
@@ -1241,6 +1265,12 @@ module bempd_c
     !> the option stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment),
     !> and at the end of each every bond that exceeds its critical stretch breaks.
     !>
+    !> Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that
+    !> the body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the
+    !> load factor falls there instead: each event lies where the most stretched bonds just reach their critical
+    !> stretch, and the body follows its path of equilibrium through snap-back until it bears the load factor asked for,
+    !> or more. Under proportional loads the same bonds break in the same order.
+    !>
     !> model [in]: the model
     !> load_factor [in]: where to go, up or down [-]
     !> report [in,out]: struct_size in, the rest out; may be NULL
@@ -1297,6 +1327,24 @@ module bempd_c
       real(c_double), intent(inout) :: load_factor
       integer(c_int) :: bempd_load_factor
     end function bempd_load_factor
+
+    !> Load factors at which the body bears its loads with the present bonds: no bond exceeds its critical stretch.
+    !>
+    !> Where the loads of the scene are proportional this is 0 and what is around it; constant ones may leave nothing:
+    !> lowest > highest then. Where nothing bounds them they are -1.7976931348623157e308 and 1.7976931348623157e308.
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> lowest [out]: [-]
+    !> highest [out]: [-]
+    !> return: status
+    !> since: 0.2
+    function bempd_admissible_load_factors(model, lowest, highest) bind(c, name="bempd_admissible_load_factors")
+      import :: c_double, c_int, c_ptr
+      type(c_ptr), value :: model
+      real(c_double), intent(inout) :: lowest
+      real(c_double), intent(inout) :: highest
+      integer(c_int) :: bempd_admissible_load_factors
+    end function bempd_admissible_load_factors
 
     !> Number that changes whenever the model's fields may have changed.
     !>

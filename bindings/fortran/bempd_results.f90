@@ -39,6 +39,12 @@ contains
     call finish(self, bempd_load_factor(self%handle, value), stat, errmsg)
   end procedure load_factor
 
+  module procedure admissible_load_factors
+    lowest = 0
+    highest = 0
+    call finish(self, bempd_admissible_load_factors(self%handle, lowest, highest), stat, errmsg)
+  end procedure admissible_load_factors
+
   module procedure generation
     number = 0
     call finish(self, bempd_generation(self%handle, number), stat, errmsg)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "capi/guard.hpp"
 
@@ -27,12 +28,23 @@ bempd_status get_history_entry(const bempd_model* model, const char* function, s
     const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
     write_struct(entry,
                  {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
-                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual},
+                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual,
+                  h.critical_load_factor, h.critical_stored_energy, h.bond_energy},
                  "entry");
   });
 }
 
 }  // namespace
+
+bempd_status bempd_admissible_load_factors(bempd_model* model, double* lowest, double* highest) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    double &low = out(lowest, "lowest"), &high = out(highest, "highest");
+    constexpr double largest = std::numeric_limits<double>::max();
+    const fracture::LoadInterval admissible = m.admissible_load_factors();
+    low = std::clamp(admissible.lowest, -largest, largest);
+    high = std::clamp(admissible.highest, -largest, largest);
+  });
+}
 
 bempd_status bempd_load_factor(const bempd_model* model, double* load_factor) {
   return with_model(model, __func__, [&](const model::Model& m) { out(load_factor, "load_factor") = m.load_factor(); });

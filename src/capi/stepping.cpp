@@ -20,6 +20,12 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
     case fracture::StopReason::no_further_event:
       r.stop_reason = BEMPD_STOP_NO_FURTHER_EVENT;
       break;
+    case fracture::StopReason::no_admissible_load:
+      r.stop_reason = BEMPD_STOP_NO_ADMISSIBLE_LOAD;
+      break;
+    case fracture::StopReason::no_equilibrium:
+      r.stop_reason = BEMPD_STOP_NO_EQUILIBRIUM;
+      break;
   }
   r.separated = state.separated ? 1 : 0;
   r.events = result.events;
@@ -37,6 +43,8 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.seconds_solve = result.seconds_solve;
   r.seconds_update = result.seconds_update;
   r.seconds_search = result.seconds_search;
+  r.bond_energy = state.bond_energy;
+  r.unstable_event = result.unstable_event;
   return r;
 }
 

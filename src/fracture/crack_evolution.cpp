@@ -91,9 +91,13 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   for (;;) {
     if (goal == Goal::separation && state_.separated) return StopReason::separated;
     const Event* next = sources_.next(target, options);
-    if (!next && goal != Goal::load_factor) {
-      end_step();
-      return StopReason::no_further_event;
+    if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
+      sources_.bring_up_to_date();
+      const bool none = options.control == Control::path && body_.admissible().is_empty();
+      if (none || goal != Goal::load_factor) {
+        end_step();
+        return none ? StopReason::no_admissible_load : StopReason::no_further_event;
+      }
     }
     const bool upwards = target >= state_.load_factor;
     if (!next || (upwards ? next->load_factor > target : next->load_factor < target)) break;
@@ -102,7 +106,11 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
            " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
     }
     sources_.mark();
-    book(*next, sources_.perform());
+    const bool increments = options.mode == SteppingMode::increments;
+    if (!perform(*next, increments && state_.events > events_before)) {
+      end_step();
+      return StopReason::no_equilibrium;
+    }
     if (on_event) on_event(state_);
     if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
   }
@@ -112,10 +120,36 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   return state_.separated ? StopReason::separated : StopReason::load_factor;
 }
 
-void CrackEvolution::return_to(const Start& start) {
+// False if no equilibrium is left after the event, and what was reached before it is to be kept: then it did not
+// happen.
+bool CrackEvolution::perform(const Event& event, bool keep_what_was_reached) {
+  if (!keep_what_was_reached) {
+    book(event, sources_.perform());
+    return true;
+  }
+  BodyState before = state_;
+  const Start start{state_, state_.history.size(), state_.reactions.size()};
+  try {
+    book(event, sources_.perform());
+    return true;
+  } catch (const Error& error) {
+    if (error.failure() != Failure::unsolvable) throw;
+    forget_lines(start);
+    static_cast<BodyState&>(state_) = std::move(before);
+    sources_.forget();
+    body_.restore();
+    return false;
+  }
+}
+
+void CrackEvolution::forget_lines(const Start& start) {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
   state_.reactions.resize(start.reactions_size);
+}
+
+void CrackEvolution::return_to(const Start& start) {
+  forget_lines(start);
   sources_.return_to_mark();
 }
 
@@ -123,6 +157,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   state_.work += outcome.work_before;
   state_.work = in_range(state_.work + outcome.work);
   state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
+  state_.bond_energy = in_range(state_.bond_energy + outcome.bond_energy);
   ++state_.events;
   state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
@@ -131,6 +166,8 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   line.event = state_.events;
   line.stretch_ratio = event.ratio;
   line.stored_energy = outcome.stored_energy;
+  line.critical_load_factor = event.critical_load_factor;
+  line.critical_stored_energy = in_range(outcome.critical_stored_energy);
   line.residual = outcome.residual;
   write_line(line, outcome.energy_scale, outcome.reactions);
 }
@@ -139,6 +176,8 @@ void CrackEvolution::end_step() {
   sources_.bring_up_to_date();
   HistoryEntry line;
   line.stored_energy = body_.stored_energy();
+  line.critical_load_factor = state_.load_factor;
+  line.critical_stored_energy = in_range(line.stored_energy);
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }
@@ -149,6 +188,7 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   line.load_factor = state_.load_factor;
   line.stored_energy = in_range(line.stored_energy);
   line.released_energy = state_.released_energy;
+  line.bond_energy = state_.bond_energy;
   line.work = state_.work;
   state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
   const double scale = std::max(state_.largest_work, energy_scale);

@@ -14,7 +14,7 @@
 namespace bempd::fracture {
 
 enum class Goal { load_factor, next_event, separation };
-enum class StopReason { load_factor, event, separated, no_further_event };
+enum class StopReason { load_factor, event, separated, no_further_event, no_admissible_load, no_equilibrium };
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
 // found in closed form; a break is a low-rank change of the system. An event is one batch of bonds broken at one load
@@ -62,6 +62,12 @@ class CrackEvolution {
   }
   double seconds_search() { return body_.seconds_search(); }
 
+  // In the present state of the bonds, under the present loads.
+  LoadInterval admissible_load_factors() {
+    sources_.bring_up_to_date();
+    return body_.admissible();
+  }
+
   // Whether displacements and forces have products beyond the range of numbers.
   bool energies_are_lost() const;
 
@@ -74,6 +80,8 @@ class CrackEvolution {
 
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
+  bool perform(const Event& event, bool keep_what_was_reached);
+  void forget_lines(const Start& start);  // of the history, and what was added to the sums
   void return_to(const Start& start);
   void book(const Event& event, const Outcome& outcome);
   void end_step();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bempd::fracture {
 
@@ -55,6 +56,28 @@ std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, 
   }
   if (next && (to - *next) * direction < 0) next.reset();
   return next;
+}
+
+LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
+  const double infinity = std::numeric_limits<double>::infinity();
+  LoadInterval result{-infinity, infinity};
+  for (std::size_t b = 0; b < intact.size(); ++b) {
+    if (!intact[b]) continue;
+    const double slope = proportional[b], room = 1 - constant[b];
+    if (slope > 0) {
+      result.highest = std::min(result.highest, room / slope);
+    } else if (slope < 0) {
+      result.lowest = std::max(result.lowest, room / slope);
+    } else if (room < -excess_tolerance) {
+      return {infinity, -infinity};
+    }
+  }
+  return result;
+}
+
+double AffineRatios::critical_load_factor(std::size_t bond, double load_factor) const {
+  const double critical = (1 - constant[bond]) / proportional[bond];
+  return std::isfinite(critical) ? critical : load_factor;
 }
 
 double AffineRatios::steepest() const {

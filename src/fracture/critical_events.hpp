@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,6 +9,18 @@
 #include "coupling/terms.hpp"
 
 namespace bempd::fracture {
+
+// Load factors at which no bond exceeds its critical stretch; infinite where there is no bound.
+struct LoadInterval {
+  double lowest, highest;
+
+  bool is_empty() const { return lowest > highest; }
+  // Its end in a direction; null if there is none.
+  std::optional<double> next(bool upwards) const {
+    const double end = upwards ? highest : lowest;
+    return is_empty() || std::isinf(end) ? std::nullopt : std::optional(end);
+  }
+};
 
 // Stretch of bonds over their critical stretch as affine functions of the load factor.
 struct AffineRatios {
@@ -19,8 +32,13 @@ struct AffineRatios {
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
   std::optional<double> next_break(const std::vector<char>& intact, double from, double to) const;
 
-  // The same upwards to any load factor, where all constant parts are 0, and the ratios of broken bonds too.
+  // next_break() upwards to any load factor, where all constant parts are 0, and the ratios of broken bonds too.
   std::optional<double> next_proportional_break(double from) const;
+
+  LoadInterval admissible(const std::vector<char>& intact) const;
+  // Where a bond that has reached its critical stretch at a load factor just reaches it; there, if it always exceeds
+  // it.
+  double critical_load_factor(std::size_t bond, double load_factor) const;
   double steepest() const;  // largest proportional part
 
   // Intact bonds at or beyond their critical stretch at this load factor, in bond order.

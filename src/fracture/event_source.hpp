@@ -11,7 +11,8 @@ namespace bempd::fracture {
 // Terms that reach their critical value together, at one load factor.
 struct Event {
   double load_factor = 0;
-  double ratio = 0;  // largest stretch over critical stretch
+  double ratio = 0;                 // largest stretch over critical stretch
+  double critical_load_factor = 0;  // at which the term of this ratio just reaches its critical value
   // Of these terms, ascending; not told where the event lies beyond the target.
   std::vector<coupling::StageChange> changes;
 };
@@ -22,8 +23,10 @@ struct Outcome {
   double work_before = 0;   // of the loads on the way to the event
   double work = 0;          // of the event itself
   double released_energy = 0;
-  double stored_energy = 0;  // after it
-  double unit_energy = 0;    // of the proportional load alone, after it
+  double bond_energy = 0;             // of it, what the terms take where they just reach their critical values
+  double stored_energy = 0;           // after it
+  double critical_stored_energy = 0;  // the same at the critical load factor
+  double unit_energy = 0;             // of the proportional load alone, after it
   double residual = 0;
   double energy_scale = 0;  // what energies are measured by at least
   std::int64_t fragments = 0;

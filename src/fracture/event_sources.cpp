@@ -38,7 +38,8 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
 
 void EventSources::open_window(double target, const SteppingOptions& options) {
   if (body_.state().separated || whole_body_events_ > 0) return;
-  const std::optional<double> next = body_.next_break(target);
+  const bool path = options.control == Control::path;
+  const std::optional<double> next = path ? body_.next_on_path(target) : body_.next_break(target);
   if (!next || *next > target) return;
   if (!window_.open(*next, options)) be_patient();
 }

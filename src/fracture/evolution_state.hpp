@@ -20,6 +20,11 @@ struct HistoryEntry {
   double work = 0;
   double energy_balance_error = 0;
   double residual = 0;
+  // On the equilibrium path: where the bonds of the event just reach their critical stretch, and the energy stored
+  // there after it; at the end of a step the same as above.
+  double critical_load_factor = 0;
+  double critical_stored_energy = 0;
+  double bond_energy = 0;  // released by then, had each event happened there
 };
 
 // The body as it is at a load factor.
@@ -43,6 +48,7 @@ struct Sums {
   std::int64_t broken_bonds = 0;
   std::int64_t fragments = 0;
   double released_energy = 0;
+  double bond_energy = 0;  // of it, what broken terms take; the rest would have become motion
   double work = 0;
   double largest_work = 0;
   double worst_energy_balance_error = 0;

@@ -199,9 +199,22 @@ std::optional<double> LoadedBody::next_break(double target) {
   return ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
 }
 
+std::optional<double> LoadedBody::next_on_path(double target) {
+  const Stopwatch watch(seconds_search_);
+  return admissible().next(target >= state_.load_factor);
+}
+
 double LoadedBody::stored_energy() const {
   if (system_.has_offsets()) return system_.energy(state_.total_displacement, state_.load_factor);
   return 0.5 * state_.total_displacement.dot(state_.total_force);  // Clapeyron's theorem
+}
+
+double LoadedBody::stored_energy_at(double load_factor) const {
+  if (load_factor == state_.load_factor) return stored_energy();
+  if (!system_.has_offsets() && state_.displacement.col(0).isZero(0)) return load_factor * load_factor * unit_energy();
+  const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
+  if (system_.has_offsets()) return system_.energy(displacement, load_factor);
+  return 0.5 * displacement.dot(system_.internal_force(displacement, load_factor));
 }
 
 double LoadedBody::unit_energy() const { return system_.unit_energy(state_.displacement.col(1)); }

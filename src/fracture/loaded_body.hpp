@@ -71,8 +71,12 @@ class LoadedBody {
 
   // Load factor of the next break on the way to a target, which may be infinite.
   std::optional<double> next_break(double target);
+  // Where the present bonds can be loaded no further in that direction; null if there is no such place.
+  std::optional<double> next_on_path(double target);
+  LoadInterval admissible() const { return ratios_.admissible(system_.intact()); }
 
   double stored_energy() const;
+  double stored_energy_at(double load_factor) const;  // in the same state of the bonds
   double unit_energy() const;
   double residual() const;
   bool is_balanced() const;  // the displacements, at the present load factor, which nothing else may know of yet

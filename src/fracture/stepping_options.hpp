@@ -14,6 +14,15 @@ enum class SteppingMode {
   increments
 };
 
+// What is held while bonds break.
+enum class Control {
+  // The load factor: where growth is unstable events follow each other at one load factor, out of equilibrium.
+  load,
+  // Nothing: each event lies where the most stretched bonds just reach their critical stretch, so that the load factor
+  // falls where growth is unstable, and every state is one of equilibrium.
+  path
+};
+
 struct SteppingOptions {
   SteppingMode mode = SteppingMode::events;
   double increment = 1;  // of the load factor
@@ -22,6 +31,7 @@ struct SteppingOptions {
   std::int64_t max_events = 10'000'000;
   bool window = true;       // compute events ahead in a window around what breaks, where that is possible
   double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
+  Control control = Control::load;
 };
 
 }  // namespace bempd::fracture

@@ -24,13 +24,14 @@ using coupling::evaluate;
 const Event* WholeBodyEvents::next(double target, const SteppingOptions& options) {
   const std::optional<double> load_factor = next_load_factor(target, options);
   if (!load_factor) return nullptr;
-  event_ = {*load_factor, 0, {}};
+  event_ = {*load_factor, 0, *load_factor, {}};
   const bool upwards = target >= body_.state().load_factor;
   if (upwards ? *load_factor <= target : *load_factor >= target) choose_terms(options);
   return &event_;
 }
 
 std::optional<double> WholeBodyEvents::next_load_factor(double target, const SteppingOptions& options) {
+  if (options.control == Control::path) return body_.next_on_path(target);
   const std::optional<double> next = body_.next_break(target);
   if (!next || options.mode == SteppingMode::events) return next;
   const Stopwatch watch(body_.seconds_search());
@@ -66,7 +67,11 @@ void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
           : ratios.most_stretched(system_.intact(), f, options.tie_band, options.max_breaks_per_solve);
   for (int t : chosen) {
     event_.changes.push_back(system_.after_critical(t));
-    event_.ratio = std::max(event_.ratio, ratios.at(static_cast<std::size_t>(t), f));
+    const auto bond = static_cast<std::size_t>(t);
+    if (const double ratio = ratios.at(bond, f); ratio > event_.ratio) {
+      event_.ratio = ratio;
+      event_.critical_load_factor = ratios.critical_load_factor(bond, f);
+    }
   }
 }
 
@@ -137,6 +142,8 @@ Outcome WholeBodyEvents::perform() {
   outcome.stored_energy = body_.stored_energy();
   // Lost loads take their part along with the piece.
   outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy();
+  outcome.bond_energy = released_energy() / (event_.ratio * event_.ratio);
+  outcome.critical_stored_energy = body_.stored_energy_at(event_.critical_load_factor);
   state.stages = system_.stages();
   state.springs = system_.springs();
   outcome.unit_energy = body_.unit_energy();

@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
 #include "linalg/blas.hpp"
+#include "model/stepping_options.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
 #include "regions/memory_limit.hpp"
@@ -24,6 +25,16 @@ constexpr double poor_residual = 1e-8;
 
 // Systems that take long enough for the rate of the BLAS to matter.
 constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
+
+// Rounding in the ratio of a bond that just reaches its critical stretch.
+constexpr double ratio_rounding = 1e-9;
+
+// The first event for which the load had to be higher than what bonds could carry; 0 if there is none.
+std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
+  const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + ratio_rounding; };
+  const auto found = std::find_if(lines.begin(), lines.end(), unstable);
+  return found == lines.end() ? 0 : found->event;
+}
 
 // "region 2" or "regions 1 and 3": those that have any of the nodes.
 std::string regions_with(const regions::Discretization& d, const std::vector<int>& nodes) {
@@ -99,6 +110,7 @@ void Model::prepare() {
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement);
+  p->interface_bonds.emplace(*p->system, d.positions);
   prepared_ = std::move(p);
   ++generation_;
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
@@ -172,6 +184,18 @@ void Model::warn_of_held_parts() {
   log(1, "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
 }
 
+void Model::warn_of_interface() {
+  if (warned_of_interface_) return;
+  const std::optional<int> node = prepared_->interface_bonds->reached();
+  if (!node) return;
+  warned_of_interface_ = true;
+  const Point& place = prepared_->discretization.positions[*node];
+  log(1, text("bonds have broken where ", regions_with(prepared_->discretization, {*node}), " meet, at (", place.x(),
+              ", ", place.y(),
+              "): a crack cannot go on into a boundary element region and runs along it; give the "
+              "peridynamic region more room there if it should go on"));
+}
+
 void Model::reload() {
   if (!prepared_) return;
   regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
@@ -199,22 +223,20 @@ void Model::set_support_values(int support, scene::SampledValues values) {
   set_values(scene_.support(support), "support", support, std::move(values));
 }
 
+fracture::LoadInterval Model::admissible_load_factors() {
+  ensure_equilibrium();
+  return prepared_->evolution->admissible_load_factors();
+}
+
 StepResult Model::advance(double target, fracture::Goal goal) {
   prepare();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
-  const fracture::SteppingOptions stepping{options_.text_value("stepping.mode") == "paper"
-                                               ? fracture::SteppingMode::increments
-                                               : fracture::SteppingMode::events,
-                                           options_.number("stepping.increment"),
-                                           options_.number("stepping.tie_band"),
-                                           options_.whole_number("stepping.max_breaks_per_solve"),
-                                           static_cast<std::int64_t>(options_.number("stepping.max_events")),
-                                           options_.text_value("stepping.solver") == "window",
-                                           options_.number("stepping.window_length")};
+  const fracture::SteppingOptions stepping = stepping_options(options_);
   const auto& counters = prepared_->system->counters();
   const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
   const std::int64_t events = evolution.progress().events, broken = evolution.progress().broken_bonds;
   const std::int64_t fragments = evolution.progress().fragments;
+  const auto lines = static_cast<std::ptrdiff_t>(evolution.progress().history.size());
   StepResult result;
   {
     const Stopwatch watch(result.seconds_total);
@@ -229,6 +251,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   }
   result.events = evolution.progress().events - events;
   result.broken_bonds = evolution.progress().broken_bonds - broken;
+  result.unstable_event = first_unstable(std::span(evolution.progress().history).subspan(lines));
   result.seconds_solve = counters.seconds_solve - solve;
   result.seconds_update = counters.seconds_update - update;
   result.seconds_search = evolution.seconds_search() - search;
@@ -241,6 +264,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
         "and their balance are not; choose other units");
   }
   warn_of_equilibrium();
+  if (result.broken_bonds > 0) warn_of_interface();
   if (evolution.progress().fragments > fragments) {
     log(1, text(evolution.progress().fragments - fragments,
                 " pieces have come free of all supports; they stay where they are"));

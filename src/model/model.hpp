@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "fracture/interface_bonds.hpp"
 #include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
@@ -27,6 +29,7 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
+  std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
 
@@ -45,6 +48,7 @@ struct PreparedScene {
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
+  std::optional<fracture::InterfaceBonds> interface_bonds;
   std::int64_t interior_kernel_evaluations = 0;
 };
 
@@ -92,6 +96,7 @@ class Model {
   }
 
   double load_factor() const;
+  fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
   // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
@@ -130,6 +135,7 @@ class Model {
   void warn_of_held_parts();
   void warn_of_blas() const;
   void warn_of_overlap();
+  void warn_of_interface();
   void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
   void reload();
@@ -151,6 +157,7 @@ class Model {
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
+  bool warned_of_interface_ = false;
 };
 
 // Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.

@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 3;
+constexpr std::uint32_t format_version = 4;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -27,6 +27,7 @@ requires std::is_same_v<std::remove_const_t<Line>, fracture::HistoryEntry>
 void visit_members(Line& h, Visit& visit) {
   visit(h.event), visit(h.total_broken_bonds), visit(h.load_factor), visit(h.stretch_ratio), visit(h.stored_energy);
   visit(h.released_energy), visit(h.work), visit(h.energy_balance_error), visit(h.residual);
+  visit(h.critical_load_factor), visit(h.critical_stored_energy), visit(h.bond_energy);
 }
 
 // Numbers go one by one: the padding of a struct holds what lay in memory before.
@@ -116,7 +117,7 @@ void visit_members(State& state, Visit& visit) {
   auto& e = state.evolution;
   visit(e.load_factor), visit(e.in_equilibrium), visit(e.separated);
   visit(e.events), visit(e.broken_bonds), visit(e.fragments);
-  visit(e.first_unit_energy), visit(e.released_energy), visit(e.work), visit(e.largest_work);
+  visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions);
@@ -147,7 +148,7 @@ bool is_sound(const coupling::HoldingSpring& s, Eigen::Index dofs) {
 // Energies may be beyond the range of numbers (CrackEvolution::energies_are_lost), nothing else may.
 bool is_sound(const fracture::HistoryEntry& line) {
   return line.event >= 0 && line.total_broken_bonds >= 0 && std::isfinite(line.load_factor) &&
-         std::isfinite(line.stretch_ratio);
+         std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor);
 }
 
 void require_consistent(const fracture::EvolutionState& e) {

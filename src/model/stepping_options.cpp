@@ -1,4 +1,6 @@
-#include "scene/options.hpp"
+#include "model/stepping_options.hpp"
+
+#include "error.hpp"
 
 namespace bempd::model {
 
@@ -29,11 +31,35 @@ const scene::OptionGroup group(scene::OptionPlace::stepping, [] {
           "How far a window reaches ahead of a crack tip, in lattice spacings; 0 lets the library choose, as "
           "it always does for the first window at initial cracks.",
           0, 0, 1e4, false),
+      scene::text_option(
+          "stepping.control",
+          "What is held while bonds break: load, the load factor, so that where growth is unstable events "
+          "follow each other at one load factor, out of equilibrium; path, the equilibrium: the load "
+          "factor falls where growth is unstable, and each event is at exactly its critical load.",
+          "load | path", "load"),
       scene::number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0,
                            1e9, true),
       scene::number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true)};
 });
 
 }  // namespace
+
+fracture::SteppingOptions stepping_options(const scene::Options& options) {
+  const bool increments = options.text_value("stepping.mode") == "paper";
+  const bool path = options.text_value("stepping.control") == "path";
+  require(!(increments && path),
+          "stepping.control = path goes from event to event and stepping.mode = paper in increments; set one of them "
+          "back: stepping.mode to event, or stepping.control to load");
+  fracture::SteppingOptions result;
+  result.mode = increments ? fracture::SteppingMode::increments : fracture::SteppingMode::events;
+  result.control = path ? fracture::Control::path : fracture::Control::load;
+  result.increment = options.number("stepping.increment");
+  result.tie_band = options.number("stepping.tie_band");
+  result.max_breaks_per_solve = options.whole_number("stepping.max_breaks_per_solve");
+  result.max_events = static_cast<std::int64_t>(options.number("stepping.max_events"));
+  result.window = options.text_value("stepping.solver") == "window";
+  result.window_ahead = options.number("stepping.window_length");
+  return result;
+}
 
 }  // namespace bempd::model

@@ -15,6 +15,8 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
     columns.push_back(text("reaction_x_", s));
     columns.push_back(text("reaction_y_", s));
   }
+  // Behind the others, where those who count columns do not miss them.
+  columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy"});
   output::CsvTable table(columns);
   const std::size_t lines = state ? state->history.size() : 0;
   for (std::size_t i = 0; i < lines; ++i) {
@@ -28,6 +30,7 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
       row.emplace_back(state->reactions[at]);
       row.emplace_back(state->reactions[at + 1]);
     }
+    row.insert(row.end(), {h.critical_load_factor, h.critical_stored_energy, h.bond_energy});
     table.add_row(row);
   }
   writing([&] { table.save(output::path_from_utf8(path)); });

@@ -73,6 +73,7 @@ program fortran_runs
   call pressure_and_moments_balance()
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
+  call the_path_of_equilibrium_costs_what_bonds_take()
   call models_are_freed_and_created_again()
   call finish_checks()
 
@@ -390,6 +391,22 @@ contains
     call check(statistics%broken_bonds == report%total_broken_bonds, "the statistics count the broken bonds")
     call check(lines(size(lines))%total_broken_bonds == report%total_broken_bonds, "and so does the last line")
   end subroutine history_and_statistics_belong_together
+
+  subroutine the_path_of_equilibrium_costs_what_bonds_take()
+    type(bempd_model) :: held, path
+    type(bempd_step_report) :: at_load, on_path
+    real(dp) :: lowest, highest
+
+    call make_strip(held)
+    call held%admissible_load_factors(lowest, highest)
+    call check(lowest < 0 .and. highest > 0, "the body bears no load at all")
+    call held%run_to_separation(1e6_dp, at_load)
+    call make_strip(path)
+    call path%set_option("stepping.control", "path")
+    call path%run_to_separation(1e6_dp, on_path)
+    call check(on_path%unstable_event == 0 .and. at_load%unstable_event > 0, "only a held load loses equilibrium")
+    call check(abs(on_path%released_energy / at_load%bond_energy - 1) < 1e-9_dp, "bonds take the same on both ways")
+  end subroutine the_path_of_equilibrium_costs_what_bonds_take
 
   subroutine models_are_freed_and_created_again()
     type(bempd_model) :: models(2)

@@ -1,16 +1,16 @@
 /* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
 #include "scenes.h"
 
-/* The layout of format version 3: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 4: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
   offset_in_equilibrium = offset_load_factor + 8,
   offset_events = offset_in_equilibrium + 2,
-  offset_arrays = offset_events + 3 * 8 + 7 * 8
+  offset_arrays = offset_events + 3 * 8 + 8 * 8
 };
 enum { displacement, total_displacement, total_force, stages, springs, unloaded, history, reactions, array_count };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 72, 8};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 96, 8};
 
 typedef struct bytes {
   uint8_t* data;

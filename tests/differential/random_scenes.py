@@ -1,7 +1,7 @@
 """Random bodies of boundary element and peridynamic boxes, torn with windows and without: both must break the same bonds at
 the same loads, with equilibrium and energy balance held to stated bounds.
 
-    random_scenes.py [--first SEED] [--count N] [--verbose]
+    random_scenes.py [--first SEED] [--count N] [--also SEED ...] [--verbose]
 
 A scene follows from its number alone. Prints one line for every scene that fails and a summary; exits with 1 if any does."""
 
@@ -182,10 +182,12 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--also", type=int, nargs="*", default=[], help="scenes that failed once")
     parser.add_argument("--verbose", action="store_true")
     arguments = parser.parse_args()
     failed = compared = refused = 0
-    for seed in range(arguments.first, arguments.first + arguments.count):
+    seeds = [*range(arguments.first, arguments.first + arguments.count), *arguments.also]
+    for seed in seeds:
         plain, window = run(seed, "plain"), run(seed, "window")
         finding = unsound(plain) or unsound(window) or difference(plain, window)
         compared += len(plain.reports)
@@ -195,7 +197,7 @@ def main() -> int:
             print(f"scene {seed}: {finding}", flush=True)
         elif arguments.verbose:
             print(f"scene {seed}: {len(plain.reports)} events, {plain.error}", flush=True)
-    print(f"{arguments.count} scenes, {compared} events compared, {refused} ended with an error, {failed} failed")
+    print(f"{len(seeds)} scenes, {compared} events compared, {refused} ended with an error, {failed} failed")
     return 1 if failed else 0
 
 

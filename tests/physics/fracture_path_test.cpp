@@ -116,4 +116,39 @@ TEST_F(CrackPath, updated_factors_answer_as_fresh_ones) {
   EXPECT_LE(report("energy balance to the end", end.energy_balance_error, 0, "first law"), 1e-8);
 }
 
+// A crack that runs at a body which cannot break has to turn, and the host is told.
+TEST(Interface, breaks_that_reach_a_boundary_element_region_are_warned_of) {
+  for (bool runs_at_it : {true, false}) {
+    Model model;
+    const int32_t id = model.add(material(30e9, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 8e-4));
+    const int32_t lattice = model.pd(id, rectangle(0, 0, 12, 20), 1, 3);
+    const int32_t block = model.bem(id, rectangle(12, 0, 24, 20), 4);
+    if (runs_at_it) {
+      model.crack({{0, 10.5}, {8.5, 10.5}});
+    } else {
+      model.crack({{4.5, 0}, {4.5, 12.5}});
+    }
+    std::vector<std::string> lines;
+    const auto keep = [](int32_t, const char* line, void* user) {
+      static_cast<std::vector<std::string>*>(user)->emplace_back(line);
+    };
+    model.check(bempd_set_log(model.get(), keep, &lines));
+    if (runs_at_it) {
+      for (const auto& [region, edge] : {std::pair{lattice, 1}, {block, 1}}) model.fix(region, edge, BEMPD_BOTH);
+      for (const auto& [region, edge] : {std::pair{lattice, 3}, {block, 3}})
+        model.prescribe(region, edge, BEMPD_Y, 0, 1e-3);
+    } else {
+      model.fix(lattice, 4, BEMPD_BOTH);
+      model.prescribe(block, 2, BEMPD_X, 0, 1e-3);
+    }
+    model.run(1e4);
+    const auto warns = [](const std::string& line) { return line.find("cannot go on into") != std::string::npos; };
+    const auto told = std::find_if(lines.begin(), lines.end(), warns);
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(), warns), runs_at_it ? 1 : 0);
+    if (runs_at_it && told != lines.end()) {
+      EXPECT_NE(told->find("regions 1 and 2 meet, at (12, "), std::string::npos) << *told;
+    }
+  }
+}
+
 }  // namespace

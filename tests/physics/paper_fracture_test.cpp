@@ -124,4 +124,36 @@ TEST(PaperFracture, a_crack_through_material_points_is_bridged_by_them_with_a_wa
   EXPECT_GT(beside, 0.2);
 }
 
+// A dead load pulverises an edge-cracked plate, and at last no equilibrium is left. What was reached before stays.
+TEST(PaperFracture, increments_before_the_last_equilibrium_are_kept) {
+  const double size = 0.05, spacing = size / 40, load = 600e6;
+  bempd_step_report reached{};
+  for (double target : {20.0, 0.0}) {
+    Model model;
+    model.set_text("scheme", "paper");
+    const int32_t plate = model.pd(model.add(material(192e9, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 4.5e-3)),
+                                   rectangle(0, 0, size, size), spacing, 3);
+    model.crack({{0, size / 2}, {size / 4, size / 2}});
+    model.traction(plate, 3, 0, 1, BEMPD_Y, 0, load);
+    model.traction(plate, 1, 0, 1, BEMPD_Y, 0, -load);
+    model.fix_point({size - spacing / 2, size / 2 - spacing / 2}, BEMPD_BOTH);
+    model.fix_point({size - spacing / 2, spacing / 2}, BEMPD_X);
+    step_by_increments(model);
+    model.set("stepping.increment", 0.02);
+    if (target > 0) {
+      reached = model.step(target);
+      EXPECT_EQ(reached.stop_reason, BEMPD_STOP_NO_EQUILIBRIUM);
+      EXPECT_GT(reached.events, 3);
+      EXPECT_EQ(reached.residual, model.history().back().residual);
+      EXPECT_EQ(bempd_step(model.get(), target, nullptr), BEMPD_ERROR_UNSOLVABLE) << "nothing more can be reached";
+    } else {
+      // The same as a run that was told to stop there.
+      const bempd_step_report end = model.step(reached.load_factor);
+      EXPECT_EQ(end.stop_reason, BEMPD_STOP_LOAD_FACTOR);
+      EXPECT_EQ(end.total_broken_bonds, reached.total_broken_bonds);
+      EXPECT_EQ(end.stored_energy, reached.stored_energy);
+    }
+  }
+}
+
 }  // namespace

@@ -135,7 +135,9 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_LOAD_FACTOR = 1,
   BEMPD_STOP_EVENT = 2,
   BEMPD_STOP_SEPARATED = 3,
-  BEMPD_STOP_NO_FURTHER_EVENT = 4
+  BEMPD_STOP_NO_FURTHER_EVENT = 4,
+  BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
+  BEMPD_STOP_NO_EQUILIBRIUM = 6
 } bempd_stop_reason;
 typedef struct bempd_step_report {
   int64_t struct_size;
@@ -156,6 +158,8 @@ typedef struct bempd_step_report {
   double seconds_solve;
   double seconds_update;
   double seconds_search;
+  double bond_energy;
+  int64_t unstable_event;
 } bempd_step_report;
 bempd_status bempd_step_report_init(bempd_step_report *report, int64_t struct_size);
 bempd_status bempd_prepare(bempd_model *model);
@@ -179,6 +183,7 @@ typedef enum bempd_bond_state {
   BEMPD_BOND_CUT = 2
 } bempd_bond_state;
 bempd_status bempd_load_factor(const bempd_model *model, double *load_factor);
+bempd_status bempd_admissible_load_factors(bempd_model *model, double *lowest, double *highest);
 bempd_status bempd_generation(const bempd_model *model, int64_t *generation);
 bempd_status bempd_node_count(bempd_model *model, int32_t region, int64_t *count);
 bempd_status bempd_element_count(bempd_model *model, int32_t region, int64_t *count);
@@ -269,6 +274,9 @@ typedef struct bempd_history_entry {
   double work;
   double energy_balance_error;
   double residual;
+  double critical_load_factor;
+  double critical_stored_energy;
+  double bond_energy;
 } bempd_history_entry;
 bempd_status bempd_history_entry_init(bempd_history_entry *entry, int64_t struct_size);
 bempd_status bempd_history_count(const bempd_model *model, int64_t *count);
@@ -842,6 +850,17 @@ since: 0.1""",
     "BEMPD_STOP_EVENT": """One event happened (bempd_step_to_next_event()).""",
     "BEMPD_STOP_SEPARATED": """The body is separated: the proportional load meets no resistance any more.""",
     "BEMPD_STOP_NO_FURTHER_EVENT": """No bond can break however far the load factor goes in this direction.""",
+    "BEMPD_STOP_NO_ADMISSIBLE_LOAD": """\
+With the option stepping.control = "path": what is constant of loads and supports stretches bonds
+too far at every load factor, so that the path ends here; see bempd_admissible_load_factors().
+
+since: 0.2""",
+    "BEMPD_STOP_NO_EQUILIBRIUM": """\
+With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
+equilibrium. The step keeps the increments before. Where already its first one leaves none the step
+fails instead, as BEMPD_ERROR_UNSOLVABLE.
+
+since: 0.2""",
     "bempd_step_report": """What a step did. Fill it with bempd_step_report_init().
 
 since: 0.1""",
@@ -868,6 +887,12 @@ the largest stiffness times the displacement of what holds the body if that is l
     "bempd_step_report.seconds_solve": """of it: solutions [s]""",
     "bempd_step_report.seconds_update": """of it: changes of the factorization [s]""",
     "bempd_step_report.seconds_search": """of it: stretches, choice of bonds, connectivity [s]""",
+    "bempd_step_report.bond_energy": """\
+of the energy released since the beginning, what bonds take where they just reach their critical
+stretch; the rest would have become motion [J]""",
+    "bempd_step_report.unstable_event": """\
+number of the first event of this step at which equilibrium was lost: bonds were stretched beyond
+what they bear; 0 if each event was in equilibrium""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
 
@@ -894,6 +919,13 @@ stepping.tie_band of the largest stretch ratio), and equilibrium is found again 
 factor, until no bond exceeds its critical stretch. With the option stepping.mode = "paper" the load
 factor goes in fixed increments instead (option stepping.increment), and at the end of each every
 bond that exceeds its critical stretch breaks.
+
+Where growth is unstable no equilibrium is left at the present load factor while bonds break, and
+the energy that the body gives away is more than what bonds take (bond_energy). With the option
+stepping.control = "path" the load factor falls there instead: each event lies where the most
+stretched bonds just reach their critical stretch, and the body follows its path of equilibrium
+through snap-back until it bears the load factor asked for, or more. Under proportional loads the
+same bonds break in the same order.
 
 model [in]: the model
 load_factor [in]: where to go, up or down [-]
@@ -946,6 +978,19 @@ model [in]: the model
 load_factor [out]: [-]
 return: status
 since: 0.1""",
+    "bempd_admissible_load_factors": """\
+Load factors at which the body bears its loads with the present bonds: no bond exceeds its critical
+stretch.
+
+Where the loads of the scene are proportional this is 0 and what is around it; constant ones may
+leave nothing: lowest > highest then. Where nothing bounds them they are -1.7976931348623157e308 and
+1.7976931348623157e308.
+
+model [in]: the model, which is prepared if needed
+lowest [out]: [-]
+highest [out]: [-]
+return: status
+since: 0.2""",
     "bempd_generation": """\
 Number that changes whenever the model's fields may have changed.
 
@@ -1221,6 +1266,12 @@ largest bond stretch over its critical stretch just before the break [-]""",
     "bempd_history_entry.energy_balance_error": """|work - stored - released| over the largest work so far [-]""",
     "bempd_history_entry.residual": """\
 largest unbalanced force over the largest internal nodal force so far [-]""",
+    "bempd_history_entry.critical_load_factor": """\
+at which the most stretched bond of the event just reaches its critical stretch; at the end of a
+step the load factor [-]""",
+    "bempd_history_entry.critical_stored_energy": """elastic energy at that load factor, after the event [J]""",
+    "bempd_history_entry.bond_energy": """\
+energy that bonds broken so far take where they just reach their critical stretch [J]""",
     "bempd_history_entry_init": """\
 Set struct_size and zeros.
 

@@ -138,6 +138,13 @@ class Results:
         self._open().call("bempd_reaction", support, ffi.from_buffer("double[]", force))
         return force
 
+    def admissible_load_factors(self) -> tuple[float, float]:
+        """Lowest and highest load factor that the body bears with its present bonds; the lowest is above the highest
+        where there is none, and both are at the ends of the range of numbers where nothing bounds them."""
+        lowest, highest = ffi.new("double *"), ffi.new("double *")
+        self._open().call("bempd_admissible_load_factors", lowest, highest)
+        return float(lowest[0]), float(highest[0])
+
     def reaction_moment(self, support: int, about: Sequence[float] = (0.0, 0.0)) -> float:
         """Moment [N m] about a place of the forces of a support on the body, positive counter-clockwise."""
         return float(self._number("bempd_reaction_moment", "double", support,

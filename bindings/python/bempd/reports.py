@@ -19,6 +19,8 @@ class StopReason(enum.IntEnum):
     EVENT = 2  #: one event happened
     SEPARATED = 3  #: the body is separated
     NO_FURTHER_EVENT = 4  #: no bond can break however far the load goes
+    NO_ADMISSIBLE_LOAD = 5  #: on the equilibrium path: constant loads stretch bonds too far at every load factor
+    NO_EQUILIBRIUM = 6  #: in increments: what breaks at the end of the next one leaves no equilibrium
 
 
 class BondState(enum.IntEnum):
@@ -85,6 +87,8 @@ class StepReport:
     seconds_solve: float
     seconds_update: float
     seconds_search: float
+    bond_energy: float  #: of the released energy what bonds take at their critical stretch; the rest would be motion [J]
+    unstable_event: int  #: first event of this step at which equilibrium was lost; 0 if each was in equilibrium
 
 
 @dataclasses.dataclass(frozen=True)

@@ -124,17 +124,27 @@ void Lookahead::compute(const BodyState& state) {
 
 std::vector<int> Lookahead::choose(double f) const {
   const AffineRatios& ratios = window_->ratios();
-  const auto& [band, limit, ahead] = options_;
+  const double band = options_.tie_band;
+  const int limit = options_.max_breaks_per_solve;
   return proportional_ ? ratios.most_stretched(window_->intact(), f, band, limit, f * ratios.steepest())
                        : ratios.most_stretched(window_->intact(), f, band, limit);
 }
 
+// On the way up.
+std::optional<double> Lookahead::next_load_factor(double from) const {
+  const AffineRatios& ratios = window_->ratios();
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (options_.control == Control::load) {
+    return proportional_ ? ratios.next_proportional_break(from) : ratios.next_break(window_->intact(), from, infinity);
+  }
+  if (proportional_) return ratios.next_proportional_break(0);
+  return ratios.admissible(window_->intact()).next(true);
+}
+
 bool Lookahead::foresee(double from, const BodyState& start) {
   narrowing_.narrow(*window_, condensation_->dofs(), from);
-  const double infinity = std::numeric_limits<double>::infinity();
   const AffineRatios& ratios = window_->ratios();
-  const std::optional<double> next =
-      proportional_ ? ratios.next_proportional_break(from) : ratios.next_break(window_->intact(), from, infinity);
+  const std::optional<double> next = next_load_factor(from);
   if (!next) return false;
   const std::vector<int> chosen = choose(*next);
   ForeseenEvent foreseen;
@@ -143,7 +153,11 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     const int term = window_->bonds()[place];
     foreseen.event.changes.push_back(system_.after_critical(term));
     foreseen.back.push_back({term, system_.stages()[term]});
-    foreseen.event.ratio = std::max(foreseen.event.ratio, ratios.at(static_cast<std::size_t>(place), *next));
+    const auto bond = static_cast<std::size_t>(place);
+    if (const double ratio = ratios.at(bond, *next); ratio > foreseen.event.ratio) {
+      foreseen.event.ratio = ratio;
+      foreseen.event.critical_load_factor = ratios.critical_load_factor(bond, *next);
+    }
   }
   if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.largest_force = events_.empty() ? largest_force_before(*next, start) : events_.back().largest_force;
@@ -151,8 +165,14 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     needs_whole_body_ = true;
     return false;
   }
+  const double unit_energy = foreseen.after.unit();
+  has_ended_ = is_separated(system_, unit_energy, start.first_unit_energy);
+  if (!has_ended_ && unit_energy < WindowSettings::doubtful_energy * start.first_unit_energy) {
+    system_.set_stages(foreseen.back);
+    needs_whole_body_ = true;
+    return false;
+  }
   add_checks(from, foreseen.event);
-  has_ended_ = is_separated(system_, foreseen.after.unit(), start.first_unit_energy);
   events_.push_back(std::move(foreseen));
   foreseen_.push_back(window_->state());
   return true;
@@ -201,7 +221,7 @@ void Lookahead::add_checks(double from, const Event& event) {
     checks_.push_back({state, 1, limit / f});
     return;
   }
-  if (from != f) checks_.push_back({state, from, 1});
+  if (from != f && options_.control == Control::load) checks_.push_back({state, from, 1});
   checks_.push_back({state, f, limit});
 }
 

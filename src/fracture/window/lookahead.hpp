@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fracture/event_source.hpp"
@@ -35,6 +36,7 @@ class Lookahead {
     double tie_band;
     int max_breaks_per_solve;
     double ahead;  // of a crack tip, in lattice spacings; 0: chosen by the size of the system
+    Control control;
     bool operator==(const Options&) const = default;
   };
 
@@ -75,6 +77,7 @@ class Lookahead {
  private:
   void build_window(const BodyState& state);
   bool foresee(double from, const BodyState& start);
+  std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;
   bool perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen);

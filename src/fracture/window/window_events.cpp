@@ -48,7 +48,7 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   try {
     const WindowWatch watch(body_.seconds_search(), body_.system().counters());
     return lookahead_.open(body_.state(), load_factor,
-                           {options.tie_band, options.max_breaks_per_solve, options.window_ahead});
+                           {options.tie_band, options.max_breaks_per_solve, options.window_ahead, options.control});
   } catch (const Error& error) {
     // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
     if (error.failure() != Failure::unsolvable) throw;
@@ -58,7 +58,7 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
 
 bool WindowEvents::suits(const SteppingOptions& options) const {
   return lookahead_.options() ==
-         Lookahead::Options{options.tie_band, options.max_breaks_per_solve, options.window_ahead};
+         Lookahead::Options{options.tie_band, options.max_breaks_per_solve, options.window_ahead, options.control};
 }
 
 void WindowEvents::close() {
@@ -90,7 +90,9 @@ Outcome WindowEvents::perform() {
   outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
   outcome.work = foreseen.work;
   outcome.released_energy = foreseen.released;
+  outcome.bond_energy = foreseen.released / (event.ratio * event.ratio);
   outcome.stored_energy = foreseen.after.at(event.load_factor);
+  outcome.critical_stored_energy = foreseen.after.at(event.critical_load_factor);
   outcome.unit_energy = foreseen.after.unit();
   outcome.residual = lookahead_.residual();
   outcome.energy_scale = energy_scale_of_supports(body_.system(), event.load_factor);

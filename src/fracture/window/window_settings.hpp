@@ -33,6 +33,8 @@ struct WindowSettings {
   static constexpr int states_swept_at_once = 16;
   static constexpr double certificate_margin = 1e-9;
   static constexpr double energy_rounding = 1e-13;
+  // Of the energy of the undamaged scene: with less the body may be separated, and rounding may hide it.
+  static constexpr double doubtful_energy = 1e-7;
   static constexpr double acceptable_residual = 1e-11;
 };
 

@@ -23,6 +23,20 @@ def test_steps_report_what_they_did(strip):
     assert report.energy_balance_error < 1e-9 and report.released_energy > 0
 
 
+def test_the_path_of_equilibrium_costs_what_bonds_take(strip):
+    lowest, highest = strip.model.admissible_load_factors()
+    assert lowest < 0 < highest
+    held = strip.model.run_to_separation(1e4)
+    other = make_strip()
+    other.model.options["stepping.control"] = "path"
+    path = other.model.run_to_separation(1e4)
+    assert path.stop_reason is bempd.StopReason.SEPARATED and path.unstable_event == 0 < held.unstable_event
+    assert path.released_energy == pytest.approx(held.bond_energy, rel=1e-9) < held.released_energy
+    lines, on_path = strip.model.history(), other.model.history()
+    np.testing.assert_allclose(lines["critical_load_factor"][:-1], on_path["load_factor"][:-1], rtol=1e-9)
+    assert on_path["load_factor"][0] == pytest.approx(highest, rel=1e-9)
+
+
 def test_a_step_repeats_bit_by_bit_from_a_saved_state(strip):
     strip.model.step_to_next_event(1e4)
     state = strip.model.save()

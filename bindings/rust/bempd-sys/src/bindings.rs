@@ -918,6 +918,18 @@ pub const BEMPD_STOP_EVENT: bempd_stop_reason = 2;
 pub const BEMPD_STOP_SEPARATED: bempd_stop_reason = 3;
 /// No bond can break however far the load factor goes in this direction.
 pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
+/// With the option stepping.control = "path": what is constant of loads and supports stretches
+/// bonds too far at every load factor, so that the path ends here; see
+/// bempd_admissible_load_factors().
+///
+/// * since: 0.2
+pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
+/// With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
+/// equilibrium. The step keeps the increments before. Where already its first one leaves none the
+/// step fails instead, as BEMPD_ERROR_UNSOLVABLE.
+///
+/// * since: 0.2
+pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
 /// Why a step ended.
 ///
 /// * since: 0.1
@@ -967,6 +979,12 @@ pub struct bempd_step_report {
     pub seconds_update: f64,
     /// of it: stretches, choice of bonds, connectivity \[s\]
     pub seconds_search: f64,
+    /// of the energy released since the beginning, what bonds take where they just reach their
+    /// critical stretch; the rest would have become motion \[J\]
+    pub bond_energy: f64,
+    /// number of the first event of this step at which equilibrium was lost: bonds were stretched
+    /// beyond what they bear; 0 if each event was in equilibrium
+    pub unstable_event: i64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -1002,6 +1020,13 @@ extern "C" {
     /// load factor, until no bond exceeds its critical stretch. With the option stepping.mode =
     /// "paper" the load factor goes in fixed increments instead (option stepping.increment), and at
     /// the end of each every bond that exceeds its critical stretch breaks.
+    ///
+    /// Where growth is unstable no equilibrium is left at the present load factor while bonds
+    /// break, and the energy that the body gives away is more than what bonds take (bond_energy).
+    /// With the option stepping.control = "path" the load factor falls there instead: each event
+    /// lies where the most stretched bonds just reach their critical stretch, and the body follows
+    /// its path of equilibrium through snap-back until it bears the load factor asked for, or more.
+    /// Under proportional loads the same bonds break in the same order.
     ///
     /// * model \[in\]: the model
     /// * load_factor \[in\]: where to go, up or down \[-\]
@@ -1084,6 +1109,25 @@ extern "C" {
     /// * return: status
     /// * since: 0.1
     pub fn bempd_load_factor(model: *const bempd_model, load_factor: *mut f64) -> bempd_status;
+}
+extern "C" {
+    /// Load factors at which the body bears its loads with the present bonds: no bond exceeds its
+    /// critical stretch.
+    ///
+    /// Where the loads of the scene are proportional this is 0 and what is around it; constant ones
+    /// may leave nothing: lowest \> highest then. Where nothing bounds them they are
+    /// -1.7976931348623157e308 and 1.7976931348623157e308.
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * lowest \[out\]: \[-\]
+    /// * highest \[out\]: \[-\]
+    /// * return: status
+    /// * since: 0.2
+    pub fn bempd_admissible_load_factors(
+        model: *mut bempd_model,
+        lowest: *mut f64,
+        highest: *mut f64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Number that changes whenever the model's fields may have changed.
@@ -1533,6 +1577,13 @@ pub struct bempd_history_entry {
     pub energy_balance_error: f64,
     /// largest unbalanced force over the largest internal nodal force so far \[-\]
     pub residual: f64,
+    /// at which the most stretched bond of the event just reaches its critical stretch; at the end
+    /// of a step the load factor \[-\]
+    pub critical_load_factor: f64,
+    /// elastic energy at that load factor, after the event \[J\]
+    pub critical_stored_energy: f64,
+    /// energy that bonds broken so far take where they just reach their critical stretch \[J\]
+    pub bond_energy: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.

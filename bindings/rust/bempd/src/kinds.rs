@@ -111,6 +111,10 @@ pub enum StopReason {
     Separated,
     /// No bond can break however far the load factor goes in this direction.
     NoFurtherEvent,
+    /// On the equilibrium path: constant loads stretch bonds too far at every load factor.
+    NoAdmissibleLoad,
+    /// In increments: what breaks at the end of the next one leaves no equilibrium.
+    NoEquilibrium,
     /// A reason that this version of the crate does not know.
     Other(i32),
 }
@@ -122,6 +126,8 @@ impl StopReason {
             sys::BEMPD_STOP_EVENT => StopReason::Event,
             sys::BEMPD_STOP_SEPARATED => StopReason::Separated,
             sys::BEMPD_STOP_NO_FURTHER_EVENT => StopReason::NoFurtherEvent,
+            sys::BEMPD_STOP_NO_ADMISSIBLE_LOAD => StopReason::NoAdmissibleLoad,
+            sys::BEMPD_STOP_NO_EQUILIBRIUM => StopReason::NoEquilibrium,
             _ => StopReason::Other(reason),
         }
     }

@@ -145,6 +145,11 @@ mirror! {
         seconds_update: f64,
         /// Of it: stretches, choice of bonds, connectivity [s].
         seconds_search: f64,
+        /// Of the released energy what bonds take where they just reach their critical stretch; the rest would have
+        /// become motion [J].
+        bond_energy: f64,
+        /// The first event of this step at which equilibrium was lost; 0 if each was in equilibrium.
+        unstable_event: i64,
     }
 }
 
@@ -169,6 +174,13 @@ mirror! {
         energy_balance_error: f64,
         /// Largest unbalanced force over the largest internal nodal force so far [-].
         residual: f64,
+        /// On the equilibrium path: where the most stretched bond just reaches its critical stretch; at the end of a
+        /// step the load factor [-].
+        critical_load_factor: f64,
+        /// Elastic energy there, after the event [J].
+        critical_stored_energy: f64,
+        /// What bonds broken so far take where they just reach their critical stretch [J].
+        bond_energy: f64,
     }
 }
 

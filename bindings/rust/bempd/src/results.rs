@@ -115,6 +115,12 @@ impl Model {
         self.handle.reaction_moment(support.0, about)
     }
 
+    /// Lowest and highest load factor that the body bears with its present bonds; the lowest is above the highest where
+    /// there is none, and both are at the ends of the range of numbers where nothing bounds them.
+    pub fn admissible_load_factors(&self) -> Result<(f64, f64)> {
+        self.handle.admissible_load_factors()
+    }
+
     /// Displacement and stress at places in the body [m]: by the interior identities in boundary element regions, by
     /// interpolation between material points in peridynamic ones.
     pub fn evaluate(&self, places: &[[f64; 2]]) -> Result<PointValues> {

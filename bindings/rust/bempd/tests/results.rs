@@ -112,6 +112,20 @@ fn pressure_pulls_where_it_is_negative_and_supports_have_moments() {
 }
 
 #[test]
+fn the_path_of_equilibrium_costs_what_bonds_take() {
+    let mut held = common::plate();
+    let (lowest, highest) = held.model.admissible_load_factors().unwrap();
+    assert!(lowest < 0.0 && highest > 0.0);
+    let held = held.model.run_to_separation(1000.0).unwrap();
+    let mut path = common::plate();
+    path.model.set_option("stepping.control", "path").unwrap();
+    let path = path.model.run_to_separation(1000.0).unwrap();
+    assert_eq!(path.unstable_event, 0);
+    assert!(held.unstable_event > 0);
+    assert!((path.released_energy / held.bond_energy - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn places_have_displacement_stress_and_region() {
     let mut model = Model::new().unwrap();
     let material = model.add_material(&Material::new(100.0, 0.25)).unwrap();

@@ -117,6 +117,12 @@ impl Handle {
         self.output(|model, moment| unsafe { sys::bempd_reaction_moment(model, support, x, y, moment) })
     }
 
+    pub(crate) fn admissible_load_factors(&self) -> Result<(f64, f64)> {
+        let (mut lowest, mut highest) = (0.0, 0.0);
+        self.call(|model| unsafe { sys::bempd_admissible_load_factors(model, &mut lowest, &mut highest) })?;
+        Ok((lowest, highest))
+    }
+
     pub(crate) fn evaluate(&self, places: &[[f64; 2]]) -> Result<(Vec<[f64; 2]>, Vec<[f64; 3]>, Vec<i32>)> {
         let mut displacement = vec![[0.0; 2]; places.len()];
         let mut stress = vec![[0.0; 3]; places.len()];
