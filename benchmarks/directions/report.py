@@ -97,7 +97,7 @@ def hoop(mode: float) -> float:
 def mixed(rows: list[dict]) -> list[str]:
     """Kinks: directions less that of the largest hoop stress."""
     names = ("stretch", "line-field-learn", "line-release-6")
-    lines = ["| m | tan(K_II/K_I) [deg] | hoop stress | today | spread | recommended line | spread | by energy over 6 | spread |",
+    lines = ["| m | arctan(K_II/K_I) [deg] | hoop stress | today | spread | recommended line | spread | by energy over 6 | spread |",
              "|---|---|---|---|---|---|---|---|---|"]
     for m in (3, 4):
         for mode in (15, 30, 45, 60, 75):
@@ -168,12 +168,11 @@ def picture(drawn: list[dict], reference: dict[float, list[tuple[float, float]]]
         if p["name"] not in colours or p["kind"][:2] != ("lattice", "quartic") or p["m"] != 3:
             continue
         x, y = zip(*p["points"])
-        label = labels.pop(p["name"], None)
-        style = dict(color=colours[p["name"]], label=label)
+        style = dict(color=colours[p["name"]])
         if p["scene"] == "plate" and p["angle"] == 20:
             axes[1].plot(x, y, "-" if p["name"] != "stretch" else ".", ms=2, **style)
         elif p["scene"] == "strip" and p["angle"] == 20 and p["seed"] <= 4 or p["scene"] == "narrow" and p["angle"] == 22.5:
-            axes[0].plot(x, y, "-" if p["name"].startswith("line") else ".", ms=1.5, **style)
+            axes[0].plot(x, y, "-" if p["name"].startswith("line") else ".", ms=1.5, label=labels.pop(p["name"], None), **style)
     axes[0].set(title="Pulled strip, rows of the lattice at 20 degrees (line: 22.5)", xlim=(0, 60), ylim=(-20, 20), xlabel="spacings", aspect="equal")
     axes[0].legend(loc="lower left", fontsize=8)
     for path in reference.values():
