@@ -29,6 +29,9 @@ class CrackEvolution {
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs);
 
+  // Before the first step: cracks grow as lines from these tips, by the laws that they name.
+  void grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips);
+
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed);
 
   // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.

@@ -6,6 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
+#include "fracture/line/growing_tip.hpp"
 
 namespace bempd::fracture {
 
@@ -40,6 +41,7 @@ struct BodyState {
   std::vector<std::uint8_t> stages;    // of every term in its law
   std::vector<coupling::HoldingSpring> springs;
   std::vector<char> unloaded;  // nodes whose loads have gone with a piece that came free
+  std::vector<GrowingTip> tips;  // of cracks that grow as lines
 };
 
 // What the run has counted and added up.

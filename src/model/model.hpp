@@ -141,6 +141,7 @@ class Model {
   void reload();
   void rebuild_with(std::vector<scene::Crack> cracks, double load_factor, std::vector<scene::Crack> before);
   void check_mechanism(const PreparedScene& prepared) const;
+  void grow_lines(PreparedScene& prepared) const;
   regions::Solution solution() const;
   results::FieldsOfScene fields();
   void log(int level, const std::string& message) const;
