@@ -34,7 +34,8 @@ void connect(Body& body, const Layout& layout) {
     for (const std::size_t end : {a, b})
       if (body.in_window[end]) inner.push_back(bond);
     if (body.held[a] && body.held[b]) continue;
-    if (!layout.cracked || !crosses(body.points[a], body.points[b], body.crack_begin, body.tip)) body.bonds.push_back(bond);
+    if (!layout.cracked || !crosses(body.points[a], body.points[b], body.crack_begin, body.tip))
+      body.bonds.push_back(bond);
   }
   for (Bond& bond : inner) bond.stiffness /= 2;
   body.critical_stretch = mean_critical_stretch(inner, inner_points);
@@ -45,7 +46,8 @@ void connect(Body& body, const Layout& layout) {
   }
 }
 
-void place(Body& body, const Layout& layout, const Point& centre, const Point& half, const std::function<bool(const Point&)>& inside) {
+void place(Body& body, const Layout& layout, const Point& centre, const Point& half,
+           const std::function<bool(const Point&)>& inside) {
   for (const Point& p : make_points(layout, centre, half))
     if (inside(p)) body.points.push_back(p);
   body.horizon = layout.horizon;
@@ -69,7 +71,8 @@ Body strip(const Layout& layout, double half_height, double growth) {
     const Point p = body.points[k];
     body.held[k] = std::abs(p.y()) > half_height;
     body.given[k] = Point(0, p.y() > 0 ? 1 : -1);
-    body.in_window[k] = p.x() > -3 - layout.horizon && p.x() < growth + layout.horizon + 2 && std::abs(p.y()) < layout.width;
+    body.in_window[k] =
+        p.x() > -3 - layout.horizon && p.x() < growth + layout.horizon + 2 && std::abs(p.y()) < layout.width;
   }
   connect(body, layout);
   return body;

@@ -18,26 +18,26 @@ struct Bond {
 
 struct Body {
   std::vector<Point> points;
-  std::vector<char> held;            // displacement given, by `given` at load factor one
+  std::vector<char> held;  // displacement given, by `given` at load factor one
   std::vector<Point> given;
   std::vector<Bond> bonds;           // whole ones only
   std::vector<std::vector<int>> of;  // bonds of a point
   double horizon = 0;
-  double critical_stretch = 0;       // a straight cut costs G0 = 1, on average over its directions
-  double release = 0;                // energy released per length of crack at load factor one
+  double critical_stretch = 0;  // a straight cut costs G0 = 1, on average over its directions
+  double release = 0;           // energy released per length of crack at load factor one
   Point crack_begin = {-1e4, 0}, tip = {0, 0};
-  std::vector<char> in_window;       // points between which bonds may break
+  std::vector<char> in_window;  // points between which bonds may break
 };
 
 struct Layout {
-  int horizon = 3;           // in spacings
-  double angle = 0;          // of the lattice's rows against the crack, in degrees
-  unsigned seed = 1;         // of the lattice's origin and of random points
-  double jitter = 0;         // points moved at random by up to this much in each direction
-  int relaxation = -1;       // random points after so many of Lloyd's steps
+  int horizon = 3;      // in spacings
+  double angle = 0;     // of the lattice's rows against the crack, in degrees
+  unsigned seed = 1;    // of the lattice's origin and of random points
+  double jitter = 0;    // points moved at random by up to this much in each direction
+  int relaxation = -1;  // random points after so many of Lloyd's steps
   std::string kernel = "quartic";
   bool cracked = true;
-  double width = 14;         // of the window to either side of a strip's middle
+  double width = 14;  // of the window to either side of a strip's middle
 };
 
 // A strip between clamps that move apart, the crack along its middle: G does not depend on where the crack ends.

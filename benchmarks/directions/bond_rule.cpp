@@ -11,7 +11,12 @@ namespace {
 class BondRule final : public Rule {
  public:
   BondRule(const Setting& setting, const Body& body, Window& window, unsigned seed)
-      : setting_(setting), body_(body), window_(window), mean_(body, window, setting.radius * body.horizon), tooth_(body.bonds.size(), 0), factor_(body.bonds.size(), 1) {
+      : setting_(setting),
+        body_(body),
+        window_(window),
+        mean_(body, window, setting.radius * body.horizon),
+        tooth_(body.bonds.size(), 0),
+        factor_(body.bonds.size(), 1) {
     std::mt19937 random(seed + 77);
     std::normal_distribution<double> normal(0, 1);
     for (double& f : factor_) f = 1 + setting.scatter * std::clamp(normal(random), -2.0, 2.0);

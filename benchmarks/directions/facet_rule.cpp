@@ -35,7 +35,8 @@ class FacetRule final : public Rule {
     for (const int k : window_.bonds()) {
       const Bond& bond = body_.bonds[static_cast<std::size_t>(k)];
       if (window_.stiffness(k) > 0 && window_.elongation(k) > 0 &&
-          crosses(body_.points[static_cast<std::size_t>(bond.first)], body_.points[static_cast<std::size_t>(bond.second)], begin, end))
+          crosses(body_.points[static_cast<std::size_t>(bond.first)],
+                  body_.points[static_cast<std::size_t>(bond.second)], begin, end))
         event.losses.push_back({k, window_.stiffness(k)});
     }
   }

@@ -11,7 +11,11 @@ namespace {
 class LineRule final : public Rule {
  public:
   LineRule(const Setting& setting, const Body& body, Window& window)
-      : setting_(setting), body_(body), window_(window), mean_(body, window, setting.smooth * body.horizon), line_{body.tip + 10 * (body.crack_begin - body.tip).normalized(), body.tip} {}
+      : setting_(setting),
+        body_(body),
+        window_(window),
+        mean_(body, window, setting.smooth * body.horizon),
+        line_{body.tip + 10 * (body.crack_begin - body.tip).normalized(), body.tip} {}
 
   void released(double energy) override {
     lengths_.push_back((line_[line_.size() - 1] - line_[line_.size() - 2]).norm());
@@ -61,7 +65,8 @@ class LineRule final : public Rule {
     std::vector<int> found;
     for (const int k : window_.bonds()) {
       const Bond& bond = body_.bonds[static_cast<std::size_t>(k)];
-      if (window_.stiffness(k) > 0 && crosses(body_.points[static_cast<std::size_t>(bond.first)], body_.points[static_cast<std::size_t>(bond.second)], begin, end))
+      if (window_.stiffness(k) > 0 && crosses(body_.points[static_cast<std::size_t>(bond.first)],
+                                              body_.points[static_cast<std::size_t>(bond.second)], begin, end))
         found.push_back(k);
     }
     return found;
@@ -86,15 +91,17 @@ class LineRule final : public Rule {
     }
     sum /= total;
     const Point side(-along.y(), along.x());
-    const auto part = [&](const Point& a, const Point& b) { return a.x() * b.x() * sum[0] + a.y() * b.y() * sum[1] + (a.x() * b.y() + a.y() * b.x()) * sum[2]; };
+    const auto part = [&](const Point& a, const Point& b) {
+      return a.x() * b.x() * sum[0] + a.y() * b.y() * sum[1] + (a.x() * b.y() + a.y() * b.x()) * sum[2];
+    };
     const double scale = std::sqrt(setting_.radius * body_.horizon);
-    if (std::getenv("SHOW")) std::printf("%g %g\n", part(side, side) * scale, part(along, side) * scale);
     return {part(side, side) * scale / setting_.opening, part(along, side) * scale / setting_.shear};
   }
 
   Intensity field(const Point& tip, const Point& along) {
     mean_.update();
-    return fit_stresses(body_, window_, mean_, tip, along, setting_.inner * body_.horizon, setting_.outer * body_.horizon);
+    return fit_stresses(body_, window_, mean_, tip, along, setting_.inner * body_.horizon,
+                        setting_.outer * body_.horizon);
   }
 
   double load(const Point& tip, const Point& direction) {
@@ -113,10 +120,9 @@ class LineRule final : public Rule {
     if (setting_.turn == "field") kink = hoop_angle(field(tip, along));
     if (setting_.turn == "stress") {
       mean_.update();
-      const Point ahead = tip + 0.0 * along;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const int point : window_.points()) {
-        const Point p = body_.points[static_cast<std::size_t>(point)] - ahead;
+        const Point p = body_.points[static_cast<std::size_t>(point)] - tip;
         const double ratio = p.norm() / (setting_.radius * body_.horizon);
         if (ratio < 1 && p.dot(along) > 0) sum += (1 - ratio * ratio) * (1 - ratio * ratio) * mean_.at(point);
       }

@@ -13,7 +13,8 @@ namespace {
 class Buckets {
  public:
   Buckets(const std::vector<Point>& points, double size) : points_(points), size_(size) {
-    for (std::size_t k = 0; k < points.size(); ++k) cells_[key(cell(points[k].x()), cell(points[k].y()))].push_back(static_cast<int>(k));
+    for (std::size_t k = 0; k < points.size(); ++k)
+      cells_[key(cell(points[k].x()), cell(points[k].y()))].push_back(static_cast<int>(k));
   }
 
   template <class Visit>
@@ -79,10 +80,9 @@ void calibrate(std::vector<Bond>& family) {
   const Eigen::Vector3d target(1, 1, 1.0 / 3);
   const Eigen::MatrixXd scaled = weights.asDiagonal() * rows.transpose();
   weights += scaled * (rows * scaled).ldlt().solve(target - rows * weights);
-  for (std::size_t k = 0; k < family.size(); ++k) family[k].stiffness = weights[static_cast<long>(k)] / family[k].length;
+  for (std::size_t k = 0; k < family.size(); ++k)
+    family[k].stiffness = weights[static_cast<long>(k)] / family[k].length;
 }
-
-std::vector<Bond> lattice_bonds(const Layout& layout, const std::vector<Point>& points);
 
 void balance(std::vector<Bond>& bonds, std::size_t points) {
   for (int round = 0; round < 30; ++round) {
@@ -117,7 +117,8 @@ std::vector<Point> make_points(const Layout& layout, const Point& centre, const 
   for (int i = -reach; i <= reach; ++i)
     for (int j = -reach; j <= reach; ++j) {
       const Point q = Point(i, j) + origin + layout.jitter * Point(2 * uniform(random) - 1, 2 * uniform(random) - 1);
-      const Point p = centre + Point(std::cos(turn) * q.x() - std::sin(turn) * q.y(), std::sin(turn) * q.x() + std::cos(turn) * q.y());
+      const Point p = centre + Point(std::cos(turn) * q.x() - std::sin(turn) * q.y(),
+                                     std::sin(turn) * q.x() + std::cos(turn) * q.y());
       if (std::abs(p.x() - centre.x()) < half.x() && std::abs(p.y() - centre.y()) < half.y()) points.push_back(p);
     }
   return points;
@@ -132,7 +133,8 @@ std::vector<Bond> neighbours(const std::vector<Point>& points, double horizon) {
     buckets.near(points[i], [&](int j) {
       const Point step = points[static_cast<std::size_t>(j)] - points[i];
       const double length = step.norm();
-      if (j > static_cast<int>(i) && length < horizon - 1e-9) bonds.push_back({static_cast<int>(i), j, 0, length, step / length});
+      if (j > static_cast<int>(i) && length < horizon - 1e-9)
+        bonds.push_back({static_cast<int>(i), j, 0, length, step / length});
     });
   return bonds;
 }
@@ -166,7 +168,8 @@ std::vector<Bond> make_bonds(const Layout& layout, const std::vector<Point>& poi
   if (layout.relaxation < 0 && layout.jitter == 0) return lattice_bonds(layout, points);
   std::vector<Bond> bonds = neighbours(points, layout.horizon);
   for (Bond& bond : bonds)
-    bond.stiffness = kernel(layout.kernel, bond.length / layout.horizon) * share(bond.length, layout.horizon) / bond.length;
+    bond.stiffness =
+        kernel(layout.kernel, bond.length / layout.horizon) * share(bond.length, layout.horizon) / bond.length;
   balance(bonds, points.size());
   return bonds;
 }

@@ -31,15 +31,15 @@ class Rule {
 struct Setting {
   std::string name;
   std::string rule = "stretch";
-  double radius = 0;    // of averages, in horizons
-  double mix = 1;       // share of the average in what a bond breaks by
-  double scatter = 0;   // of the critical stretch, from bond to bond
-  int teeth = 1;        // of a softening bond
-  double ductility = 1; // stretch without force over stretch of the peak
-  double step = 1;      // of a crack line, in spacings
-  double look = 3;      // ahead, for the release of energy
+  double radius = 0;     // of averages, in horizons
+  double mix = 1;        // share of the average in what a bond breaks by
+  double scatter = 0;    // of the critical stretch, from bond to bond
+  int teeth = 1;         // of a softening bond
+  double ductility = 1;  // stretch without force over stretch of the peak
+  double step = 1;       // of a crack line, in spacings
+  double look = 3;       // ahead, for the release of energy
   double smooth = 0, cone = 0, opening = 0.5, shear = 0.4, back = 0.9, inner = 0.5, outer = 2.5;
-  int learn = 0;        // steps from whose released energy a line corrects its load factor
+  int learn = 0;  // steps from whose released energy a line corrects its load factor
   std::string turn = "stress", load = "release";
 };
 

@@ -10,7 +10,9 @@ MeanStress::MeanStress(const Body& body, const Window& window, double radius) : 
   for (std::size_t a = 0; a < points.size(); ++a) {
     double sum = 0;
     for (std::size_t b = 0; b < points.size(); ++b) {
-      const double ratio = (body.points[static_cast<std::size_t>(points[a])] - body.points[static_cast<std::size_t>(points[b])]).norm() / (radius + 1e-12);
+      const double ratio =
+          (body.points[static_cast<std::size_t>(points[a])] - body.points[static_cast<std::size_t>(points[b])]).norm() /
+          (radius + 1e-12);
       const double weight = a == b ? 1 : ratio < 1 ? (1 - ratio * ratio) * (1 - ratio * ratio) : 0;
       if (weight > 0) neighbours_[a].push_back({static_cast<int>(b), weight}), sum += weight;
     }

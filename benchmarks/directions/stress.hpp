@@ -11,7 +11,9 @@ class MeanStress {
   MeanStress(const Body& body, const Window& window, double radius);
 
   void update();
-  const Eigen::Vector3d& at(int point) const { return mean_[static_cast<std::size_t>(window_.local(point))]; }  // xx, yy, xy
+  const Eigen::Vector3d& at(int point) const {
+    return mean_[static_cast<std::size_t>(window_.local(point))];
+  }  // xx, yy, xy
 
  private:
   struct Neighbour {

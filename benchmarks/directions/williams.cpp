@@ -8,7 +8,8 @@
 
 namespace directions {
 
-Intensity fit_williams(const Body& body, const Window& window, const Point& tip, const Point& direction, double inner, double outer) {
+Intensity fit_williams(const Body& body, const Window& window, const Point& tip, const Point& direction, double inner,
+                       double outer) {
   constexpr double shear = 1.0 / 3, kappa = 2;
   constexpr int terms = 5;
   std::vector<int> chosen;
@@ -42,7 +43,8 @@ Intensity fit_williams(const Body& body, const Window& window, const Point& tip,
   return {a[0] * root, -a[1] * root};
 }
 
-Intensity fit_stresses(const Body& body, const Window& window, const MeanStress& stress, const Point& tip, const Point& direction, double inner, double outer) {
+Intensity fit_stresses(const Body& body, const Window& window, const MeanStress& stress, const Point& tip,
+                       const Point& direction, double inner, double outer) {
   const Point side(-direction.y(), direction.x());
   std::vector<Eigen::Matrix<double, 3, 6>> rows;
   std::vector<Eigen::Vector3d> values;
@@ -54,12 +56,17 @@ Intensity fit_stresses(const Body& body, const Window& window, const MeanStress&
     Eigen::Matrix<double, 3, 6> row;
     for (int n = 1; n <= 3; ++n) {
       const double h = n / 2.0, sign = n % 2 == 0 ? 1 : -1, scale = weight * h * std::pow(r, h - 1);
-      const double c1 = std::cos((h - 1) * t), c3 = std::cos((h - 3) * t), s1 = std::sin((h - 1) * t), s3 = std::sin((h - 3) * t);
-      row.col(2 * n - 2) << scale * ((2 + h + sign) * c1 - (h - 1) * c3), scale * ((2 - h - sign) * c1 + (h - 1) * c3), scale * ((h - 1) * s3 - (h + sign) * s1);
-      row.col(2 * n - 1) << -scale * ((2 + h - sign) * s1 - (h - 1) * s3), -scale * ((2 - h + sign) * s1 + (h - 1) * s3), scale * ((h - 1) * c3 - (h - sign) * c1);
+      const double c1 = std::cos((h - 1) * t), c3 = std::cos((h - 3) * t), s1 = std::sin((h - 1) * t),
+                   s3 = std::sin((h - 3) * t);
+      row.col(2 * n - 2) << scale * ((2 + h + sign) * c1 - (h - 1) * c3), scale * ((2 - h - sign) * c1 + (h - 1) * c3),
+          scale * ((h - 1) * s3 - (h + sign) * s1);
+      row.col(2 * n - 1) << -scale * ((2 + h - sign) * s1 - (h - 1) * s3),
+          -scale * ((2 - h + sign) * s1 + (h - 1) * s3), scale * ((h - 1) * c3 - (h - sign) * c1);
     }
     const Eigen::Vector3d& s = stress.at(point);
-    const auto part = [&](const Point& a, const Point& b) { return a.x() * b.x() * s[0] + a.y() * b.y() * s[1] + (a.x() * b.y() + a.y() * b.x()) * s[2]; };
+    const auto part = [&](const Point& a, const Point& b) {
+      return a.x() * b.x() * s[0] + a.y() * b.y() * s[1] + (a.x() * b.y() + a.y() * b.x()) * s[2];
+    };
     rows.push_back(row);
     values.push_back(weight * Eigen::Vector3d(part(direction, direction), part(side, side), part(direction, side)));
   }

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numeric>
+#include <stdexcept>
 
 #include "linalg/dense_inverse.hpp"
 #include "linalg/nested_dissection.hpp"
@@ -59,7 +59,8 @@ std::vector<int> elimination(const Body& body, const System& system, const std::
     if (!body.held[k]) positions.push_back(body.points[k]), member.push_back(!body.in_window[k]);
   std::vector<int> first, second;
   for (const Bond& bond : body.bonds) {
-    const int a = system.unknown[static_cast<std::size_t>(bond.first)], b = system.unknown[static_cast<std::size_t>(bond.second)];
+    const int a = system.unknown[static_cast<std::size_t>(bond.first)],
+              b = system.unknown[static_cast<std::size_t>(bond.second)];
     if (a >= 0 && b >= 0) first.push_back(a), second.push_back(b);
   }
   std::vector<int> order;
@@ -93,9 +94,12 @@ Window::Window(Body& body) : body_(body), local_(body.points.size(), -1), change
   std::vector<int> where(static_cast<std::size_t>(2 * all.rows()), -1);
   for (std::size_t k = 0; k < points_.size(); ++k)
     for (int i = 0; i < 2; ++i)
-      where[static_cast<std::size_t>(2 * system.unknown[static_cast<std::size_t>(points_[k])] + i)] = 2 * static_cast<int>(k) + i;
+      where[static_cast<std::size_t>(2 * system.unknown[static_cast<std::size_t>(points_[k])] + i)] =
+          2 * static_cast<int>(k) + i;
   std::vector<int> target(static_cast<std::size_t>(size));
-  for (int k = 0; k < size; ++k) target[static_cast<std::size_t>(k)] = where[static_cast<std::size_t>(order[order.size() - static_cast<std::size_t>(size) + static_cast<std::size_t>(k)])];
+  for (int k = 0; k < size; ++k)
+    target[static_cast<std::size_t>(k)] = where[static_cast<std::size_t>(
+        order[order.size() - static_cast<std::size_t>(size) + static_cast<std::size_t>(k)])];
   flexibility_.resize(size, size);
   for (int j = 0; j < size; ++j)
     for (int i = j; i < size; ++i) {
@@ -104,7 +108,8 @@ Window::Window(Body& body) : body_(body), local_(body.points.size(), -1), change
     }
   displacement_.resize(size);
   for (std::size_t k = 0; k < points_.size(); ++k)
-    displacement_.segment<2>(2 * static_cast<long>(k)) = all.col(0).segment<2>(2 * system.unknown[static_cast<std::size_t>(points_[k])]);
+    displacement_.segment<2>(2 * static_cast<long>(k)) =
+        all.col(0).segment<2>(2 * system.unknown[static_cast<std::size_t>(points_[k])]);
   changes_.resize(size, most_pending);
 }
 
@@ -124,7 +129,8 @@ double Window::soften(int bond, double loss) {
   const int i = 2 * local(b.first), j = 2 * local(b.second);
   Eigen::VectorXd column = (flexibility_.middleCols<2>(j) - flexibility_.middleCols<2>(i)) * b.direction;
   if (pending_ > 0) {
-    const Eigen::VectorXd along = (changes_.block(j, 0, 2, pending_) - changes_.block(i, 0, 2, pending_)).transpose() * b.direction;
+    const Eigen::VectorXd along =
+        (changes_.block(j, 0, 2, pending_) - changes_.block(i, 0, 2, pending_)).transpose() * b.direction;
     column.noalias() += changes_.leftCols(pending_) * along;
   }
   const double pivot = 1 - loss * b.direction.dot(column.segment<2>(j) - column.segment<2>(i));
@@ -140,7 +146,8 @@ double Window::soften(int bond, double loss) {
 double Window::flexibility(int bond, int other) const {
   const Bond &a = body_.bonds[static_cast<std::size_t>(bond)], &b = body_.bonds[static_cast<std::size_t>(other)];
   const int i = 2 * local(a.first), j = 2 * local(a.second), k = 2 * local(b.first), l = 2 * local(b.second);
-  const Eigen::Matrix2d block = flexibility_.block<2, 2>(j, l) - flexibility_.block<2, 2>(j, k) - flexibility_.block<2, 2>(i, l) + flexibility_.block<2, 2>(i, k);
+  const Eigen::Matrix2d block = flexibility_.block<2, 2>(j, l) - flexibility_.block<2, 2>(j, k) -
+                                flexibility_.block<2, 2>(i, l) + flexibility_.block<2, 2>(i, k);
   return a.direction.dot(block * b.direction);
 }
 
@@ -156,7 +163,8 @@ double Window::release_of(const std::vector<int>& bonds) const {
   }
   matrix.noalias() = -along.transpose() * along;
   for (long k = 0; k < n; ++k)
-    for (long l = 0; l < n; ++l) matrix(k, l) -= flexibility(bonds[static_cast<std::size_t>(k)], bonds[static_cast<std::size_t>(l)]);
+    for (long l = 0; l < n; ++l)
+      matrix(k, l) -= flexibility(bonds[static_cast<std::size_t>(k)], bonds[static_cast<std::size_t>(l)]);
   for (long k = 0; k < n; ++k) matrix(k, k) += 1 / stiffness(bonds[static_cast<std::size_t>(k)]);
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   return factor.info() == Eigen::Success ? force.dot(factor.solve(force)) / 2 : 1e300;
@@ -176,7 +184,9 @@ double strip_release(Layout layout, double half_height, double growth) {
   };
   double energy = 0;
   for (const Bond& bond : body.bonds) {
-    const double middle = (body.points[static_cast<std::size_t>(bond.first)].x() + body.points[static_cast<std::size_t>(bond.second)].x()) / 2;
+    const double middle = (body.points[static_cast<std::size_t>(bond.first)].x() +
+                           body.points[static_cast<std::size_t>(bond.second)].x()) /
+                          2;
     const double opening = bond.direction.dot(moved(bond.second) - moved(bond.first));
     if (middle > 0 && middle < growth) energy += bond.stiffness * opening * opening / 2;
   }

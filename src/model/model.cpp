@@ -93,7 +93,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
 }
 
 void Model::grow_lines(PreparedScene& p) const {
-  require(p.system->is_symmetric() && options_.text_value("stepping.mode") == "event",
+  require(options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event",
           "pd.crack_rule is line, by which cracks grow in scheme symmetric and stepping.mode event; choose these, or "
           "pd.crack_rule = bond");
   std::vector<pd::TipLaw> laws;

@@ -129,7 +129,8 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   }
   const double infinity = std::numeric_limits<double>::infinity();
   double at = infinity;
-  if (step_) at = options.control == Control::path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
+  if (step_)
+    at = options.control == Control::path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
   const std::vector<char> intact = intact_away_from_tips(growing);
   const std::optional<double> bonds = body_.ratios().next_break(intact, state.load_factor, infinity);
   if (bonds && *bonds < at) {

@@ -102,8 +102,8 @@ std::optional<pd::TipLaw> LatticeRegion::tip_law(const scene::Options& options) 
   const double horizon = horizon_ratio_ * spacing();
   const PlaneElasticity& e = elasticity();
   const double energy = pd::fracture_energy(critical_stretch(options), e.young_modulus, horizon, e.state);
-  const double modulus = e.state == PlaneState::stress ? e.young_modulus
-                                                       : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
+  const double modulus =
+      e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
   return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};
 }
 
