@@ -40,6 +40,11 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   state_.work = body_.energy_at_rest();
 }
 
+void CrackEvolution::grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips) {
+  state_.tips = std::move(tips);
+  sources_.grow_lines(std::move(laws));
+}
+
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
   sources_.settle();
   work_within_ = work_within;

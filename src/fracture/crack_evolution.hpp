@@ -29,6 +29,9 @@ class CrackEvolution {
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs);
 
+  // Before the first step: cracks grow as lines from these tips, by the laws that they name.
+  void grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips);
+
   // `work_within`: what loads do beside the work of the nodal forces, half of (1, f) within (1, f) at the load factor
   // f. It is stored in the body as soon as it is done.
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed,

@@ -16,7 +16,16 @@ bool EventSources::may_use_window(double target, const SteppingOptions& options)
          target >= body_.state().load_factor;
 }
 
+void EventSources::grow_lines(std::vector<pd::TipLaw> laws) {
+  settle();
+  lines_.emplace(body_, whole_body_, std::move(laws));
+}
+
 const Event* EventSources::next(double target, const SteppingOptions& options) {
+  if (lines_) {
+    told_ = &*lines_;
+    return lines_->next(target, options);
+  }
   const bool possible = may_use_window(target, options);
   if (window_.is_open() && !(possible && window_.suits(options))) settle();
   while (possible) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "fracture/line/line_events.hpp"
 #include "fracture/whole_body_events.hpp"
 #include "fracture/window/window_events.hpp"
 
@@ -16,6 +17,9 @@ class EventSources {
   EventSources(LoadedBody& body, const std::vector<int>& cut);
   EventSources(const EventSources&) = delete;
   EventSources& operator=(const EventSources&) = delete;
+
+  // From now on cracks grow as lines from the tips of the body's state.
+  void grow_lines(std::vector<pd::TipLaw> laws);
 
   // The next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);
@@ -47,6 +51,7 @@ class EventSources {
   LoadedBody& body_;
   WholeBodyEvents whole_body_;
   WindowEvents window_;
+  std::optional<LineEvents> lines_;
   EventSource* told_ = nullptr;  // the next event
   std::optional<Mark> mark_;
   int whole_body_events_ = 0;  // to come before the next window is tried

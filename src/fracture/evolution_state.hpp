@@ -6,6 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
+#include "fracture/line/growing_tip.hpp"
 
 namespace bempd::fracture {
 
@@ -53,7 +54,8 @@ struct BodyState {
   Eigen::VectorXd total_force;         // internal nodal forces at load_factor
   std::vector<std::uint8_t> stages;    // of every term in its law
   std::vector<coupling::HoldingSpring> springs;
-  std::vector<char> unloaded;  // nodes whose loads have gone with a piece that came free
+  std::vector<char> unloaded;    // nodes whose loads have gone with a piece that came free
+  std::vector<GrowingTip> tips;  // of cracks that grow as lines
 };
 
 // What the run has counted and added up.

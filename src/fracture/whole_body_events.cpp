@@ -114,6 +114,11 @@ double WholeBodyEvents::released_energy() const {
   return sum;
 }
 
+Outcome WholeBodyEvents::perform(Event event) {
+  event_ = std::move(event);
+  return perform();
+}
+
 Outcome WholeBodyEvents::perform() {
   Outcome outcome;
   BodyState& state = body_.state();

@@ -16,6 +16,7 @@ class WholeBodyEvents final : public EventSource {
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
+  Outcome perform(Event event);  // one that another source has told
 
  private:
   std::optional<double> next_load_factor(double target, const SteppingOptions& options);

@@ -92,6 +92,19 @@ void Model::check_mechanism(const PreparedScene& p) const {
   }
 }
 
+void Model::grow_lines(PreparedScene& p) const {
+  require(options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event",
+          "pd.crack_rule is line, by which cracks grow in scheme symmetric and stepping.mode event; choose these, or "
+          "pd.crack_rule = bond");
+  std::vector<pd::TipLaw> laws;
+  std::vector<fracture::GrowingTip> tips;
+  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.discretization, options_)) {
+    tips.push_back({tip.place, tip.direction, static_cast<int>(laws.size()), {}});
+    laws.push_back(tip.law);
+  }
+  p.evolution->grow_lines(std::move(laws), std::move(tips));
+}
+
 void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
@@ -118,6 +131,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
+  if (options_.text_value("pd.crack_rule") == "line") grow_lines(*p);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within);
   p->interface_bonds.emplace(*p->system, d.positions);
   return p;

@@ -177,6 +177,7 @@ class Model {
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
+  void grow_lines(PreparedScene& prepared) const;
   regions::Solution solution() const { return solution_of(*prepared_); }
   static regions::Solution solution_of(const PreparedScene& prepared);
   results::FieldsOfScene fields();

@@ -17,6 +17,10 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
   };
   fits(state.total_displacement.size() == dofs && state.stages.size() == terms.size() &&
        state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
+  const std::vector<fracture::GrowingTip>& tips = scene.evolution->progress().tips;
+  fits(state.tips.size() == tips.size());
+  for (std::size_t k = 0; k < tips.size(); ++k)
+    fits(state.tips[k].law == tips[k].law && state.tips[k].place.allFinite() && state.tips[k].direction.allFinite());
   const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {

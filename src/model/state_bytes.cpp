@@ -38,6 +38,13 @@ void visit_members(Extension& e, Visit& visit) {
   visit(e.released_energy);
 }
 
+template <class Tip, class Visit>
+requires std::is_same_v<std::remove_const_t<Tip>, fracture::GrowingTip>
+void visit_members(Tip& t, Visit& visit) {
+  visit(t.place.x()), visit(t.place.y()), visit(t.direction.x()), visit(t.direction.y());
+  visit(t.law), visit(t.energy_ratios);
+}
+
 // Numbers go one by one: the padding of a struct holds what lay in memory before.
 class Writer {
  public:
@@ -54,6 +61,7 @@ class Writer {
   void operator()(const coupling::HoldingSpring& spring) { visit_members(spring, *this); }
   void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
+  void operator()(const fracture::GrowingTip& tip) { visit_members(tip, *this); }
   void raw(const void* data, std::size_t size) {
     const auto* first = static_cast<const std::uint8_t*>(data);
     bytes_.insert(bytes_.end(), first, first + size);
@@ -92,6 +100,7 @@ class Reader {
   void operator()(coupling::HoldingSpring& spring) { visit_members(spring, *this); }
   void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
+  void operator()(fracture::GrowingTip& tip) { visit_members(tip, *this); }
   void raw(void* target, std::size_t size) {
     require(size <= left_, "the bytes of the state end too early; give all bytes that bempd_state_to_bytes() wrote");
     std::memcpy(target, bytes_, size);
@@ -130,7 +139,8 @@ void visit_members(State& state, Visit& visit) {
   visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
-  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.history), visit(e.reactions), visit(e.extensions);
+  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
+  visit(e.extensions);
 }
 
 void check_header(Reader& reader) {

@@ -90,4 +90,19 @@ std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d
   return cut;
 }
 
+std::vector<StartingTip> tips_of_cracks(const Scene& scene, const Discretization& d, const scene::Options& options) {
+  std::vector<StartingTip> tips;
+  for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
+    const std::vector<Point>& points = scene.cracks()[c].points;
+    if (d.crack_regions[c] > 0 || points.size() < 2) continue;
+    for (const auto& [end, before] : {std::pair(points.front(), points[1]), std::pair(points.back(), points.end()[-2])})
+      for (const auto& region : d.regions) {
+        if (locate(scene.region(region->id()).outline(), end, d.tolerance) != Location::inside) continue;
+        if (const std::optional<pd::TipLaw> law = region->tip_law(options))
+          tips.push_back({end, (end - before).normalized(), *law});
+      }
+  }
+  return tips;
+}
+
 }  // namespace bempd::regions

@@ -16,4 +16,12 @@ std::vector<int> regions_of_cracks(const Preparation& preparation);
 std::vector<int> bonds_cut_by_cracks(const scene::Scene& scene, const Discretization& discretization,
                                      std::vector<std::string>& warnings);
 
+// Where cracks that cut bonds end inside a region, and what their growth as a line asks of it.
+struct StartingTip {
+  Point place, direction;
+  pd::TipLaw law;
+};
+std::vector<StartingTip> tips_of_cracks(const scene::Scene& scene, const Discretization& discretization,
+                                        const scene::Options& options);
+
 }  // namespace bempd::regions

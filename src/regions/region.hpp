@@ -13,6 +13,7 @@
 #include "geometry/edge.hpp"
 #include "output/vtu.hpp"
 #include "pd/network.hpp"
+#include "pd/tip_law.hpp"
 #include "regions/fields.hpp"
 #include "regions/preparation.hpp"
 #include "scene/material.hpp"
@@ -173,6 +174,8 @@ class Region {
   // --- Cracks and bonds
 
   virtual bool takes_cracks() const { return false; }
+  // What the growth of a crack as a line asks of it, where it takes such cracks.
+  virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return {}; }
   // Whether it puts elements on cracks: those that Preparation::crack_regions gives it. Then it has what is below.
   virtual bool has_crack_elements() const { return false; }
   // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.

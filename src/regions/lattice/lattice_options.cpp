@@ -12,7 +12,13 @@ const scene::OptionGroup group(scene::OptionPlace::lattices, [] {
           "critical_stretch",
           "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "
           "2021, Eq. 15 (plane stress only).",
-          "exact | printed", "exact"))};
+          "exact | printed", "exact")),
+      scene::shaping(scene::text_option(
+          "pd.crack_rule",
+          "How initial cracks in peridynamic regions of scheme symmetric grow: bond, their bonds break one by one by "
+          "their own stretch and the way prefers rows of the lattice; line, by a spacing at a time towards the largest "
+          "hoop stress, all bonds across it at once. Away from tips bonds break one by one in both.",
+          "bond | line", "bond"))};
 });
 
 }  // namespace

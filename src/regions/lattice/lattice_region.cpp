@@ -6,6 +6,7 @@
 
 #include "coupling/interface_trace.hpp"
 #include "error.hpp"
+#include "pd/critical_stretch.hpp"
 #include "regions/lattice/lattice_group.hpp"
 
 namespace bempd::regions {
@@ -88,9 +89,22 @@ pd::Network LatticeRegion::make_network(const pd::CellLattice& cells, int thread
   return pd::build_network(cells, horizon_ratio_, elasticity(), threads);
 }
 
-double LatticeRegion::critical_stretch(const Preparation& preparation) const {
-  const bool as_printed = preparation.options.text_value("critical_stretch") == "printed";
+double LatticeRegion::critical_stretch(const scene::Options& options) const {
+  const bool as_printed = options.text_value("critical_stretch") == "printed";
   return material().critical_stretch_for(horizon_ratio_ * spacing(), as_printed);
+}
+
+double LatticeRegion::critical_stretch(const Preparation& preparation) const {
+  return critical_stretch(preparation.options);
+}
+
+std::optional<pd::TipLaw> LatticeRegion::tip_law(const scene::Options& options) const {
+  const double horizon = horizon_ratio_ * spacing();
+  const PlaneElasticity& e = elasticity();
+  const double energy = pd::fracture_energy(critical_stretch(options), e.young_modulus, horizon, e.state);
+  const double modulus =
+      e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
+  return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};
 }
 
 // The network of a region before that differs by a translation or the spacing only, or one of its own.

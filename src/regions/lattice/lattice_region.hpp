@@ -45,6 +45,7 @@ class LatticeRegion : public Region {
   void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
 
   bool takes_cracks() const override { return true; }
+  std::optional<pd::TipLaw> tip_law(const scene::Options& options) const override;
   void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
            std::vector<std::string>& warnings) const override;
   std::optional<std::span<const pd::Bond>> bonds() const override {
@@ -107,6 +108,7 @@ class LatticeRegion : public Region {
   int point_count() const { return static_cast<int>(points_.size()); }
   const LatticeOutline& outline() const { return outline_; }
   int horizon_ratio() const { return horizon_ratio_; }
+  double critical_stretch(const scene::Options& options) const;
   // One entry a bond at its points, nonzero where it is broken or cut.
   std::vector<std::uint8_t> broken_bonds(const std::vector<char>& intact) const;
   // Points on an edge or a part of it between corners of cells, ends included; only where the corners are the points.

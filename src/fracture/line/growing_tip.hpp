@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/point.hpp"
+
+namespace bempd::fracture {
+
+// The tip of a crack that grows as a line.
+struct GrowingTip {
+  Point place{0, 0}, direction{1, 0};  // of its last step
+  int law = 0;                         // of the run's tip laws
+  // Of the last steps: energy released over the one that stress intensity factors made expect.
+  std::vector<double> energy_ratios;
+};
+
+}  // namespace bempd::fracture

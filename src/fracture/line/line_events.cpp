@@ -1,0 +1,162 @@
+#include "fracture/line/line_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace bempd::fracture {
+
+namespace {
+
+// A tip whose way meets no bond within this many spacings has arrived at an edge or a crack.
+constexpr int most_empty_steps = 4;
+
+// The last steps whose energies correct the load factor, and as many besides that are taken to be exact.
+constexpr std::size_t remembered_steps = 8;
+constexpr double steps_taken_exact = 2;
+
+// Within this many horizons of a tip no bond breaks by itself.
+constexpr double guarded_reach = 3;
+
+constexpr int rounds_for_kink = 8;
+
+double correction(const GrowingTip& tip) {
+  const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
+  return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
+}
+
+double turn(const Point& a, const Point& b, const Point& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+Point turned(const Point& direction, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
+}
+
+}  // namespace
+
+LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, std::vector<pd::TipLaw> laws)
+    : body_(body), whole_body_(whole_body), stress_(body.system(), body.positions()), laws_(std::move(laws)) {}
+
+// A point that lies on the way belongs to one of its sides, so that none is left hanging between.
+std::vector<int> LineEvents::across(const Point& from, const Point& to, double horizon) const {
+  const std::vector<Point>& positions = body_.positions();
+  const coupling::Terms& terms = body_.system().terms();
+  std::vector<int> found;
+  for (std::size_t node = 0; node < positions.size(); ++node) {
+    if ((positions[node] - from).norm() > horizon + (to - from).norm()) continue;
+    stress_.for_each_bond(static_cast<int>(node), [&](int bond) {
+      const auto b = static_cast<std::size_t>(bond);
+      if (terms.first[b] != static_cast<int>(node)) return;
+      const Point &p = positions[node], &q = positions[static_cast<std::size_t>(terms.second[b])];
+      if ((turn(from, to, p) > 0) != (turn(from, to, q) > 0) && (turn(p, q, from) > 0) != (turn(p, q, to) > 0))
+        found.push_back(bond);
+    });
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<LineEvents::Step> LineEvents::step_of(std::size_t number) const {
+  const BodyState& state = body_.state();
+  const GrowingTip& tip = state.tips[number];
+  const pd::TipLaw& law = laws_[static_cast<std::size_t>(tip.law)];
+  const TipIntensity intensity = stress_.at(tip, law, state.displacement);
+  Step step{number, tip.direction, 0, state.load_factor, 0, 0, {}};
+  // Without constant loads the kink does not depend on the load factor.
+  const bool proportional = intensity.near.one[0] == 0 && intensity.near.two[0] == 0;
+  double load_factor = proportional || state.load_factor <= 0 ? 1 : state.load_factor;
+  for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
+    const Eigen::Vector2d at(1, load_factor);
+    const double kink = hoop_angle(intensity.near.one.dot(at), intensity.near.two.dot(at));
+    const double fitted = hoop_angle(intensity.fitted.one.dot(at), intensity.fitted.two.dot(at));
+    const auto share = [&](int part) {
+      return hoop_intensity(intensity.fitted.one[part], intensity.fitted.two[part], fitted) * correction(tip) /
+             law.toughness;
+    };
+    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, kink);
+    if (!(step.growing > 0)) return std::nullopt;
+    load_factor = (1 - step.constant) / step.growing;
+  }
+  step.load_factor = load_factor;
+  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) {
+    step.length = k * law.spacing;
+    step.bonds = across(tip.place, tip.place + step.length * step.direction, law.horizon);
+  }
+  if (step.bonds.empty()) return std::nullopt;
+  return step;
+}
+
+std::vector<char> LineEvents::intact_away_from_tips(const std::vector<char>& growing) const {
+  std::vector<char> intact = body_.system().intact();
+  const coupling::Terms& terms = body_.system().terms();
+  const std::vector<GrowingTip>& tips = body_.state().tips;
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    if (!growing[k]) continue;
+    const double reach = guarded_reach * laws_[static_cast<std::size_t>(tips[k].law)].horizon;
+    for (std::size_t b = 0; b < terms.size(); ++b)
+      if ((body_.positions()[static_cast<std::size_t>(terms.first[b])] - tips[k].place).norm() < reach) intact[b] = 0;
+  }
+  return intact;
+}
+
+const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load_factor,
+                                    const SteppingOptions& options) {
+  event_ = {load_factor, 0, load_factor, {}};
+  for (const int t :
+       body_.ratios().most_stretched(intact, load_factor, options.tie_band, options.max_breaks_per_solve)) {
+    event_.changes.push_back(body_.system().after_critical(t));
+    const auto bond = static_cast<std::size_t>(t);
+    if (const double ratio = body_.ratios().at(bond, load_factor); ratio > event_.ratio) {
+      event_.ratio = ratio;
+      event_.critical_load_factor = body_.ratios().critical_load_factor(bond, load_factor);
+    }
+  }
+  return &event_;
+}
+
+const Event* LineEvents::next(double target, const SteppingOptions& options) {
+  step_.reset();
+  const BodyState& state = body_.state();
+  if (target < state.load_factor && options.control != Control::path) return nullptr;
+  std::vector<char> growing(state.tips.size(), 0);
+  for (std::size_t k = 0; k < state.tips.size(); ++k) {
+    std::optional<Step> step = step_of(k);
+    growing[k] = step.has_value();
+    if (step && (!step_ || step->load_factor < step_->load_factor)) step_ = std::move(step);
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  double at = infinity;
+  if (step_)
+    at = options.control == Control::path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
+  const std::vector<char> intact = intact_away_from_tips(growing);
+  const std::optional<double> bonds = body_.ratios().next_break(intact, state.load_factor, infinity);
+  if (bonds && *bonds < at) {
+    step_.reset();
+    return tell_bonds(intact, *bonds, options);
+  }
+  if (!step_) return nullptr;
+  event_ = {at, step_->constant + at * step_->growing, step_->load_factor, {}};
+  for (const int bond : step_->bonds)
+    event_.changes.push_back({bond, body_.system().terms().law_of(static_cast<std::size_t>(bond)).gone()});
+  return &event_;
+}
+
+Outcome LineEvents::perform() {
+  const Outcome outcome = whole_body_.perform(event_);
+  if (!step_) return outcome;
+  GrowingTip& tip = body_.state().tips[step_->tip];
+  const pd::TipLaw& law = laws_[static_cast<std::size_t>(tip.law)];
+  // The ratio of the event holds the correction that was made; what is remembered must not.
+  const double expected_ratio = event_.ratio / correction(tip);
+  const double expected = law.toughness * law.toughness / law.modulus * expected_ratio * expected_ratio * law.thickness;
+  tip.energy_ratios.push_back(outcome.released_energy / (expected * step_->length));
+  if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
+  tip.place += step_->length * step_->direction;
+  tip.direction = step_->direction;
+  return outcome;
+}
+
+}  // namespace bempd::fracture

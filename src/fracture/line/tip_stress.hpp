@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/line/growing_tip.hpp"
+#include "pd/tip_law.hpp"
+
+namespace bempd::fracture {
+
+// Stress intensity factors, each with a constant part and one that is proportional to the load factor [Pa m^(1/2)].
+struct AffineIntensity {
+  Eigen::RowVector2d one{0, 0}, two{0, 0};
+};
+
+struct TipIntensity {
+  AffineIntensity near;    // from the mean stress closely ahead: what turns the crack
+  AffineIntensity fitted;  // from the stress further ahead: what drives it
+};
+
+// Stresses around tips from the forces of bonds: half of force times bond vector of every bond belongs to the point at
+// either end (the mean of the stress over the area of a point). All that is asked of them is linear in the
+// displacements, and asked of points ahead of the tip only, none of which lies beside the crack.
+class TipStress {
+ public:
+  TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
+
+  TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement) const;
+
+  // Bonds that are left at a node.
+  template <class Visit>
+  void for_each_bond(int node, const Visit& visit) const {
+    for (int k = start_[static_cast<std::size_t>(node)]; k < start_[static_cast<std::size_t>(node) + 1]; ++k)
+      if (system_.intact()[static_cast<std::size_t>(bonds_[static_cast<std::size_t>(k)])])
+        visit(bonds_[static_cast<std::size_t>(k)]);
+  }
+
+ private:
+  using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
+
+  Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
+
+  const coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  std::vector<int> start_, bonds_;  // of nodes
+};
+
+// Kink towards the largest hoop stress, and the intensity factor that is compared with the toughness there (Erdogan and
+// Sih, J. Basic Eng. 85, 1963).
+double hoop_angle(double one, double two);
+double hoop_intensity(double one, double two, double angle);
+
+}  // namespace bempd::fracture

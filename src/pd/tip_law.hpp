@@ -1,0 +1,14 @@
+#pragma once
+
+namespace bempd::pd {
+
+// What the growth of a crack as a line asks of the lattice and the material around its tip.
+struct TipLaw {
+  double spacing = 0;    // [m]
+  double horizon = 0;    // [m]
+  double thickness = 1;  // [m]
+  double modulus = 0;    // E, in plane strain E / (1 - nu^2) [Pa]
+  double toughness = 0;  // [Pa m^(1/2)]; infinite for a material that does not break
+};
+
+}  // namespace bempd::pd

@@ -1,0 +1,89 @@
+"""Cracks that grow as lines (option pd.crack_rule) against the path of boundary elements and the fracture energy."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import bempd
+
+WIDTH = 40.0
+
+
+def plate(incline: float, kind: str) -> tuple[bempd.Model, int]:
+    """An edge crack at an incline in a plate whose clamps move apart; `kind` is "bem" or a crack rule."""
+    model = bempd.Model()
+    if kind != "bem":
+        model.options["pd.crack_rule"] = kind
+        model.options["stepping.control"] = "path"
+    material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
+    box = bempd.rectangle(0, -WIDTH / 2, WIDTH, WIDTH / 2)
+    body = model.add_bem_region(material, box, WIDTH / 16) if kind == "bem" else model.add_pd_region(material, box, 1.0, 3)
+    angle, start = math.radians(incline), 0.513
+    model.add_crack([(0, start), (WIDTH / 4 * math.cos(angle), start + WIDTH / 4 * math.sin(angle))])
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+        model.fix_edge(body, edge, "x")
+    return model, body
+
+
+def boundary_path(incline: float) -> np.ndarray:
+    model, _ = plate(incline, "bem")
+    model.step(1.0)
+    found = []
+    while True:
+        tip = model.tips()[0]
+        found.append((tip.x, tip.y))
+        if tip.x > WIDTH - 8:
+            return np.array(found)
+        model.grow_cracks(2.0)
+
+
+def middles(model: bempd.Model, body: int) -> np.ndarray:
+    bonds, points = model.bonds(body), model.field(body, "position")
+    broken = bonds.points[bonds.states == bempd.BondState.BROKEN]
+    return (points[broken[:, 0]] + points[broken[:, 1]]) / 2
+
+
+@pytest.mark.parametrize("incline", [30, 60])
+def test_a_line_follows_the_path_of_boundary_elements(incline: float) -> None:
+    reference = boundary_path(incline)
+    model, body = plate(incline, "line")
+    for _ in range(20):
+        model.step_to_next_event(1e6)
+    middle = middles(model, body)
+    places = np.arange(reference[0, 0] + 3, middle[:, 0].max() - 2, 2.0)
+    assert len(places) >= 5
+    off = [middle[abs(middle[:, 0] - x) < 1.5, 1].mean() - np.interp(x, *reference.T) for x in places]
+    assert max(map(abs, off)) < 1.5  # spacings
+
+
+def test_growth_costs_the_fracture_energy() -> None:
+    model, _ = plate(0, "line")
+    for _ in range(18):
+        model.step_to_next_event(1e6)
+    released = np.diff(model.history()["released_energy"])
+    assert len(released) == 17 and abs(released[4:].mean() - 1) < 0.05  # G0 for every spacing
+
+
+def test_a_state_remembers_its_tips() -> None:
+    model, _ = plate(30, "line")
+    for _ in range(5):
+        model.step_to_next_event(1e6)
+    state = model.save()
+    first = [model.step_to_next_event(1e6).load_factor for _ in range(5)]
+    other, _ = plate(30, "line")
+    other.restore(bempd.State.from_bytes(state.to_bytes()))
+    assert [other.step_to_next_event(1e6).load_factor for _ in range(5)] == pytest.approx(first, rel=1e-9)
+
+
+def test_lines_need_a_scheme_and_a_mode_that_have_them() -> None:
+    assert bempd.describe_options()["pd.crack_rule"].default == "bond"
+    for name in ("scheme", "stepping.mode"):
+        model, _ = plate(0, "line")
+        model.options["stepping.control"] = "load"
+        model.options[name] = "paper"
+        with pytest.raises(bempd.ArgumentError, match="pd.crack_rule is line"):
+            model.step(1.0)
