@@ -163,12 +163,12 @@ TEST(LatticeTips, beside_another_material_have_their_factors) {
   const auto tip = [](double spacing, double longer) {
     Model model;
     const int32_t soft = model.add(material(1, 1.0 / 3)), stiff = model.add(material(4, 1.0 / 3));
-    const Outline left = rectangle(-2, -2.05, 0, 2.05), right = rectangle(0, -2.05, 1, 2.05);
+    const Outline left = rectangle(-2, -2.025, 0, 2.025), right = rectangle(0, -2.025, 1, 2.025);
     const int32_t a = spacing > 0 ? model.pd(soft, left, spacing, 3) : model.bem(soft, left, 0.25);
     const int32_t b = spacing > 0 ? model.pd(stiff, right, spacing, 3) : model.bem(stiff, right, 0.25);
     model.crack({{-2, 0}, {-0.625 + longer, 0}});
-    model.fix_point({-2, -2.05}, BEMPD_BOTH);
-    model.fix_point({1, -2.05}, BEMPD_Y);
+    model.fix_point({-2, -2.025}, BEMPD_BOTH);
+    model.fix_point({1, -2.025}, BEMPD_Y);
     for (const int32_t body : {a, b}) {
       model.traction(body, 3, 0, 1, BEMPD_Y, 0, 1);
       model.traction(body, 1, 0, 1, BEMPD_Y, 0, -1);

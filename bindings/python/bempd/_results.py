@@ -252,7 +252,7 @@ class Results:
         >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
         >>> report = model.step(1), model.step(2)
         >>> [(record.load_factor, f"{record.tip.stress_intensity_1:.4g}") for record in model.tip_history()[::2]]
-        [(1.0, '1.487e+06'), (2.0, '2.973e+06')]
+        [(1.0, '1.487e+06'), (2.0, '2.975e+06')]
         """
         event, broken, factor = ffi.new("int64_t *"), ffi.new("int64_t *"), ffi.new("double *")
         records = []

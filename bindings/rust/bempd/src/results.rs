@@ -214,8 +214,8 @@ impl Model {
     /// model.add_crack(&[[-10.0, 0.0], [10.0, 0.0]])?;
     /// model.fix_point([-20.5, -20.5], Component::Both)?;
     /// model.fix_point([20.5, -20.5], Component::Y)?;
-    /// model.add_traction(plate, 3, Component::Y, Values::proportional(&[1.0]))?;
-    /// model.add_traction(plate, 1, Component::Y, Values::proportional(&[-1.0]))?;
+    /// model.add_traction(plate, 3, .., Component::Y, Values::proportional(&[1.0]))?;
+    /// model.add_traction(plate, 1, .., Component::Y, Values::proportional(&[-1.0]))?;
     /// model.step(0.01)?;
     ///
     /// let recorded = model.tip_history()?;
