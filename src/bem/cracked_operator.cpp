@@ -80,13 +80,13 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
   eliminate_openings();
 }
 
-Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const Eigen::LLT<Eigen::MatrixXd>& single_layer,
+Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::DenseCholesky& single_layer,
                              const Eigen::SparseMatrix<double>& map) {
   Eigen::MatrixXd reduced = map.transpose() * matrices.double_layer;
-  single_layer.matrixU().solveInPlace<Eigen::OnTheRight>(reduced);
+  linalg::solve_upper_from_right(single_layer.lower(), reduced);
   const Eigen::MatrixXd half = matrices.hypersingular * map;
   Eigen::MatrixXd stiffness = map.transpose() * half;
-  stiffness.selfadjointView<Eigen::Lower>().rankUpdate(reduced);
+  linalg::add_square(stiffness, reduced);
   copy_lower_to_upper(stiffness);
   return stiffness;
 }
@@ -100,9 +100,10 @@ void CrackedOperator::eliminate_openings() {
   require(of_openings_.info() == Eigen::Success &&
               (pivots > least_pivot * full_.bottomRightCorner(w, w).diagonal().array()).all(),
           "cracks cut a piece out of a body that nothing holds; leave a ligament or end one of them earlier");
-  const Eigen::MatrixXd half = of_openings_.matrixL().solve(full_.bottomLeftCorner(w, u));
+  Eigen::MatrixXd half = full_.bottomLeftCorner(w, u);
+  linalg::solve_lower(of_openings_.lower(), half);
   stiffness_ = full_.topLeftCorner(u, u);
-  stiffness_.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1);
+  linalg::add_square(stiffness_, half.transpose(), -1);
   copy_lower_to_upper(stiffness_);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 #include <cstdint>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "bem/galerkin_assembly.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
+#include "linalg/dense_parts.hpp"
 
 namespace bempd::bem {
 
@@ -64,7 +64,7 @@ class CrackedOperator final : public BoundaryOperator {
   std::vector<GalerkinElement> elements_;
   GalerkinMatrices matrices_;
   Eigen::MatrixXd full_, stiffness_;
-  Eigen::LLT<Eigen::MatrixXd> single_layer_, of_openings_;
+  linalg::DenseCholesky single_layer_, of_openings_;
   std::int64_t kernel_evaluations_ = 0;
 };
 
@@ -73,7 +73,7 @@ std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh,
                                                        const CrackMesh& cracks);
 
 // D + B^T V^-1 B on the unknowns; `map` gives all displacements and openings from them. D is to be whole.
-Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const Eigen::LLT<Eigen::MatrixXd>& single_layer,
+Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::DenseCholesky& single_layer,
                              const Eigen::SparseMatrix<double>& map);
 
 // Displacements and all openings, one below the other, from the unknowns.

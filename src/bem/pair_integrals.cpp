@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "bem/kernel_sums.hpp"
@@ -55,11 +57,25 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
   return scratch;
 }
 
+// Up to most_short_pairs + 1 of them, on the stack: memory of a thread's own would have to be registered for its end, for
+// which the C library ends the process where memory is missing.
+class PairIntegrator::ShortPairs {
+ public:
+  void add(const ShortPair& pair) { new (memory_ + sizeof(ShortPair) * size_++) ShortPair(pair); }
+  std::size_t size() const { return size_; }
+  const ShortPair* begin() const { return std::launder(reinterpret_cast<const ShortPair*>(memory_)); }
+  const ShortPair* end() const { return begin() + size_; }
+
+ private:
+  std::size_t size_ = 0;
+  alignas(ShortPair) std::byte memory_[sizeof(ShortPair) * (most_short_pairs + 1)];
+};
+
 // The kernels are analytic along one stretch, seen from a point of the other
 // one, up to the complex parameter at which r vanishes. On a straight one that
 // is where its line meets the other point, whose distances to both ends are
 // real distances in the plane. False when it takes more pairs than are worth it.
-bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const {
+bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   const Distances d = distances_between(outer.sample, inner.sample);
   const double outer_sum = outer.straight
                                ? std::min({d[0][0] + d[2][0], d[0][1] + d[2][1], d[0][2] + d[2][2]}) / outer.half_length
@@ -72,7 +88,7 @@ bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth
 
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1, max_depth = 60;
   if ((outer_rule <= largest && inner_rule <= largest) || depth == max_depth) {
-    pairs.push_back({outer.side, inner.side, std::min(outer_rule, largest), std::min(inner_rule, largest)});
+    pairs.add({outer.side, inner.side, std::min(outer_rule, largest), std::min(inner_rule, largest)});
     return pairs.size() <= most_short_pairs;
   }
   const bool halve_outer = outer_sum < inner_sum;
@@ -91,8 +107,7 @@ void PairIntegrator::add(const ShortPair& pair, PairPart part, PairMoments& mome
 }
 
 void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const {
-  thread_local std::vector<ShortPair> pairs;
-  pairs.clear();
+  ShortPairs pairs;
   if (!halve(outer, inner, 0, pairs)) return alongside(outer.side, inner.side, part, moments);
   for (const ShortPair& pair : pairs) add(pair, part, moments);
 }

@@ -73,7 +73,8 @@ class PairIntegrator {
     int rule;
   };
   void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  bool halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const;
+  class ShortPairs;
+  bool halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const;
   void add(const ShortPair& pair, PairPart part, PairMoments& moments) const;
   void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
   void split(const Side& side, const Singularities* singularities, std::size_t count, std::vector<Piece>& pieces) const;

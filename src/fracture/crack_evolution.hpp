@@ -43,20 +43,25 @@ class CrackEvolution {
 
   // Displacements and forces are brought up to date first; nothing else depends on whether they are asked for.
   const EvolutionState& state() {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return state_;
   }
   // The same without: numbers, bonds and history are right, displacements and forces may be those of an earlier event.
   const EvolutionState& progress() const { return state_; }
-  void restore(EvolutionState state);
+  void restore(EvolutionState state) noexcept;
+  // The system's terms are in their present stages, also after a failure or another state.
+  void bring_terms_up_to_date() { sources_.refresh(); }
   // From here on the run is the same, bit for bit, as one restored from a copy of the present state.
   void synchronize();
 
   Eigen::Vector2d reaction(std::size_t support) {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return body_.reaction(support);
   }
   double reaction_moment(std::size_t support, const Point& about) {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return body_.reaction_moment(support, about);
   }
@@ -74,7 +79,7 @@ class CrackEvolution {
 
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
-  void return_to(const Start& start);
+  void return_to(const Start& start) noexcept;
   void book(const Event& event, const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.

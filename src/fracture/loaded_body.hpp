@@ -83,6 +83,7 @@ class LoadedBody {
  private:
   double reaction_at(int dof) const;
   void apply_load();
+  coupling::Affine without_lost_loads(coupling::Affine force) const;
 
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
