@@ -68,7 +68,7 @@ bool factorize_in_parts(Matrix lower) {
     const Eigen::Index columns = std::min(width, n - j), below = n - j - columns;
     check_cancelled();
     Matrix own = lower.block(j, j, columns, columns);
-    own.selfadjointView<Eigen::Lower>().rankUpdate(lower.block(j, 0, columns, j), -1);
+    if (j > 0) own.selfadjointView<Eigen::Lower>().rankUpdate(lower.block(j, 0, columns, j), -1);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(own);
     if (factor.info() != Eigen::Success) return false;
     add_product(lower.block(j + columns, j, below, columns), lower.block(j + columns, 0, below, j),
