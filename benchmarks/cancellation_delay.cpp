@@ -2,7 +2,8 @@
 // processor time between request and return is measured.
 //   bempd_cancellation_delay lattice N [moments]    plate of N x N points with a crack, prepared and run to separation
 //   bempd_cancellation_delay boundary N [moments]   square of N elements, prepared and one step
-//   bempd_cancellation_delay paper N [moments]      the same two side by side in scheme paper, N elements and N / 4 rows
+//   bempd_cancellation_delay paper N [moments]      the same two side by side in scheme paper, N elements and N / 4
+//   rows
 #include <bempd.h>
 
 #include <algorithm>

@@ -57,8 +57,8 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
   return scratch;
 }
 
-// Up to most_short_pairs + 1 of them, on the stack: memory of a thread's own would have to be registered for its end, for
-// which the C library ends the process where memory is missing.
+// Up to most_short_pairs + 1 of them, on the stack: memory of a thread's own would have to be registered for its end,
+// for which the C library ends the process where memory is missing.
 class PairIntegrator::ShortPairs {
  public:
   void add(const ShortPair& pair) { new (memory_ + sizeof(ShortPair) * size_++) ShortPair(pair); }

@@ -55,10 +55,7 @@ void solve_upper_from_right(const Lower& lower, Matrix x) {
     auto own = x.middleCols(j, columns);
     add_product(own, x.leftCols(j), lower.block(j, 0, columns, j).transpose(), -1);
     check_cancelled();
-    lower.block(j, j, columns, columns)
-        .transpose()
-        .triangularView<Eigen::Upper>()
-        .solveInPlace<Eigen::OnTheRight>(own);
+    lower.block(j, j, columns, columns).transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(own);
   }
 }
 

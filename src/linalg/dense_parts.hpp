@@ -9,8 +9,8 @@
 
 namespace bempd::linalg {
 
-// Dense algebra that hears a request to stop: what takes long is done in parts. What does not is one call, as it would be
-// without this.
+// Dense algebra that hears a request to stop: what takes long is done in parts. What does not is one call, as it would
+// be without this.
 
 // Floating point operations in a part: some 30 ms.
 constexpr double operations_at_once = 5e8;

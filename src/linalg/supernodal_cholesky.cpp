@@ -166,10 +166,10 @@ class Factorization {
   const int *first_column_, *rows_begin_, *values_begin_, *row_;
   double* values_;
   int count_;
-  std::vector<int> supernode_of_;    // per column
-  std::vector<int> place_;           // of a row in the present supernode
-  std::vector<int> done_;            // rows of a supernode that later ones have taken
-  std::vector<int> head_, next_;     // of the list of those that a supernode takes from next
+  std::vector<int> supernode_of_;  // per column
+  std::vector<int> place_;         // of a row in the present supernode
+  std::vector<int> done_;          // rows of a supernode that later ones have taken
+  std::vector<int> head_, next_;   // of the list of those that a supernode takes from next
   std::vector<double> product_;
   std::vector<int> target_;
 };

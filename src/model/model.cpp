@@ -261,7 +261,8 @@ void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
         "and their balance are not; choose other units");
   }
   warn_of_equilibrium();
-  if (new_fragments > 0) log(1, text(new_fragments, " pieces have come free of all supports; they stay where they are"));
+  if (new_fragments > 0)
+    log(1, text(new_fragments, " pieces have come free of all supports; they stay where they are"));
 }
 
 double Model::load_factor() const { return prepared_ ? prepared_->evolution->progress().load_factor : 0.0; }

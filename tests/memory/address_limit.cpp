@@ -102,12 +102,12 @@ int main(int argc, char** argv) {
     int status = 0;
     waitpid(child, &status, 0);
     const bool ended_well = WIFEXITED(status) && (WEXITSTATUS(status) == done || WEXITSTATUS(status) == told_and_done);
-    const char* const what = WIFSIGNALED(status)                     ? WTERMSIG(status) == SIGALRM ? "hung" : "signal"
-                             : WEXITSTATUS(status) == done           ? "done"
-                             : WEXITSTATUS(status) == told_and_done  ? "told, and done with more"
-                             : WEXITSTATUS(status) == wrong_status   ? "wrong status"
-                             : WEXITSTATUS(status) == other_numbers  ? "other numbers"
-                                                                     : "ended the process";
+    const char* const what = WIFSIGNALED(status)                    ? WTERMSIG(status) == SIGALRM ? "hung" : "signal"
+                             : WEXITSTATUS(status) == done          ? "done"
+                             : WEXITSTATUS(status) == told_and_done ? "told, and done with more"
+                             : WEXITSTATUS(status) == wrong_status  ? "wrong status"
+                             : WEXITSTATUS(status) == other_numbers ? "other numbers"
+                                                                    : "ended the process";
     std::printf("%4llu MB to spare: %s\n", static_cast<unsigned long long>(spare), what);
     bad += ended_well ? 0 : 1;
     told += ended_well && WEXITSTATUS(status) == told_and_done ? 1 : 0;

@@ -1,5 +1,5 @@
-// malloc and its kin of this whole process, which fail when they are told to. Everything that the library takes, through
-// operator new, Eigen, CHOLMOD or the C library, goes through them.
+// malloc and its kin of this whole process, which fail when they are told to. Everything that the library takes,
+// through operator new, Eigen, CHOLMOD or the C library, goes through them.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Lets allocations of the library fail in turn, and prints what came of it. Each program runs in a process of its own, so
-// that one that crashes, exits or hangs is counted, and the next failure is tried.
+// Lets allocations of the library fail in turn, and prints what came of it. Each program runs in a process of its own,
+// so that one that crashes, exits or hangs is counted, and the next failure is tried.
 //
 //   failing_allocations [--most COUNT] [--program NAME]    COUNT failures a call, 0 for all
 #include <sys/mman.h>
@@ -105,11 +105,12 @@ int main(int argc, char** argv) {
     }
   }
   std::filesystem::remove_all(folder);
-  std::printf("allocations failed %lld: BEMPD_ERROR_MEMORY %lld, went on %lld; signals %lld, exits %lld, hangs %lld, "
-              "other findings %lld\n",
-              static_cast<long long>(outcomes.failed), static_cast<long long>(outcomes.told),
-              static_cast<long long>(outcomes.went_on), static_cast<long long>(outcomes.signals),
-              static_cast<long long>(outcomes.exits), static_cast<long long>(outcomes.hangs),
-              static_cast<long long>(outcomes.bad));
+  std::printf(
+      "allocations failed %lld: BEMPD_ERROR_MEMORY %lld, went on %lld; signals %lld, exits %lld, hangs %lld, "
+      "other findings %lld\n",
+      static_cast<long long>(outcomes.failed), static_cast<long long>(outcomes.told),
+      static_cast<long long>(outcomes.went_on), static_cast<long long>(outcomes.signals),
+      static_cast<long long>(outcomes.exits), static_cast<long long>(outcomes.hangs),
+      static_cast<long long>(outcomes.bad));
   return outcomes.failed > 0 && outcomes.all_bad() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

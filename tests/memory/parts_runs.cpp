@@ -111,8 +111,8 @@ Call grow(double length) {
 Call field(int region, int32_t which) {
   return repeatable({"copy_field",
                      [=](Host& h) {
-                       return bempd_copy_field(h.model, h.region[region], which,
-                                               static_cast<int64_t>(h.numbers.size()), h.numbers.data());
+                       return bempd_copy_field(h.model, h.region[region], which, static_cast<int64_t>(h.numbers.size()),
+                                               h.numbers.data());
                      },
                      [=](Host& h) {
                        int64_t count = 0;
@@ -123,12 +123,12 @@ Call field(int region, int32_t which) {
 }
 
 Call bonds(int region) {
-  return repeatable(
-      {"copy_bonds",
-       [=](Host& h) {
-         return bempd_copy_bonds(h.model, h.region[region], 100000, h.integers.data(), h.integers.data() + 100000);
-       },
-       [](Host& h) { return std::vector<double>(h.integers.begin(), h.integers.end()); }});
+  return repeatable({"copy_bonds",
+                     [=](Host& h) {
+                       return bempd_copy_bonds(h.model, h.region[region], 100000, h.integers.data(),
+                                               h.integers.data() + 100000);
+                     },
+                     [](Host& h) { return std::vector<double>(h.integers.begin(), h.integers.end()); }});
 }
 
 Call reaction(int support) {

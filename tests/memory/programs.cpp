@@ -120,20 +120,22 @@ Program plain() {
 }
 
 Program cracks() {
-  Program program{"cracks", {create(), add_material(with_fracture_energy()), bem(0, {-1, -3, 1, -3, 1, 3, -1, 3}, 0.8),
-                             crack({-1, 0.1, -0.3, 0}), pin(0, -1, -3), pin(1, 1, -3), fix(2, 0, 1),
-                             traction(0, 0, 3), crack_traction(1), listen()}};
-  add(program, {step(0.5), tips(), openings(), grow(0.2), tips(), evaluate_at({0.5, 1, -0.5, -1}), grow(0.2), snapshot(),
-                history(), save(), restore(), new_load_values(0), step(0.4), field(0, BEMPD_TRACTION), free_state(),
-                free_model()});
+  Program program{"cracks",
+                  {create(), add_material(with_fracture_energy()), bem(0, {-1, -3, 1, -3, 1, 3, -1, 3}, 0.8),
+                   crack({-1, 0.1, -0.3, 0}), pin(0, -1, -3), pin(1, 1, -3), fix(2, 0, 1), traction(0, 0, 3),
+                   crack_traction(1), listen()}};
+  add(program, {step(0.5), tips(), openings(), grow(0.2), tips(), evaluate_at({0.5, 1, -0.5, -1}), grow(0.2),
+                snapshot(), history(), save(), restore(), new_load_values(0), step(0.4), field(0, BEMPD_TRACTION),
+                free_state(), free_model()});
   return program;
 }
 
 Program paper() {
-  Program program{"paper", {create(), text_option("scheme", "paper"), add_material(bempd_material{}),
-                            bem(0, {0, 0, 6, 0, 6, 6, 0, 6}, 2), pd(1, {6, 0, 13, 0, 13, 6, 6, 6}, 1, 3),
-                            bem(2, {13, 0, 19, 0, 19, 6, 13, 6}, 2), crack({9.5, 0, 9.5, 2}), fix(0, 0, 4),
-                            prescribe(1, 2, 2, {0.02, 0.002}), listen()}};
+  Program program{
+      "paper",
+      {create(), text_option("scheme", "paper"), add_material(bempd_material{}), bem(0, {0, 0, 6, 0, 6, 6, 0, 6}, 2),
+       pd(1, {6, 0, 13, 0, 13, 6, 6, 6}, 1, 3), bem(2, {13, 0, 19, 0, 19, 6, 13, 6}, 2), crack({9.5, 0, 9.5, 2}),
+       fix(0, 0, 4), prescribe(1, 2, 2, {0.02, 0.002}), listen()}};
   add(program, {prepare(), next_event(), next_event(), save(), step_by(0.05), restore(), step_by(0.05),
                 field(0, BEMPD_STRESS), field(1, BEMPD_STRESS), reaction(1), free_state(), free_model()});
   return program;
@@ -150,27 +152,20 @@ Program mistakes() {
   add(program, {refused(text_option("stepping.sover", "window"), BEMPD_ERROR_ARGUMENT),
                 refused(pd(2, {30, 0, 31, 0, 31, 1, 30, 1}, 0.3, 3), BEMPD_ERROR_ARGUMENT),
                 refused(bem(2, {30, 0, 40, 10, 40, 0, 30, 10}, 1), BEMPD_ERROR_ARGUMENT),
-                refused(fix(3, 0, 9), BEMPD_ERROR_ARGUMENT),
-                refused(field(0, 77), BEMPD_ERROR_ARGUMENT),
-                prepare(),
-                refused(crack({1, 1, 2, 2}), BEMPD_ERROR_ORDER),
-                refused(evaluate_at({100, 100}), BEMPD_ERROR_ARGUMENT),
-                step(0.1),
-                refused(grow(1), BEMPD_ERROR_ARGUMENT),
-                refused(damaged_bytes(), BEMPD_ERROR_ARGUMENT),
+                refused(fix(3, 0, 9), BEMPD_ERROR_ARGUMENT), refused(field(0, 77), BEMPD_ERROR_ARGUMENT), prepare(),
+                refused(crack({1, 1, 2, 2}), BEMPD_ERROR_ORDER), refused(evaluate_at({100, 100}), BEMPD_ERROR_ARGUMENT),
+                step(0.1), refused(grow(1), BEMPD_ERROR_ARGUMENT), refused(damaged_bytes(), BEMPD_ERROR_ARGUMENT),
                 refused(history_in("/nowhere/at/all.csv"), BEMPD_ERROR_IO),
-                refused(stopped_by_progress(), BEMPD_ERROR_CANCELLED),
-                progress(),
-                next_event(),
-                free_model()});
+                refused(stopped_by_progress(), BEMPD_ERROR_CANCELLED), progress(), next_event(), free_model()});
   return program;
 }
 
 // Enough elements for threads.
 Program threads() {
-  Program program{"threads", {create(), number_option("threads", 2), add_material(bempd_material{}),
-                              bem(0, {0, 0, 8, 0, 8, 8, 0, 8}, 0.4), pd(1, {8, 0, 12, 0, 12, 8, 8, 8}, 1, 3),
-                              fix(0, 0, 4), prescribe(1, 1, 2, {0.01, 0.01})}};
+  Program program{
+      "threads",
+      {create(), number_option("threads", 2), add_material(bempd_material{}), bem(0, {0, 0, 8, 0, 8, 8, 0, 8}, 0.4),
+       pd(1, {8, 0, 12, 0, 12, 8, 8, 8}, 1, 3), fix(0, 0, 4), prescribe(1, 1, 2, {0.01, 0.01})}};
   add(program, {prepare(), step(0.1), field(0, BEMPD_TRACTION), reaction(1), free_model()});
   return program;
 }

@@ -21,8 +21,8 @@ struct Host {
   bempd_state* state = nullptr;
   bempd_state* other_state = nullptr;
   int32_t material = 0, region[3] = {0, 0, 0}, support[4] = {0, 0, 0, 0}, load[3] = {0, 0, 0};
-  std::vector<double> numbers;     // what a call gives
-  std::vector<int32_t> integers;   // the same
+  std::vector<double> numbers;    // what a call gives
+  std::vector<int32_t> integers;  // the same
   std::vector<std::uint8_t> bytes;
   int64_t byte_count = 0;
   std::string folder, history_path, snapshot_prefix;

@@ -13,10 +13,10 @@ namespace memory_test {
 struct Progress {
   std::size_t call = 0, position = 0;  // of the next failure
   std::int64_t allocation = 0;
-  std::int64_t failed = 0;         // calls with a failed allocation
-  std::int64_t told = 0;           // they returned BEMPD_ERROR_MEMORY
-  std::int64_t went_on = 0;        // they did what they were to do all the same
-  std::int64_t spared = 0;         // would have failed in libgomp or OpenBLAS
+  std::int64_t failed = 0;   // calls with a failed allocation
+  std::int64_t told = 0;     // they returned BEMPD_ERROR_MEMORY
+  std::int64_t went_on = 0;  // they did what they were to do all the same
+  std::int64_t spared = 0;   // would have failed in libgomp or OpenBLAS
   std::int64_t wrong_status = 0, lost = 0, other_numbers = 0, leaked = 0, silent = 0;
   bool finished = false;
 };

@@ -63,7 +63,7 @@ class Cancellation : public testing::Test {
     const double start = processor_time();
     ASSERT_EQ(call(), BEMPD_OK) << bempd_last_error(model);
     const double whole = processor_time() - start;
-    for (const double part : {0.2, 0.4, 0.6, 0.8, 0.95}) {
+    for (const double part : {0.3, 0.55, 0.8}) {
       renew();
       expect_heard(call, part * whole);
     }
@@ -107,10 +107,10 @@ TEST_F(Cancellation, is_heard_while_lattices_are_built) {
   expect_usable(add_boundary(4, 0.5));
 }
 
-// Dense matrices of 4000 x 4000.
+// Dense matrices of 2800 x 2800.
 TEST_F(Cancellation, is_heard_throughout_a_step_of_a_large_boundary) {
   expect_heard_throughout([&] {
-    const int32_t region = add_boundary(4, 10.0 / 1000);
+    const int32_t region = add_boundary(4, 10.0 / 700);
     bempd_fix_edge(model, region, 4, BEMPD_BOTH, nullptr);
     return bempd_step(model, 1e-4, nullptr);
   });
