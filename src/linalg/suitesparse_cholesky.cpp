@@ -111,26 +111,33 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
-    if (factor_nonzeros() < entries_of_a_long_solution) {
+    if (!factor_->is_super && factor_nonzeros() < entries_of_a_long_solution) {
       triangular_solve(CHOLMOD_A, rhs);
       rhs = solution();
       return;
     }
-    // The same in its two halves.
     Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
-    triangular_solve(CHOLMOD_L, ordered);
-    check_cancelled();
-    ordered = solution();
-    triangular_solve(factor_->is_ll ? CHOLMOD_Lt : CHOLMOD_DLt, ordered);
-    rhs(order_, Eigen::all) = solution();
+    if (factor_->is_super) {
+      SupernodalFactor factor(*factor_.get());
+      factor.solve_lower(ordered);
+      factor.solve_upper(ordered);
+    } else {
+      // The same as above, in its two halves.
+      triangular_solve(CHOLMOD_L, ordered);
+      check_cancelled();
+      ordered = solution();
+      triangular_solve(CHOLMOD_DLt, ordered);
+      ordered = solution();
+    }
+    rhs(order_, Eigen::all) = ordered;
   }
 
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
     Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
-    triangular_solve(CHOLMOD_L, ordered);
-    rhs = solution();
+    SupernodalFactor(*factor_.get()).solve_lower(ordered);
+    rhs = ordered;
   }
 
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
