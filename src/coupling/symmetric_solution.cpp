@@ -16,7 +16,10 @@ class SymmetricElimination final : public Elimination {
   SymmetricElimination(Stiffness stiffness, std::vector<DofKind> kind)
       : Elimination(std::move(stiffness), std::move(kind)) {
     if (private_.empty()) return;
-    cholesky_.compute((*stiffness_)(private_, private_));
+    Eigen::MatrixXd own = (*stiffness_)(private_, private_);
+    check_cancelled();
+    cholesky_.compute(std::move(own));
+    check_cancelled();
     if (cholesky_.info() != Eigen::Success) fail_singular();
     if (shared_.empty()) return;
     Eigen::MatrixXd half = (*stiffness_)(private_, shared_);
