@@ -191,11 +191,12 @@ class SuiteSparseCholesky final : public SparseCholesky {
     if (!analysis_ || !pattern_.matches(lower)) {
       factor_.reset();
       analysis_.reset();
-      pattern_.assign(lower);
+      pattern_.clear();
       analyse(matrix);
       order_.assign(static_cast<const int*>(analysis_->Perm), static_cast<const int*>(analysis_->Perm) + lower.cols());
       position_.resize(order_.size());
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
+      pattern_.assign(lower);  // last: where memory is missing before, all of it is done anew
     }
     // A factor that was changed is simplicial; the next one starts from the analysis again.
     if (!factor_ || !factor_->is_super) {
