@@ -36,8 +36,8 @@ class SupernodalFactor {
   // The last rows and columns of L, a lower triangle.
   Eigen::MatrixXd trailing_block(int size) const;
 
-  // x <- L^-1 x and x <- L^-T x, by the calls of BLAS of CHOLMOD's own function, which can neither be stopped nor be told
-  // of missing memory everywhere.
+  // x <- L^-1 x and x <- L^-T x, by the calls of BLAS of CHOLMOD's own function, which can neither be stopped nor be
+  // told of missing memory everywhere.
   void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
   void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
 
