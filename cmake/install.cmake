@@ -1,4 +1,4 @@
-# What a host finds: the shared library, its one header, a CMake package and a pkg-config file. Eigen, OpenMP and
+# What a host finds: the shared library, its one header, a CMake package and a pkg-config file. Eigen, LAPACK and
 # SuiteSparse are private to the library, so none of them has to be installed where it is used.
 if(NOT TARGET bempd)
   return()

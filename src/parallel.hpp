@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -46,6 +47,7 @@ void parallel_for(std::size_t count, int threads, const Body& body) {
       for (std::size_t t = 1; t < workers; ++t) others.emplace_back(work);
     } catch (const std::system_error&) {
       // No further thread to be had: those there are do the work.
+    } catch (const std::bad_alloc&) {
     }
     work();
   }

@@ -3,8 +3,9 @@
 #   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
 #   tests/run.sh quick  the default backend only
 #   tests/run.sh long   all of it, the library without the scheme paper, then unit tests under the sanitizers, threads,
-#                       clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target, and
-#                       BEMPD_SCENES, 20000, shorten or lengthen them)
+#                       clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target,
+#                       BEMPD_SCENES, 20000, and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or
+#                       lengthen them)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -12,7 +13,7 @@ cd "$root"
 case "${1:-all}" in
   all) stages=(ci ci-eigen fetch-sanitize) ;;
   quick) stages=(ci) ;;
-  long) stages=(ci scenes backends ci-symmetric ci-eigen fetch-sanitize sanitize tsan clang fuzz) ;;
+  long) stages=(ci scenes backends memory ci-symmetric ci-eigen fetch-sanitize sanitize tsan clang fuzz) ;;
   *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
 esac
 
@@ -27,6 +28,7 @@ export PATH="/usr/bin:/bin:$PATH"
 jobs=$(nproc)
 fuzz_seconds=${BEMPD_FUZZ_SECONDS:-1800}
 scenes=${BEMPD_SCENES:-20000}
+allocations=${BEMPD_ALLOCATIONS:-2000}
 summary=()
 failed=0
 
@@ -57,6 +59,8 @@ run_stage() {
     backends) cmake --preset ci -B build/eigen -D BEMPD_LINALG=eigen && cmake --build build/eigen -j "$jobs" --target bempd &&
       python3 tests/differential/backends.py build/ci/src/capi/libbempd.so build/eigen/src/capi/libbempd.so \
         --count "$((scenes / 20))" ;;
+    memory) OPENBLAS_NUM_THREADS=1 build/ci/tests/memory/failing_allocations --most "$allocations" &&
+      OPENBLAS_NUM_THREADS=1 build/ci/tests/memory/address_limit all ;;
     fuzz) search_by_fuzzing ;;
     *) run_presets "$1" ;;
   esac

@@ -160,7 +160,8 @@ CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state
   coarse.single_layer = tractions.transpose() * Eigen::MatrixXd(whole * tractions);
   coarse.hypersingular = fine.hypersingular;
   coarse.double_layer = fine.double_layer * tractions;
-  const Eigen::LLT<Eigen::MatrixXd> single_layer(coarse.single_layer);
+  linalg::DenseCholesky single_layer;
+  single_layer.compute(coarse.single_layer);
   Eigen::MatrixXd stiffness = stiffness_of(coarse, single_layer, values);
   hold_rigid_motions(body.mesh(), body.boundary(), values, stiffness);
 

@@ -109,8 +109,10 @@ void CrackedOperator::build(const CrackedOperator* before) {
   if (before && kept.whole_boundary) {
     single_layer_ = before->single_layer_;
   } else {
-    single_layer_ = std::make_shared<const Eigen::LLT<Eigen::MatrixXd>>(matrices_.single_layer);
-    require_positive(*single_layer_);
+    auto single_layer = std::make_shared<linalg::DenseCholesky>();
+    single_layer->compute(matrices_.single_layer);
+    require_positive(*single_layer);
+    single_layer_ = std::move(single_layer);
   }
   const Eigen::SparseMatrix<double> map = from_unknowns(mesh_, cracks_);
   if (!before) {
@@ -131,7 +133,7 @@ void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& 
   reduced_.resize(matrices_.single_layer.rows(), size);
   if (knows) copy_kept_columns(kept.nodes, before.reduced_, reduced_);
   Eigen::MatrixXd columns = matrices_.double_layer(fresh, Eigen::all).transpose();
-  single_layer_->matrixL().solveInPlace(columns);
+  linalg::solve_lower(single_layer_->lower(), columns);
   for (std::size_t k = 0; k < fresh.size(); ++k) reduced_.col(fresh[k]) = columns.col(static_cast<Eigen::Index>(k));
   const Eigen::MatrixXd products = reduced_.transpose() * columns;
   raw_.resize(size, size);
@@ -142,13 +144,13 @@ void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& 
   }
 }
 
-Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const Eigen::LLT<Eigen::MatrixXd>& single_layer,
+Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::DenseCholesky& single_layer,
                              const Eigen::SparseMatrix<double>& map) {
   Eigen::MatrixXd reduced = map.transpose() * matrices.double_layer;
-  single_layer.matrixU().solveInPlace<Eigen::OnTheRight>(reduced);
+  linalg::solve_upper_from_right(single_layer.lower(), reduced);
   const Eigen::MatrixXd half = matrices.hypersingular * map;
   Eigen::MatrixXd stiffness = map.transpose() * half;
-  stiffness.selfadjointView<Eigen::Lower>().rankUpdate(reduced);
+  linalg::add_square(stiffness, reduced);
   copy_lower_to_upper(stiffness);
   return stiffness;
 }
@@ -162,9 +164,10 @@ void CrackedOperator::eliminate_openings() {
   require(of_openings_.info() == Eigen::Success &&
               (pivots > least_pivot * full_.bottomRightCorner(w, w).diagonal().array()).all(),
           "cracks cut a piece out of a body that nothing holds; leave a ligament or end one of them earlier");
-  const Eigen::MatrixXd half = of_openings_.matrixL().solve(full_.bottomLeftCorner(w, u));
+  Eigen::MatrixXd half = full_.bottomLeftCorner(w, u);
+  linalg::solve_lower(of_openings_.lower(), half);
   stiffness_ = full_.topLeftCorner(u, u);
-  stiffness_.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1);
+  linalg::add_square(stiffness_, half.transpose(), -1);
   copy_lower_to_upper(stiffness_);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 #include <cstdint>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "bem/kept_blocks.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
+#include "linalg/dense_parts.hpp"
 
 namespace bempd::bem {
 
@@ -68,11 +68,11 @@ class CrackedOperator final : public BoundaryOperator {
   ScaledBoundary boundary_;
   std::vector<GalerkinElement> elements_;
   GalerkinMatrices matrices_;
-  std::shared_ptr<const Eigen::LLT<Eigen::MatrixXd>> single_layer_;
+  std::shared_ptr<const linalg::DenseCholesky> single_layer_;
   // Of all displacements and openings, L L^T being V: L^-1 B, and D + B^T V^-1 B. Empty unless cracks have grown.
   Eigen::MatrixXd reduced_, raw_;
   Eigen::MatrixXd full_, stiffness_;
-  Eigen::LLT<Eigen::MatrixXd> of_openings_;
+  linalg::DenseCholesky of_openings_;
   std::int64_t kernel_evaluations_ = 0;
 };
 
@@ -81,7 +81,7 @@ std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh,
                                                        const CrackMesh& cracks);
 
 // D + B^T V^-1 B on the unknowns; `map` gives all displacements and openings from them. D is to be whole.
-Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const Eigen::LLT<Eigen::MatrixXd>& single_layer,
+Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::DenseCholesky& single_layer,
                              const Eigen::SparseMatrix<double>& map);
 
 // Displacements and all openings, one below the other, from the unknowns.

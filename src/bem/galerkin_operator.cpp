@@ -17,11 +17,10 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
   check_cancelled();
   require_positive(single_layer_);
   reduced_transpose_ = std::move(matrices.double_layer);
-  single_layer_.matrixU().solveInPlace<Eigen::OnTheRight>(reduced_transpose_);
-  check_cancelled();
+  linalg::solve_upper_from_right(single_layer_.lower(), reduced_transpose_);
 
   stiffness_ = std::move(matrices.hypersingular);
-  stiffness_.selfadjointView<Eigen::Lower>().rankUpdate(reduced_transpose_);
+  linalg::add_square(stiffness_, reduced_transpose_);
   stiffness_ *= elasticity.thickness * elasticity.shear_modulus();
   copy_lower_to_upper(stiffness_);
   traction_scale_ = elasticity.shear_modulus() / boundary.length;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <cstdint>
 
 #include "bem/boundary_operator.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
+#include "linalg/dense_parts.hpp"
 
 namespace bempd::bem {
 
@@ -26,7 +26,7 @@ class GalerkinOperator final : public BoundaryOperator {
 
  private:
   Eigen::MatrixXd stiffness_;
-  Eigen::LLT<Eigen::MatrixXd> single_layer_;
+  linalg::DenseCholesky single_layer_;
   Eigen::MatrixXd reduced_transpose_;  // (L^-1 B)^T, V = L L^T
   double traction_scale_ = 1;          // shear modulus over length scale
   std::int64_t kernel_evaluations_ = 0;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "bem/kernel_sums.hpp"
@@ -56,6 +58,20 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
   return scratch;
 }
 
+// Up to most_short_pairs + 1 of them, on the stack: memory of a thread's own would have to be registered for its end,
+// for which the C library ends the process where memory is missing.
+class PairIntegrator::ShortPairs {
+ public:
+  void add(const ShortPair& pair) { new (memory_ + sizeof(ShortPair) * size_++) ShortPair(pair); }
+  std::size_t size() const { return size_; }
+  const ShortPair* begin() const { return std::launder(reinterpret_cast<const ShortPair*>(memory_)); }
+  const ShortPair* end() const { return begin() + size_; }
+
+ private:
+  std::size_t size_ = 0;
+  alignas(ShortPair) std::byte memory_[sizeof(ShortPair) * (most_short_pairs + 1)];
+};
+
 // The kernels are analytic along one stretch, seen from a point of the other one, up to the complex parameter at which
 // r vanishes. On a straight one that is where its line meets the other point, whose distances to both ends are real
 // distances in the plane.
@@ -72,11 +88,11 @@ PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const 
 }
 
 // False when it takes more pairs than are worth it.
-bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const {
+bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   constexpr int max_depth = 60;
   const auto [outer_sum, inner_sum, outer_rule, inner_rule] = closeness(outer, inner);
   if ((outer_rule <= largest_rule && inner_rule <= largest_rule) || depth == max_depth) {
-    pairs.push_back({outer.side, inner.side, std::min(outer_rule, largest_rule), std::min(inner_rule, largest_rule)});
+    pairs.add({outer.side, inner.side, std::min(outer_rule, largest_rule), std::min(inner_rule, largest_rule)});
     return pairs.size() <= most_short_pairs;
   }
   const bool halve_outer = outer_sum < inner_sum;
@@ -98,7 +114,7 @@ void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart 
   const Closeness close = closeness(outer, inner);
   if (close.outer_rule <= largest_rule && close.inner_rule <= largest_rule)
     return add({outer.side, inner.side, close.outer_rule, close.inner_rule}, part, moments);
-  std::vector<ShortPair> pairs;
+  ShortPairs pairs;
   if (!halve(outer, inner, 0, pairs)) return alongside(outer.side, inner.side, part, moments);
   for (const ShortPair& pair : pairs) add(pair, part, moments);
 }

@@ -79,7 +79,8 @@ class PairIntegrator {
     int outer_rule, inner_rule;
   };
   Closeness closeness(const Stretch& outer, const Stretch& inner) const;
-  bool halve(const Stretch& outer, const Stretch& inner, int depth, std::vector<ShortPair>& pairs) const;
+  class ShortPairs;
+  bool halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const;
   void add(const ShortPair& pair, PairPart part, PairMoments& moments) const;
   void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
   void split(const Side& side, const Singularities* singularities, std::size_t count, std::vector<Piece>& pieces) const;

@@ -9,8 +9,8 @@ constexpr std::int64_t most_points = std::int64_t{1} << 31;
 
 }  // namespace
 
-std::string& thread_error() {
-  thread_local std::string error;
+ThreadError& thread_error() {
+  thread_local ThreadError error;  // all zeros, and nothing to do at its end
   return error;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bempd.h"
@@ -31,17 +33,32 @@ struct bempd_state {
 
 namespace bempd::capi {
 
-// Message of the last failure of a call without a model.
-std::string& thread_error();
+// Message of the last failure of a call without a model, cut off where it is too long. A thread's own std::string would
+// be registered for its end, for which the C library takes memory and ends the process where there is none.
+class ThreadError {
+ public:
+  void assign(std::string_view message) noexcept {
+    const std::size_t size = std::min(message.size(), sizeof text_ - 1);
+    std::memcpy(text_, message.data(), size);
+    text_[size] = '\0';
+  }
+  void clear() noexcept { text_[0] = '\0'; }
+  const char* c_str() const { return text_; }
+
+ private:
+  char text_[2048] = {};
+};
+
+ThreadError& thread_error();
 
 bempd_status status_of(Failure failure);
 
 // Runs `body`, turning every exception into a status and a message that starts with the function's name.
-template <class Body>
-bempd_status catch_all(const char* function, std::string& error, bool* broken, const Body& body) noexcept {
+template <class Message, class Body>
+bempd_status catch_all(const char* function, Message& error, bool* broken, const Body& body) noexcept {
   try {
     const auto report = [&](bempd_status status, const char* what) {
-      error = std::string(function) + ": " + what;
+      error.assign(std::string(function) + ": " + what);
       return status;
     };
     try {
@@ -60,7 +77,8 @@ bempd_status catch_all(const char* function, std::string& error, bool* broken, c
       return report(BEMPD_ERROR_INTERNAL, "internal error");
     }
   } catch (...) {
-    return BEMPD_ERROR_MEMORY;  // not even the message found room
+    error.assign("out of memory");  // short enough for what every string has of its own
+    return BEMPD_ERROR_MEMORY;
   }
 }
 
@@ -111,7 +129,7 @@ bempd_status with_model(Handle* model, const char* function, const Body& body) n
   });
   Use in_a_call = Use::in_a_call;
   if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
-    thread_error().swap(model->error);  // what happened can still be asked for
+    thread_error().assign(model->error);  // what happened can still be asked for
     delete model;
   }
   return status;

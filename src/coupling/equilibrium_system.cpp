@@ -157,7 +157,10 @@ void EquilibriumSystem::condense() {
 void EquilibriumSystem::condense_load() {
   if (condensed_ == Condensed::operators_and_load) return;
   condensed_load_ = force_;
-  for (CondensedOperator& op : operators_) op.condense_load(force_, prescribed_, condensed_load_);
+  for (CondensedOperator& op : operators_) {
+    check_cancelled();
+    op.condense_load(force_, prescribed_, condensed_load_);
+  }
   condensed_ = Condensed::operators_and_load;
 }
 

@@ -1,9 +1,9 @@
 // Solution of symmetric positive definite systems.
-#include <Eigen/Cholesky>
 #include <utility>
 
 #include "coupling/solution_method.hpp"
 #include "linalg/conjugate_gradient.hpp"
+#include "linalg/dense_parts.hpp"
 
 namespace bempd::coupling {
 
@@ -16,21 +16,25 @@ class SymmetricElimination final : public Elimination {
   SymmetricElimination(Stiffness stiffness, std::vector<DofKind> kind)
       : Elimination(std::move(stiffness), std::move(kind)) {
     if (private_.empty()) return;
-    cholesky_.compute((*stiffness_)(private_, private_));
+    Eigen::MatrixXd own = (*stiffness_)(private_, private_);
+    check_cancelled();
+    cholesky_.compute(std::move(own));
+    check_cancelled();
     if (cholesky_.info() != Eigen::Success) fail_singular();
     if (shared_.empty()) return;
-    const Eigen::MatrixXd coupling = (*stiffness_)(private_, shared_);
-    const Eigen::MatrixXd half = cholesky_.matrixL().solve(coupling);
-    schur_.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose(), -1.0);
+    Eigen::MatrixXd half = (*stiffness_)(private_, shared_);
+    linalg::solve_lower(cholesky_.lower(), half);
+    linalg::add_square(schur_, half.transpose(), -1.0);
     schur_.triangularView<Eigen::StrictlyUpper>() = schur_.transpose();
-    transfer_ = cholesky_.matrixU().solve(half);
+    linalg::solve_upper(cholesky_.lower(), half);
+    transfer_ = std::move(half);
   }
 
   Affine solve_private(const Affine& force) const override { return cholesky_.solve(force); }
   double reciprocal_condition() const override { return private_.empty() ? 1 : cholesky_.rcond(); }
 
  private:
-  Eigen::LLT<Eigen::MatrixXd> cholesky_;  // of the private block
+  linalg::DenseCholesky cholesky_;  // of the private block
 };
 
 class SymmetricSolver final : public SystemSolver {

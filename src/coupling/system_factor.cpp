@@ -121,7 +121,8 @@ Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::Sparse
   const Eigen::VectorXd diagonal = matrix.diagonal().cwiseMax(no_stiffness * unit);
   std::unique_ptr<SystemSolver> solver = method.make_solver();
   const auto factorize = [&](double shift) {
-    Eigen::SparseMatrix<double> shifted = matrix;
+    Eigen::SparseMatrix<double> shifted;  // assigned: Eigen's constructor keeps a part of its memory if the rest fails
+    shifted = matrix;
     for (Eigen::Index i = 0; i < shifted.rows(); ++i) shifted.coeffRef(i, i) += shift * diagonal[i];
     return solver->factorization().factorize(shifted);
   };

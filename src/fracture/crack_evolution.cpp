@@ -46,6 +46,7 @@ void CrackEvolution::grow_lines(std::vector<pd::TipLaw> laws, std::vector<Growin
 }
 
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
+  sources_.refresh();
   sources_.settle();
   work_within_ = work_within;
   body_.set_load(force, prescribed);
@@ -59,6 +60,7 @@ double CrackEvolution::within(double load_factor) const {
 double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }
 
 void CrackEvolution::find_equilibrium() {
+  sources_.refresh();
   if (state_.in_equilibrium) return;
   BodyState before = state_;
   try {
@@ -69,8 +71,7 @@ void CrackEvolution::find_equilibrium() {
     state_.work = in_range(state_.work + found.work);
   } catch (...) {
     static_cast<BodyState&>(state_) = std::move(before);
-    sources_.forget();
-    body_.restore();
+    sources_.abandon();
     throw;
   }
 }
@@ -117,6 +118,7 @@ bool CrackEvolution::energies_are_lost() const {
 
 StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
                                    const std::function<void(const EvolutionState&)>& on_event) {
+  sources_.refresh();
   const Start start{state_, state_.history.size(), state_.reactions.size()};
   try {
     const StopReason reason = run(target, goal, options, on_event);
@@ -161,6 +163,7 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
     if (on_event) on_event(state_);
     if (goal == Goal::next_event) return state_.separated ? StopReason::separated : StopReason::event;
   }
+  sources_.mark();
   sources_.bring_up_to_date();
   state_.work = in_range(state_.work + body_.move_to(target));
   end_step();
@@ -183,13 +186,13 @@ bool CrackEvolution::perform(const Event& event, bool keep_what_was_reached) {
     if (error.failure() != Failure::unsolvable) throw;
     forget_lines(start);
     static_cast<BodyState&>(state_) = std::move(before);
-    sources_.forget();
-    body_.restore();
+    sources_.abandon();
+    sources_.refresh();
     return false;
   }
 }
 
-void CrackEvolution::forget_lines(const Start& start) {
+void CrackEvolution::forget_lines(const Start& start) noexcept {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
   state_.reactions.resize(start.reactions_size);
@@ -254,13 +257,13 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   state_.reactions.insert(state_.reactions.end(), reactions.begin(), reactions.end());
 }
 
-void CrackEvolution::restore(EvolutionState state) {
-  sources_.forget();
+void CrackEvolution::restore(EvolutionState state) noexcept {
   state_ = std::move(state);
-  body_.restore();
+  sources_.abandon();
 }
 
 void CrackEvolution::synchronize() {
+  sources_.refresh();
   sources_.bring_up_to_date();
   sources_.forget();
   system_.forget_factor();

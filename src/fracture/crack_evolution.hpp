@@ -54,24 +54,30 @@ class CrackEvolution {
 
   // Displacements and forces are brought up to date first; nothing else depends on whether they are asked for.
   const EvolutionState& state() {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return state_;
   }
   // The same without: numbers, bonds and history are right, displacements and forces may be those of an earlier event.
   const EvolutionState& progress() const { return state_; }
-  void restore(EvolutionState state);
+  void restore(EvolutionState state) noexcept;
+  // The system's terms are in their present stages, also after a failure or another state.
+  void bring_terms_up_to_date() { sources_.refresh(); }
   // From here on the run is the same, bit for bit, as one restored from a copy of the present state.
   void synchronize();
 
   Eigen::Vector2d reaction(std::size_t support) {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return body_.reaction(support);
   }
   double reaction_moment(std::size_t support, const Point& about) {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return body_.reaction_moment(support, about);
   }
   double reaction_at(int dof) {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return body_.reaction_at(dof);
   }
@@ -79,6 +85,7 @@ class CrackEvolution {
 
   // In the present state of the bonds, under the present loads.
   LoadInterval admissible_load_factors() {
+    sources_.refresh();
     sources_.bring_up_to_date();
     return body_.admissible();
   }
@@ -97,8 +104,8 @@ class CrackEvolution {
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
   bool perform(const Event& event, bool keep_what_was_reached);
-  void forget_lines(const Start& start);  // of the history, and what was added to the sums
-  void return_to(const Start& start);
+  void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
+  void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
   void book(const Event& event, const Outcome& outcome);
   void end_step();

@@ -74,6 +74,18 @@ void EventSources::forget() {
   patience_ = 1;
 }
 
+void EventSources::abandon() noexcept {
+  window_.abandon();
+  is_stale_ = true;
+}
+
+void EventSources::refresh() {
+  if (!is_stale_) return;
+  forget();
+  body_.restore();
+  is_stale_ = false;
+}
+
 void EventSources::mark() {
   if (mark_) return;
   if (window_.is_open()) {
@@ -95,15 +107,12 @@ void EventSources::complete_mark() {
   mark_->place.reset();
 }
 
-void EventSources::return_to_mark() {
-  if (!mark_) return;
-  if (mark_->place) {
-    window_.return_to(*mark_->place);
-  } else {
-    forget();
-    body_.state() = std::move(mark_->state);
-    body_.restore();
-  }
+void EventSources::return_to_mark() noexcept {
+  const bool has_state = mark_ && !mark_->place;
+  if (has_state) body_.state() = std::move(mark_->state);
+  if (mark_ && mark_->place) window_.return_to(*mark_->place);
+  // An open window is whole wherever the mark is a place in it, or nothing was marked; all else may be half done.
+  if (has_state || !window_.is_open()) abandon();
   mark_.reset();
 }
 

@@ -30,10 +30,15 @@ class EventSources {
   void settle();  // brings up to date and leaves the window: loads may change
   void forget();  // what comes next is what it would be in a fresh run from the present state
 
+  // The body's state has become another one, at once and without memory: window, system and ratios follow with the next
+  // refresh(), which has to come before anything else.
+  void abandon() noexcept;
+  void refresh();
+
   // One state of the body to return to: the one at the first mark since the last was dropped.
   void mark();
   void drop_mark() { mark_.reset(); }
-  void return_to_mark();
+  void return_to_mark() noexcept;
 
  private:
   // While the window is open in which it was set, a place in it stands for the large parts of the state.
@@ -54,6 +59,7 @@ class EventSources {
   std::optional<LineEvents> lines_;
   EventSource* told_ = nullptr;  // the next event
   std::optional<Mark> mark_;
+  bool is_stale_ = false;
   int whole_body_events_ = 0;  // to come before the next window is tried
   int patience_ = 1;           // how many, doubled where a window finds nothing to do
 };

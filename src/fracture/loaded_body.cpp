@@ -98,20 +98,23 @@ double LoadedBody::energy_at_rest() const {
 }
 
 void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
-  force_ = force;
-  prescribed_ = prescribed;
+  Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = without_lost_loads(force);
+  // From here on no memory is needed: either all of it happens or nothing.
+  force_ = std::move(own_force);
+  prescribed_ = std::move(own_prescribed);
   state_.in_equilibrium = false;
   state_.first_unit_energy = -1;
-  apply_load();
+  system_.set_load(std::move(carried), std::move(held));
 }
 
-void LoadedBody::apply_load() {
-  Affine force = force_;
+Affine LoadedBody::without_lost_loads(Affine force) const {
   for (int node = 0; node < system_.node_count(); ++node) {
     if (state_.unloaded[node]) force.middleRows<2>(2 * node).setZero();
   }
-  system_.set_load(std::move(force), prescribed_);
+  return force;
 }
+
+void LoadedBody::apply_load() { system_.set_load(without_lost_loads(force_), prescribed_); }
 
 void LoadedBody::drop_loads(const std::vector<int>& nodes) {
   for (int node : nodes) state_.unloaded[node] = 1;

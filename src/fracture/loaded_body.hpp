@@ -88,6 +88,7 @@ class LoadedBody {
 
  private:
   void apply_load();
+  coupling::Affine without_lost_loads(coupling::Affine force) const;
 
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;

@@ -35,7 +35,8 @@ class CholmodCommon {
 
   // To be called after every CHOLMOD call: a negative status is an error, a positive one a warning.
   void check() const {
-    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    // Its integers have 32 bits: what is too large for them would need tens of gigabytes.
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
     if (common_.status < 0) throw std::runtime_error(std::string("CHOLMOD: ") + last_message());
   }
 

@@ -1,5 +1,7 @@
 #include "linalg/dense_inverse.hpp"
 
+#include "linalg/dense_parts.hpp"
+
 namespace bempd::linalg {
 
 namespace {
@@ -19,7 +21,8 @@ void invert_lower(Eigen::Ref<Eigen::MatrixXd> lower) {
   auto b = lower.bottomLeftCorner(n - half, half);
   auto c = lower.bottomRightCorner(n - half, n - half);
   invert_lower(a);
-  c.triangularView<Eigen::Lower>().solveInPlace(b);
+  solve_lower(c, b);
+  check_cancelled();
   b = (-b * a.triangularView<Eigen::Lower>()).eval();
   invert_lower(c);
 }
@@ -35,7 +38,8 @@ void multiply_by_transpose(Eigen::Ref<Eigen::MatrixXd> lower) {
   auto b = lower.bottomLeftCorner(n - half, half);
   auto c = lower.bottomRightCorner(n - half, n - half);
   multiply_by_transpose(a);
-  a.selfadjointView<Eigen::Lower>().rankUpdate(b.transpose(), 1.0);
+  add_square(a, b.transpose());
+  check_cancelled();
   b = (c.triangularView<Eigen::Lower>().transpose() * b).eval();
   multiply_by_transpose(c);
 }

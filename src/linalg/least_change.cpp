@@ -54,8 +54,12 @@ class DenseSolver final : public MinimumNormSolver {
 // in r by the inverse of the shift and drown the rest.
 class SparseSolver final : public MinimumNormSolver {
  public:
-  explicit SparseSolver(const Sparse& b) : b_(b), bt_(b.transpose()) {
-    Sparse normal = b_ * bt_;
+  // Assigned, here and below: Eigen's constructors keep a part of their memory where the rest is missing.
+  explicit SparseSolver(const Sparse& b) {
+    b_ = b;
+    bt_ = b.transpose();
+    Sparse normal;
+    normal = b_ * bt_;
     double largest = 0;
     for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
     Sparse identity(normal.rows(), normal.cols());
@@ -115,7 +119,8 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
     c.values[i] = problem.lower * problem.scale[i];
     free_scale[i] = 0;
   }
-  const Sparse scaled = problem.constraints * free_scale.asDiagonal();
+  Sparse scaled;
+  scaled = problem.constraints * free_scale.asDiagonal();
   std::unique_ptr<MinimumNormSolver> solver;
   if (scaled.rows() <= 80) {
     solver = std::make_unique<DenseSolver>(scaled);

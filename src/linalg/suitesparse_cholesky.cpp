@@ -1,4 +1,3 @@
-#include <omp.h>
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #include <unistd.h>
@@ -16,6 +15,7 @@
 #include "linalg/cholmod_handles.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparsity_pattern.hpp"
+#include "linalg/supernodal_cholesky.hpp"
 #include "linalg/supernodal_factor.hpp"
 
 namespace bempd::linalg {
@@ -23,19 +23,6 @@ namespace bempd::linalg {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
-
-// CHOLMOD asks OpenMP for four threads whatever the machine has and whatever the host allows. The setting belongs to
-// the calling thread's own data environment, so nobody else sees the change.
-class NoNestedThreads {
- public:
-  NoNestedThreads() : before_(omp_get_max_active_levels()) { omp_set_max_active_levels(omp_get_active_level()); }
-  ~NoNestedThreads() { omp_set_max_active_levels(before_); }
-  NoNestedThreads(const NoNestedThreads&) = delete;
-  NoNestedThreads& operator=(const NoNestedThreads&) = delete;
-
- private:
-  int before_;
-};
 
 cholmod_sparse view(const SparseMatrix& matrix, int symmetry) {
   assert(matrix.isCompressed());
@@ -67,6 +54,9 @@ cholmod_dense view(Eigen::Ref<Eigen::MatrixXd> matrix) {
   return out;
 }
 
+// A pass through a factor of so many entries takes some 50 ms.
+constexpr std::int64_t entries_of_a_long_solution = 50'000'000;
+
 // First touching many small pages costs as much as a third of a factorization.
 void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
@@ -81,7 +71,6 @@ class SuiteSparseCholesky final : public SparseCholesky {
   SuiteSparseCholesky() {
     // Supernodal whatever the size: L L^T notices a negative pivot, CHOLMOD's simplicial L D L^T does not.
     common_->supernodal = CHOLMOD_SUPERNODAL;
-    common_->quick_return_if_not_posdef = 1;
     // AMD only. CHOLMOD's other choice, METIS, reseeds the process-wide random generator and swaps signal handlers,
     // which an embedded library must not do to its host.
     common_->nmethods = 1;
@@ -114,31 +103,41 @@ class SuiteSparseCholesky final : public SparseCholesky {
     cholmod_sparse matrix = view(lower, -1);
     prepare_factor(lower, matrix);
     common_->dbound = 0;
-    // CHOLMOD itself has no way to stop between here and the end of a factorization.
     check_cancelled();
-    {
-      const NoNestedThreads guard;
-      cholmod_factorize(&matrix, factor_.get(), common_.get());
-    }
-    common_.check();
-    check_cancelled();
-    has_factor_ = factor_->minor == factor_->n && smallest_pivot_ratio() > singular_pivot_ratio;
+    has_factor_ = factorize_supernodes(lower, *factor_.get()) && smallest_pivot_ratio() > singular_pivot_ratio;
     return has_factor_;
   }
 
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
-    triangular_solve(CHOLMOD_A, rhs);
-    rhs = solution();
+    if (!factor_->is_super && factor_nonzeros() < entries_of_a_long_solution) {
+      triangular_solve(CHOLMOD_A, rhs);
+      rhs = solution();
+      return;
+    }
+    Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
+    if (factor_->is_super) {
+      SupernodalFactor factor(*factor_.get());
+      factor.solve_lower(ordered);
+      factor.solve_upper(ordered);
+    } else {
+      // The same as above, in its two halves.
+      triangular_solve(CHOLMOD_L, ordered);
+      check_cancelled();
+      ordered = solution();
+      triangular_solve(CHOLMOD_DLt, ordered);
+      ordered = solution();
+    }
+    rhs(order_, Eigen::all) = ordered;
   }
 
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
     Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
-    triangular_solve(CHOLMOD_L, ordered);
-    rhs = solution();
+    SupernodalFactor(*factor_.get()).solve_lower(ordered);
+    rhs = ordered;
   }
 
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
@@ -192,17 +191,19 @@ class SuiteSparseCholesky final : public SparseCholesky {
     if (!analysis_ || !pattern_.matches(lower)) {
       factor_.reset();
       analysis_.reset();
-      pattern_.assign(lower);
+      pattern_.clear();
       analyse(matrix);
       order_.assign(static_cast<const int*>(analysis_->Perm), static_cast<const int*>(analysis_->Perm) + lower.cols());
       position_.resize(order_.size());
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
+      pattern_.assign(lower);  // last: where memory is missing before, all of it is done anew
     }
     // A factor that was changed is simplicial; the next one starts from the analysis again.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
       common_.check();
       cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor_.get(), common_.get());
+      if (common_->status != CHOLMOD_OK) factor_.reset();  // without room for numbers it is no factor
       common_.check();
       use_large_pages(factor_->x, factor_->xsize * sizeof(double));
     }
@@ -233,11 +234,8 @@ class SuiteSparseCholesky final : public SparseCholesky {
   // Leaves the result in solution().
   void triangular_solve(int system, Eigen::Ref<Eigen::MatrixXd> rhs) const {
     cholmod_dense b = view(rhs);
-    {
-      const NoNestedThreads guard;
-      cholmod_solve2(system, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),
-                     common_.get());
-    }
+    cholmod_solve2(system, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),
+                   common_.get());
     common_.check();
   }
   Eigen::Map<const Eigen::MatrixXd> solution() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "cancellation.hpp"
+
 namespace bempd::linalg {
 
 SupernodalFactor::SupernodalFactor(const cholmod_factor& factor)
@@ -12,7 +14,8 @@ SupernodalFactor::SupernodalFactor(const cholmod_factor& factor)
       first_column_(static_cast<const int*>(factor.super)),
       rows_begin_(static_cast<const int*>(factor.pi)),
       values_begin_(static_cast<const int*>(factor.px)),
-      row_(static_cast<const int*>(factor.s)) {
+      row_(static_cast<const int*>(factor.s)),
+      most_rows_below_(static_cast<Eigen::Index>(std::max<std::size_t>(factor.maxesize, 1))) {
   assert(factor.is_super);
 }
 
@@ -28,6 +31,66 @@ Eigen::MatrixXd SupernodalFactor::trailing_block(int size) const {
     }
   }
   return block;
+}
+
+// Rows below the triangle of a supernode, of all right-hand sides.
+void SupernodalFactor::gather(std::ptrdiff_t s, const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  const int columns = columns_of(s), below = rows_of(s) - columns;
+  const int* const row = row_ + rows_begin_[s] + columns;
+  for (Eigen::Index c = 0; c < x.cols(); ++c)
+    for (int r = 0; r < below; ++r) below_(r, c) = x(row[r], c);
+}
+
+void SupernodalFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> x) {
+  below_.resize(most_rows_below_, x.cols());
+  const int sides = static_cast<int>(x.cols()), stride = static_cast<int>(x.outerStride()), one = 1;
+  const int below_stride = static_cast<int>(below_.rows());
+  constexpr double plus = 1, minus = -1;
+  for (std::ptrdiff_t s = 0; s < supernodes_; ++s) {
+    check_cancelled();
+    const int columns = columns_of(s), rows = rows_of(s), below = rows - columns;
+    const double* const panel = values_ + values_begin_[s];
+    double* const own = x.data() + first_column_[s];
+    if (sides == 1)
+      dtrsv_("L", "N", "N", &columns, panel, &rows, own, &one);
+    else
+      dtrsm_("L", "L", "N", "N", &columns, &sides, &plus, panel, &rows, own, &stride);
+    if (below == 0) continue;
+    gather(s, x);
+    if (sides == 1)
+      dgemv_("N", &below, &columns, &minus, panel + columns, &rows, own, &one, &plus, below_.data(), &one);
+    else
+      dgemm_("N", "N", &below, &sides, &columns, &minus, panel + columns, &rows, own, &stride, &plus, below_.data(),
+             &below_stride);
+    const int* const row = row_ + rows_begin_[s] + columns;
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      for (int r = 0; r < below; ++r) x(row[r], c) = below_(r, c);
+  }
+}
+
+void SupernodalFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> x) {
+  below_.resize(most_rows_below_, x.cols());
+  const int sides = static_cast<int>(x.cols()), stride = static_cast<int>(x.outerStride()), one = 1;
+  const int below_stride = static_cast<int>(below_.rows());
+  constexpr double plus = 1, minus = -1;
+  for (std::ptrdiff_t s = supernodes_ - 1; s >= 0; --s) {
+    check_cancelled();
+    const int columns = columns_of(s), rows = rows_of(s), below = rows - columns;
+    const double* const panel = values_ + values_begin_[s];
+    double* const own = x.data() + first_column_[s];
+    if (below > 0) {
+      gather(s, x);
+      if (sides == 1)
+        dgemv_("C", &below, &columns, &minus, panel + columns, &rows, below_.data(), &one, &plus, own, &one);
+      else
+        dgemm_("C", "N", &columns, &sides, &below, &minus, panel + columns, &rows, below_.data(), &below_stride, &plus,
+               own, &stride);
+    }
+    if (sides == 1)
+      dtrsv_("L", "C", "N", &columns, panel, &rows, own, &one);
+    else
+      dtrsm_("L", "L", "C", "N", &columns, &sides, &plus, panel, &rows, own, &stride);
+  }
 }
 
 void SupernodalFactor::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const {

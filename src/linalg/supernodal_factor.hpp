@@ -27,8 +27,8 @@ void for_each_pivot(const cholmod_factor& factor, Visit visit) {
   }
 }
 
-// Reads what CHOLMOD has no call for from its supernodal factor L: columns lie in dense panels, one a supernode. Rows
-// and columns are in the order of elimination.
+// Works with CHOLMOD's supernodal factor L: columns lie in dense panels, one a supernode. Rows and columns are in the
+// order of elimination.
 class SupernodalFactor {
  public:
   explicit SupernodalFactor(const cholmod_factor& factor);
@@ -36,14 +36,25 @@ class SupernodalFactor {
   // The last rows and columns of L, a lower triangle.
   Eigen::MatrixXd trailing_block(int size) const;
 
+  // x <- L^-1 x and x <- L^-T x, by the calls of BLAS of CHOLMOD's own function, which can neither be stopped nor be
+  // told of missing memory everywhere.
+  void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
+  void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
+
   // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already.
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const;
 
  private:
+  int columns_of(std::ptrdiff_t s) const { return first_column_[s + 1] - first_column_[s]; }
+  int rows_of(std::ptrdiff_t s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
+  void gather(std::ptrdiff_t s, const Eigen::Ref<const Eigen::MatrixXd>& x);
+
   std::ptrdiff_t supernodes_;
   int size_;
   const double* values_;
   const int *first_column_, *rows_begin_, *values_begin_, *row_;  // of a supernode; of an entry of its panel's rows
+  Eigen::Index most_rows_below_;
+  Eigen::MatrixXd below_;  // of a supernode's triangle, in right-hand sides
 };
 
 }  // namespace bempd::linalg

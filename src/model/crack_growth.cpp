@@ -170,8 +170,8 @@ std::vector<regions::TipValues> Model::free_tips() {
 GrowthResult Model::grow_cracks(double length) {
   require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
   Growing growing = growing_tips(free_tips(), length, options_);
-  const std::vector<scene::Crack> before = scene_.cracks();
-  const fracture::EvolutionState state = prepared_->evolution->state();
+  std::vector<scene::Crack> before = scene_.cracks();
+  fracture::EvolutionState state = prepared_->evolution->state();
   GrowthResult result;
   try {
     if (load_factor() != growing.load_factor)
@@ -189,8 +189,8 @@ GrowthResult Model::grow_cracks(double length) {
     prepared_ = std::move(next);
     factors_generation_ = ++generation_;
   } catch (...) {
-    scene_.set_cracks(before);
-    prepared_->evolution->restore(state);
+    scene_.set_cracks(std::move(before));
+    prepared_->evolution->restore(std::move(state));
     ++generation_;
     throw;
   }

@@ -52,6 +52,15 @@ std::string regions_with(const regions::Discretization& d, const std::vector<int
   return names;
 }
 
+// What is said of work that is done. A call does not fail for want of words: without memory for them they are left out.
+template <class Body>
+void say(const Body& body) noexcept {
+  try {
+    body();
+  } catch (...) {
+  }
+}
+
 }  // namespace
 
 scene::Scene& Model::editable_scene() {
@@ -111,6 +120,10 @@ void Model::prepare() {
   regions::require_memory(scene_, options_);
   prepared_ = build();
   ++generation_;
+  say([&] { tell_of_preparation(); });
+}
+
+void Model::tell_of_preparation() const {
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
   log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->terms().size(),
               " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
@@ -147,11 +160,12 @@ void Model::ensure_equilibrium() {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
-  warn_of_equilibrium();
-  if (evolution.progress().fragments > 0) {
+  say([&] {
+    warn_of_equilibrium();
+    if (evolution.progress().fragments == 0) return;
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
-  }
+  });
 }
 
 void Model::warn_of_blas() const {
@@ -267,6 +281,12 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   result.seconds_solve = counters.seconds_solve - solve;
   result.seconds_update = counters.seconds_update - update;
   result.seconds_search = evolution.seconds_search() - search;
+  say([&] { tell_of_step(result, evolution.progress().fragments - fragments); });
+  return result;
+}
+
+void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
+  const fracture::CrackEvolution& evolution = *prepared_->evolution;
   log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,
               " bonds broken"));
   if (!warned_of_energies_ && evolution.energies_are_lost()) {
@@ -277,11 +297,8 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   }
   warn_of_equilibrium();
   if (result.broken_bonds > 0) warn_of_interface();
-  if (evolution.progress().fragments > fragments) {
-    log(1, text(evolution.progress().fragments - fragments,
-                " pieces have come free of all supports; they stay where they are"));
-  }
-  return result;
+  if (new_fragments > 0)
+    log(1, text(new_fragments, " pieces have come free of all supports; they stay where they are"));
 }
 
 double Model::load_factor() const { return prepared_ ? prepared_->evolution->progress().load_factor : 0.0; }

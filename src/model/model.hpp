@@ -182,6 +182,8 @@ class Model {
   static regions::Solution solution_of(const PreparedScene& prepared);
   results::FieldsOfScene fields();
   void log(int level, const std::string& message) const;
+  void tell_of_preparation() const;
+  void tell_of_step(const StepResult& result, std::int64_t new_fragments);
 
   scene::Options options_;
   scene::Scene scene_;

@@ -46,6 +46,7 @@ std::span<const pd::Bond> Model::bonds(int id) {
 
 std::vector<regions::BondState> Model::bond_states(int id) {
   bonds(id);
+  prepared_->evolution->bring_terms_up_to_date();
   return results::bond_states(region(id), prepared_->system->intact(), prepared_->cut_bonds);
 }
 

@@ -1,6 +1,5 @@
 #include "paper/collocation_operator.hpp"
 
-#include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <array>
 #include <atomic>
@@ -8,6 +7,7 @@
 #include <numbers>
 
 #include "cancellation.hpp"
+#include "linalg/dense_parts.hpp"
 #include "paper/point_integrals.hpp"
 #include "parallel.hpp"
 
@@ -167,9 +167,9 @@ CollocationOperator::CollocationOperator(const BoundaryMesh& mesh, const PlaneEl
                [&](std::size_t point) { evaluations += assembler.add_point(static_cast<int>(point)); });
   kernel_evaluations_ = evaluations;
 
-  const Eigen::PartialPivLU<Eigen::MatrixXd> single_layer(assembler.single_layer_transpose.transpose());
-  check_cancelled();
-  traction_matrix_ = single_layer.solve(assembler.double_layer_transpose.transpose());
+  linalg::DenseLU single_layer;
+  single_layer.compute(assembler.single_layer_transpose.transpose());
+  traction_matrix_ = linalg::solve_in_parts(single_layer, assembler.double_layer_transpose.transpose());
   traction_matrix_ *= elasticity.shear_modulus() / assembler.length();
   stiffness_ = elasticity.thickness * (trace_mass(mesh) * traction_matrix_);
 }

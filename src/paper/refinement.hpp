@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cancellation.hpp"
 #include "linalg/krylov.hpp"
 
 namespace bempd::paper {
@@ -16,6 +17,7 @@ linalg::KrylovResult refine(const Apply& apply, const Solve& solve, const Eigen:
                             double tolerance, int max_iterations) {
   const auto sweep = [&](double, int steps_left, Eigen::VectorXd& trial, Eigen::VectorXd& r, int& iterations) {
     if (steps_left <= 0) return linalg::detail::Sweep{linalg::detail::SweepEnd::iteration_limit};
+    check_cancelled();
     solve(r);
     trial += r;
     ++iterations;

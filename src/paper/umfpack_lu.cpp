@@ -27,19 +27,29 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
 
   void analyzePattern(const LongMatrix& matrix) {
     UmfPackLU::analyzePattern(matrix);
-    check();
+    check(m_fact_errorCode);
   }
   void factorize(const LongMatrix& matrix) {
     UmfPackLU::factorize(matrix);
-    check();
+    check(m_fact_errorCode);
+  }
+
+  // Eigen's own leaves the solution as it lies in memory where UMFPACK has failed.
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const {
+    Eigen::MatrixXd x(rhs.rows(), rhs.cols());
+    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
+      check(umfpack_dl_solve(UMFPACK_A, mp_matrix.outerIndexPtr(), mp_matrix.innerIndexPtr(), mp_matrix.valuePtr(),
+                             x.col(c).data(), rhs.col(c).data(), m_numeric, m_control.data(), nullptr));
+    }
+    return x;
   }
 
   Eigen::VectorXd pivots() const {
     Eigen::VectorXd diagonal(cols()), by_column(cols());
     Eigen::VectorX<SuiteSparse_long> column(cols());
     SuiteSparse_long reciprocal = 0;
-    umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column.data(),
-                           diagonal.data(), &reciprocal, nullptr, m_numeric);
+    check(umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column.data(),
+                                 diagonal.data(), &reciprocal, nullptr, m_numeric));
     by_column(column) = diagonal;
     return by_column;
   }
@@ -52,9 +62,9 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
 
  private:
   // A negative code is an error, a positive one a warning.
-  void check() const {
-    if (m_fact_errorCode == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
-    if (m_fact_errorCode < 0) throw std::runtime_error("UMFPACK: error " + std::to_string(m_fact_errorCode));
+  static void check(SuiteSparse_long code) {
+    if (code == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+    if (code < 0) throw std::runtime_error("UMFPACK: error " + std::to_string(code));
   }
 };
 

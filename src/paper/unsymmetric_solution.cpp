@@ -1,8 +1,8 @@
 #include "paper/unsymmetric_solution.hpp"
 
-#include <Eigen/LU>
 #include <utility>
 
+#include "linalg/dense_parts.hpp"
 #include "paper/low_rank_update.hpp"
 #include "paper/refinement.hpp"
 #include "paper/sparse_lu.hpp"
@@ -29,15 +29,15 @@ class UnsymmetricElimination final : public Elimination {
     lu_.compute((*stiffness_)(private_, private_));
     if (!(lu_.rcond() > singular_condition)) fail_singular();
     if (shared_.empty()) return;
-    transfer_ = lu_.solve((*stiffness_)(private_, shared_));
-    schur_.noalias() -= (*stiffness_)(shared_, private_) * transfer_;
+    transfer_ = linalg::solve_in_parts(lu_, (*stiffness_)(private_, shared_));
+    linalg::add_product(schur_, Eigen::MatrixXd((*stiffness_)(shared_, private_)), transfer_, -1);
   }
 
   Affine solve_private(const Affine& force) const override { return lu_.solve(force); }
   double reciprocal_condition() const override { return private_.empty() ? 1 : lu_.rcond(); }
 
  private:
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;  // of the private block
+  linalg::DenseLU lu_;  // of the private block
 };
 
 class UnsymmetricSolver final : public SystemSolver {

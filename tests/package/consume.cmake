@@ -32,7 +32,7 @@ if(WAY STREQUAL "install")
 elseif(WAY STREQUAL "find_package")
   # The library's own needs must not become the host's.
   run(${configure} "-DCMAKE_PREFIX_PATH=${prefix} moved" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON
-      -DCMAKE_DISABLE_FIND_PACKAGE_OpenMP=ON -DCMAKE_DISABLE_FIND_PACKAGE_BLAS=ON
+      -DCMAKE_DISABLE_FIND_PACKAGE_LAPACK=ON -DCMAKE_DISABLE_FIND_PACKAGE_BLAS=ON
       -DCMAKE_DISABLE_FIND_PACKAGE_SuiteSparse=ON "-DVERSION=${VERSION}")
   run("${CMAKE_COMMAND}" --build "${consumer_build}")
   run_consumer()

@@ -54,7 +54,7 @@ void Lookahead::build_window(const BodyState& state) {
   states_ = {window_->displacement()};
 }
 
-void Lookahead::close() {
+void Lookahead::close() noexcept {
   if (!condensation_) return;
   window_.reset();
   certificate_.reset();
@@ -81,7 +81,7 @@ void Lookahead::take() {
   ++position_;
 }
 
-void Lookahead::return_to(int position) {
+void Lookahead::return_to(int position) noexcept {
   while (position_ > position) system_.set_stages(events_[--position_].back);
 }
 

@@ -50,7 +50,7 @@ class Lookahead {
   // smaller than the problem.
   bool open(const BodyState& state, double load_factor, const Options& options);
   bool is_open() const { return window_ != nullptr; }
-  void close();
+  void close() noexcept;
   void forget();  // and where the window was: a new one is what it would be in a fresh run
 
   const Options& options() const { return options_; }
@@ -68,7 +68,7 @@ class Lookahead {
 
   // States since the events were computed last, 0 first; only these can be asked for and returned to.
   int position() const { return position_; }
-  void return_to(int position);
+  void return_to(int position) noexcept;
   coupling::Affine displacement(int position) const;
   std::vector<std::uint8_t> stages(int position) const;
   // Of the whole body after the last of the events computed together; it stands for all of them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cancellation.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -30,6 +31,7 @@ Eigen::MatrixXd part_of_product(const Eigen::MatrixXd& factor, const std::vector
   for (Eigen::Index c = 0; c < columns; c += at_once) {
     const auto reaching = std::lower_bound(chosen.begin(), chosen.end(), static_cast<int>(c));
     const Eigen::Index above = reaching - chosen.begin(), height = rows.rows() - above;
+    check_cancelled();
     product.bottomRightCorner(height, height)
         .selfadjointView<Eigen::Lower>()
         .rankUpdate(rows.block(above, c, height, std::min(at_once, columns - c)));

@@ -71,6 +71,11 @@ void WindowEvents::forget() {
   is_behind_ = false;
 }
 
+void WindowEvents::abandon() noexcept {
+  lookahead_.close();
+  is_behind_ = false;
+}
+
 const Event* WindowEvents::next(double, const SteppingOptions&) {
   const WindowWatch watch(body_.seconds_search(), body_.system().counters());
   if (lookahead_.must_compute()) {
@@ -134,7 +139,7 @@ BodyState WindowEvents::state_at(const Place& place) const {
   return state;
 }
 
-void WindowEvents::return_to(const Place& place) {
+void WindowEvents::return_to(const Place& place) noexcept {
   lookahead_.return_to(place.position);
   BodyState& state = body_.state();
   state.load_factor = place.load_factor;

@@ -24,7 +24,8 @@ class WindowEvents final : public EventSource {
   bool is_open() const { return lookahead_.is_open(); }
   bool suits(const SteppingOptions& options) const;  // the window, once open
   void close();
-  void forget();  // and where the window was; the body's state is no longer brought up to date
+  void forget();            // and where the window was; the body's state is no longer brought up to date
+  void abandon() noexcept;  // the same, but for where it was
 
   // Null if the window has come to its end.
   const Event* next(double target, const SteppingOptions& options) override;
@@ -45,7 +46,7 @@ class WindowEvents final : public EventSource {
   };
   Place place() const;
   BodyState state_at(const Place& place) const;
-  void return_to(const Place& place);
+  void return_to(const Place& place) noexcept;
 
  private:
   Lookahead lookahead_;

@@ -1,0 +1,132 @@
+#include "linalg/dense_parts.hpp"
+
+namespace bempd::linalg {
+
+namespace {
+
+constexpr Eigen::Index width = 256;  // of the panels
+
+using Matrix = Eigen::Ref<Eigen::MatrixXd>;
+using Lower = Eigen::Ref<const Eigen::MatrixXd>;
+
+double operations(const Lower& lower, Eigen::Index vectors) {
+  return static_cast<double>(lower.rows()) * static_cast<double>(lower.rows()) * static_cast<double>(vectors);
+}
+
+}  // namespace
+
+void solve_lower(const Lower& lower, Matrix x) {
+  const Eigen::Index n = lower.rows();
+  if (!is_long(operations(lower, x.cols()))) {
+    lower.triangularView<Eigen::Lower>().solveInPlace(x);
+    return;
+  }
+  for (Eigen::Index j = 0; j < n; j += width) {
+    const Eigen::Index rows = std::min(width, n - j), below = n - j - rows;
+    check_cancelled();
+    lower.block(j, j, rows, rows).triangularView<Eigen::Lower>().solveInPlace(x.middleRows(j, rows));
+    add_product(x.bottomRows(below), lower.block(j + rows, j, below, rows), x.middleRows(j, rows), -1);
+  }
+}
+
+void solve_upper(const Lower& lower, Matrix x) {
+  const Eigen::Index n = lower.rows();
+  if (!is_long(operations(lower, x.cols()))) {
+    lower.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
+    return;
+  }
+  for (Eigen::Index end = n; end > 0;) {
+    const Eigen::Index rows = std::min(width, end), j = end - rows;
+    check_cancelled();
+    lower.block(j, j, rows, rows).transpose().triangularView<Eigen::Upper>().solveInPlace(x.middleRows(j, rows));
+    add_product(x.topRows(j), lower.block(j, 0, rows, j).transpose(), x.middleRows(j, rows), -1);
+    end = j;
+  }
+}
+
+void solve_upper_from_right(const Lower& lower, Matrix x) {
+  const Eigen::Index n = lower.rows();
+  if (!is_long(operations(lower, x.rows()))) {
+    lower.transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(x);
+    return;
+  }
+  for (Eigen::Index j = 0; j < n; j += width) {
+    const Eigen::Index columns = std::min(width, n - j);
+    auto own = x.middleCols(j, columns);
+    add_product(own, x.leftCols(j), lower.block(j, 0, columns, j).transpose(), -1);
+    check_cancelled();
+    lower.block(j, j, columns, columns).transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(own);
+  }
+}
+
+bool factorize_in_parts(Matrix lower) {
+  const Eigen::Index n = lower.rows();
+  for (Eigen::Index j = 0; j < n; j += width) {
+    const Eigen::Index columns = std::min(width, n - j), below = n - j - columns;
+    check_cancelled();
+    Matrix own = lower.block(j, j, columns, columns);
+    if (j > 0) own.selfadjointView<Eigen::Lower>().rankUpdate(lower.block(j, 0, columns, j), -1);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(own);
+    if (factor.info() != Eigen::Success) return false;
+    add_product(lower.block(j + columns, j, below, columns), lower.block(j + columns, 0, below, j),
+                lower.block(j, 0, columns, j).transpose(), -1);
+    solve_upper_from_right(own, lower.block(j + columns, j, below, columns));
+  }
+  return true;
+}
+
+void DenseCholesky::compute(Eigen::MatrixXd matrix) {
+  if (!is_long(operations(matrix, matrix.rows()) / 3)) {
+    LLT::compute(matrix);
+    return;
+  }
+  m_isInitialized = false;
+  m_matrix = std::move(matrix);
+  // The largest sum of a column's entries, as Eigen measures it for the condition.
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(m_matrix.rows());
+  for (Eigen::Index j = 0; j < m_matrix.cols(); ++j) {
+    const auto below = m_matrix.col(j).tail(m_matrix.rows() - j).cwiseAbs();
+    sums[j] += below.sum();
+    sums.tail(m_matrix.rows() - j - 1) += below.tail(below.size() - 1);
+  }
+  m_l1_norm = sums.maxCoeff();
+  m_info = factorize_in_parts(m_matrix) ? Eigen::Success : Eigen::NumericalIssue;
+  m_isInitialized = true;
+}
+
+// As Eigen's own blocked elimination (its PartialPivLU.h), with products in parts.
+void DenseLU::compute(Eigen::MatrixXd matrix) {
+  const Eigen::Index n = matrix.rows();
+  if (!is_long(operations(matrix, n) * 2 / 3)) {
+    PartialPivLU::compute(matrix);
+    return;
+  }
+  m_isInitialized = false;
+  m_lu = std::move(matrix);
+  m_l1_norm = m_lu.cwiseAbs().colwise().sum().maxCoeff();
+  m_rowsTranspositions.resize(n);
+  int swaps = 0;
+  for (Eigen::Index k = 0; k < n; k += width) {
+    check_cancelled();
+    const Eigen::Index columns = std::min(width, n - k), behind = n - k - columns;
+    Matrix panel = m_lu.block(k, k, n - k, columns);
+    Eigen::Transpositions<Eigen::Dynamic> own(columns);
+    int own_swaps = 0;
+    Eigen::internal::partial_lu_inplace(panel, own, own_swaps);
+    swaps += own_swaps;
+    for (Eigen::Index i = 0; i < columns; ++i) {
+      const Eigen::Index pivot = k + own.coeff(i);
+      m_rowsTranspositions.coeffRef(k + i) = static_cast<int>(pivot);
+      m_lu.row(k + i).head(k).swap(m_lu.row(pivot).head(k));
+      m_lu.row(k + i).tail(behind).swap(m_lu.row(pivot).tail(behind));
+    }
+    Matrix right = m_lu.block(k, k + columns, columns, behind);
+    m_lu.block(k, k, columns, columns).triangularView<Eigen::UnitLower>().solveInPlace(right);
+    add_product(m_lu.bottomRightCorner(behind, behind), m_lu.block(k + columns, k, behind, columns), right, -1);
+  }
+  m_det_p = swaps % 2 != 0 ? -1 : 1;
+  m_p = m_rowsTranspositions;
+  m_isInitialized = true;
+}
+
+}  // namespace bempd::linalg

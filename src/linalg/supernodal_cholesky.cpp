@@ -1,0 +1,183 @@
+#include "linalg/supernodal_cholesky.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "cancellation.hpp"
+#include "linalg/dense_parts.hpp"
+
+extern "C" void dpotrf_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
+
+namespace bempd::linalg {
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+constexpr int none = -1;
+
+// The lower triangle in the order of elimination.
+struct Ordered {
+  std::vector<int> begin, row;
+  std::vector<double> value;
+
+  Ordered(const SparseMatrix& lower, const int* order) : begin(static_cast<std::size_t>(lower.cols()) + 1, 0) {
+    const auto n = static_cast<int>(lower.cols());
+    std::vector<int> position(static_cast<std::size_t>(n));
+    for (int k = 0; k < n; ++k) position[order[k]] = k;
+    const auto for_each_entry = [&](const auto& visit) {
+      for (int j = 0; j < n; ++j) {
+        for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+          const auto [column, below] = std::minmax(position[it.row()], position[j]);
+          visit(column, below, it.value());
+        }
+      }
+    };
+    for_each_entry([&](int column, int, double) { ++begin[column + 1]; });
+    for (int k = 0; k < n; ++k) begin[k + 1] += begin[k];
+    row.resize(static_cast<std::size_t>(begin[n]));
+    value.resize(row.size());
+    std::vector<int> next(begin.begin(), begin.end() - 1);
+    for_each_entry([&](int column, int below, double entry) {
+      row[next[column]] = below;
+      value[next[column]++] = entry;
+    });
+  }
+};
+
+class Factorization {
+ public:
+  Factorization(const SparseMatrix& lower, cholmod_factor& factor)
+      : matrix_(lower, static_cast<const int*>(factor.Perm)),
+        first_column_(static_cast<const int*>(factor.super)),
+        rows_begin_(static_cast<const int*>(factor.pi)),
+        values_begin_(static_cast<const int*>(factor.px)),
+        row_(static_cast<const int*>(factor.s)),
+        values_(static_cast<double*>(factor.x)),
+        count_(static_cast<int>(factor.nsuper)),
+        supernode_of_(factor.n),
+        place_(factor.n),
+        done_(factor.nsuper, 0),
+        head_(factor.nsuper, none),
+        next_(factor.nsuper, none),
+        product_(factor.maxcsize),
+        target_(factor.maxesize) {
+    for (int s = 0; s < count_; ++s)
+      std::fill(supernode_of_.begin() + first_column_[s], supernode_of_.begin() + first_column_[s + 1], s);
+  }
+
+  bool run() {
+    for (int s = 0; s < count_; ++s) {
+      check_cancelled();
+      assemble(s);
+      for (int d = head_[s]; d != none;) {
+        const int following = next_[d];
+        subtract(s, d);
+        d = following;
+      }
+      if (!eliminate(s)) return false;
+      done_[s] = columns(s);
+      hand_on(s);
+    }
+    return true;
+  }
+
+ private:
+  int columns(int s) const { return first_column_[s + 1] - first_column_[s]; }
+  int rows(int s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
+  double* panel(int s) { return values_ + values_begin_[s]; }
+
+  void assemble(int s) {
+    const int height = rows(s), first = first_column_[s];
+    for (int r = 0; r < height; ++r) place_[row_[rows_begin_[s] + r]] = r;
+    double* column = panel(s);
+    std::fill(column, column + static_cast<std::ptrdiff_t>(height) * columns(s), 0.0);
+    for (int k = first; k < first_column_[s + 1]; ++k, column += height) {
+      for (int p = matrix_.begin[k]; p < matrix_.begin[k + 1]; ++p) column[place_[matrix_.row[p]]] += matrix_.value[p];
+    }
+  }
+
+  // What the columns of an earlier supernode d leave in those of s.
+  void subtract(int s, int d) {
+    check_cancelled();
+    const int* const own_rows = row_ + rows_begin_[d];
+    const int height = rows(d), from = done_[d];
+    int to = from;
+    while (to < height && own_rows[to] < first_column_[s + 1]) ++to;
+    const int wide = to - from, high = height - from;
+    multiply(panel(d) + from, height, columns(d), wide, high);
+    for (int r = 0; r < high; ++r) target_[r] = place_[own_rows[from + r]];
+    double* const into = panel(s);
+    const auto stride = static_cast<std::ptrdiff_t>(rows(s));
+    for (int j = 0; j < wide; ++j) {
+      double* const column = into + target_[j] * stride;
+      const double* const product = product_.data() + static_cast<std::ptrdiff_t>(j) * high;
+      for (int r = j; r < high; ++r) column[target_[r]] -= product[r];
+    }
+    done_[d] = to;
+    hand_on(d);
+  }
+
+  // The first `wide` columns of A A^T, A being `high` rows of a panel.
+  void multiply(const double* a, int stride, int inner, int wide, int high) {
+    const double work = 2.0 * inner * wide * high;
+    const int at_once =
+        is_long(work) ? std::max(16, static_cast<int>(operations_at_once / (2.0 * inner * high))) : wide;
+    constexpr double one = 1, zero = 0;
+    for (int j = 0; j < wide; j += at_once) {
+      const int columns = std::min(at_once, wide - j), below = high - j - columns;
+      double* const c = product_.data() + j + static_cast<std::ptrdiff_t>(j) * high;
+      if (j > 0) check_cancelled();
+      dsyrk_("L", "N", &columns, &inner, &one, a + j, &stride, &zero, c, &high);
+      if (below > 0)
+        dgemm_("N", "C", &below, &columns, &inner, &one, a + j + columns, &stride, a + j, &stride, &zero, c + columns,
+               &high);
+    }
+  }
+
+  bool eliminate(int s) {
+    const int wide = columns(s), high = rows(s), below = high - wide;
+    double* const values = panel(s);
+    if (is_long(static_cast<double>(wide) * wide * (wide / 3.0 + below))) {
+      Panel top(values, wide, wide, Eigen::OuterStride<>(high));
+      Panel bottom(values + wide, below, wide, Eigen::OuterStride<>(high));
+      if (!factorize_in_parts(top)) return false;
+      solve_upper_from_right(top, bottom);
+      return true;
+    }
+    int info = 0;
+    dpotrf_("L", &wide, values, &high, &info);
+    if (info != 0) return false;
+    constexpr double one = 1;
+    if (below > 0) dtrsm_("R", "L", "C", "N", &below, &wide, &one, values, &high, values + wide, &high);
+    return true;
+  }
+
+  // To the supernode that its next rows belong to.
+  void hand_on(int d) {
+    if (done_[d] >= rows(d)) return;
+    const int ancestor = supernode_of_[row_[rows_begin_[d] + done_[d]]];
+    next_[d] = head_[ancestor];
+    head_[ancestor] = d;
+  }
+
+  Ordered matrix_;
+  const int *first_column_, *rows_begin_, *values_begin_, *row_;
+  double* values_;
+  int count_;
+  std::vector<int> supernode_of_;  // per column
+  std::vector<int> place_;         // of a row in the present supernode
+  std::vector<int> done_;          // rows of a supernode that later ones have taken
+  std::vector<int> head_, next_;   // of the list of those that a supernode takes from next
+  std::vector<double> product_;
+  std::vector<int> target_;
+};
+
+}  // namespace
+
+bool factorize_supernodes(const SparseMatrix& lower, cholmod_factor& factor) {
+  return Factorization(lower, factor).run();
+}
+
+}  // namespace bempd::linalg
