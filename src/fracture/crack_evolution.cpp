@@ -198,7 +198,7 @@ void CrackEvolution::forget_lines(const Start& start) noexcept {
   state_.reactions.resize(start.reactions_size);
 }
 
-void CrackEvolution::return_to(const Start& start) {
+void CrackEvolution::return_to(const Start& start) noexcept {
   forget_lines(start);
   sources_.return_to_mark();
 }
