@@ -53,6 +53,8 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_PLANE_STRAIN": '"strain"',
     "BEMPD_PRESSURE": '"pressure"',
     "BEMPD_SHEAR": '"shear"',
+    "BEMPD_CRACK_START": "TipEnd.START",
+    "BEMPD_CRACK_END": "TipEnd.END",
 }
 OTHER_WORDS: dict[str, str] = {"bempd_field": "name of a field"}
 
