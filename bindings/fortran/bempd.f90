@@ -22,9 +22,11 @@ module bempd
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, &
     BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, BEMPD_POSITION, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
+    BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
+    BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
-    BEMPD_CRACK_END, bempd_step_report, bempd_statistics, bempd_history_entry, bempd_crack_tip, bempd_growth, &
-    bempd_crack_extension, &
+    BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, bempd_step_report, bempd_statistics, &
+    bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, &
     bempd_boundary_function, bempd_progress_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
@@ -41,17 +43,17 @@ module bempd
     generic :: get_option => get_option_number, get_option_text
     generic :: assignment(=) => refuse_copy
     procedure :: add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack
-    procedure :: set_edge_arc, set_edges_smooth, set_edge_mesh
+    procedure :: add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh
     procedure :: remove_region, remove_crack, remove_support, remove_load
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
     procedure :: set_load_values, set_support_values
-    procedure :: add_crack_traction, tips, crack_opening, grow_cracks, set_tip_frozen, extensions
+    procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
     procedure :: load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds
-    procedure :: reaction, reaction_moment, evaluate
+    procedure :: reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
   end type bempd_model
@@ -77,7 +79,8 @@ module bempd
 
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
-    set_edge_arc, set_edges_smooth, set_edge_mesh, &
+    add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
+    edge_reaction, evaluate_in, singularities, &
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
@@ -86,7 +89,8 @@ module bempd
     load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
-    history, add_crack_traction, tips, crack_opening, grow_cracks, set_tip_frozen, extensions, &
+    history, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
+    extensions, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, refuse_copy_of_state, finalize_state
 
@@ -183,6 +187,21 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_edge_arc
+    module subroutine add_bem_disc(self, material, x, y, radius, element_length, region, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: material
+      real(c_double), intent(in) :: x, y, radius, element_length
+      integer(c_int32_t), intent(out), optional :: region
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_bem_disc
+    module subroutine set_edge_arc_about(self, region, edge, x, y, radius, turn, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge, turn
+      real(c_double), intent(in) :: x, y, radius
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_edge_arc_about
     module subroutine set_edges_smooth(self, region, first_edge, last_edge, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, first_edge, last_edge
@@ -490,19 +509,59 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine evaluate
+    module subroutine edge_reaction(self, region, edge, x, y, force, moment, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in) :: x, y
+      real(c_double), intent(out) :: force(2), moment
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine edge_reaction
+    !> On the left face of cracks without face.
+    module subroutine evaluate_in(self, region, points, displacement, stress, face, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      real(c_double), intent(in) :: points(:, :)
+      real(c_double), allocatable, intent(out), optional :: displacement(:, :), stress(:, :)
+      integer(c_int32_t), intent(in), optional :: face
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine evaluate_in
+    !> All places where stress is unbounded, as bempd_get_singularity has them.
+    module subroutine singularities(self, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_singularity), allocatable, intent(out) :: found(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine singularities
     module subroutine get_statistics(self, statistics, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_statistics), intent(out) :: statistics
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine get_statistics
-    !> All tips of cracks in BEM regions, as bempd_tip has them.
+    !> All tips of cracks, as bempd_tip has them.
     module subroutine tips(self, found, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_crack_tip), allocatable, intent(out) :: found(:)
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine tips
+    !> The tips that were recorded, as bempd_get_tip_history has them: event number, bonds broken and load factor of each.
+    module subroutine tip_history(self, found, events, broken_bonds, load_factors, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      type(bempd_crack_tip), allocatable, intent(out) :: found(:)
+      integer(c_int64_t), allocatable, intent(out), optional :: events(:), broken_bonds(:)
+      real(c_double), allocatable, intent(out), optional :: load_factors(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine tip_history
+    module subroutine write_tips(self, path, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      character(*), intent(in) :: path
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine write_tips
     module subroutine grow_cracks(self, length, growth, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: length

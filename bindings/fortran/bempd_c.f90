@@ -48,6 +48,13 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_PLANE_STRESS = 1
   integer(c_int), parameter :: BEMPD_PLANE_STRAIN = 2
 
+  !> Sense of turning.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_turn = c_int
+  integer(c_int), parameter :: BEMPD_COUNTER_CLOCKWISE = 1
+  integer(c_int), parameter :: BEMPD_CLOCKWISE = 2
+
   !> Direction of a support or load; BEMPD_BOTH where the function says so.
   !>
   !> since: 0.1
@@ -113,6 +120,11 @@ module bempd_c
   !> BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its traction and the
   !> strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ where stress jumps.
   integer(c_int), parameter :: BEMPD_ELEMENT_STRESS = 7
+  !> Order of the stress at the nodes, shape [nodes] [-]: 0 where it is bounded; else it grows as r to the power of
+  !> minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the elements (bempd_singularity).
+  !>
+  !> since: 0.3
+  integer(c_int), parameter :: BEMPD_STRESS_ORDER = 8
 
   !> State of a bond.
   !>
@@ -123,12 +135,39 @@ module bempd_c
   !> Cut by an initial crack.
   integer(c_int), parameter :: BEMPD_BOND_CUT = 2
 
+  !> Face of a crack, seen from its first point.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_face = c_int
+  integer(c_int), parameter :: BEMPD_FACE_LEFT = 1
+  integer(c_int), parameter :: BEMPD_FACE_RIGHT = 2
+
+  !> Why stress is unbounded at a place.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_singularity_kind = c_int
+  !> A corner of the boundary of one material, or a place on it where what supports hold changes.
+  integer(c_int), parameter :: BEMPD_SINGULAR_CORNER = 1
+  !> A place where materials meet: an end or a corner of an interface.
+  integer(c_int), parameter :: BEMPD_SINGULAR_INTERFACE = 2
+  !> A tip, a kink or a branch of a crack in a BEM region.
+  integer(c_int), parameter :: BEMPD_SINGULAR_CRACK = 3
+  !> A single point that is held or loaded.
+  integer(c_int), parameter :: BEMPD_SINGULAR_POINT = 4
+
   !> End of a crack.
   !>
   !> since: 0.2
   integer, parameter :: bempd_tip_end = c_int
   integer(c_int), parameter :: BEMPD_CRACK_START = 1
   integer(c_int), parameter :: BEMPD_CRACK_END = 2
+
+  !> What the values of a tip come from.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_tip_method = c_int
+  integer(c_int), parameter :: BEMPD_TIP_ELEMENTS = 1
+  integer(c_int), parameter :: BEMPD_TIP_CONTOURS = 2
 
   !> Description of one option. Fill it with bempd_option_info_init().
   !>
@@ -189,6 +228,9 @@ module bempd_c
 
   !> What a step did. Fill it with bempd_step_report_init().
   !>
+  !> An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it is too small, and
+  !> the log warns; energy_balance_error says nothing then, all else is right.
+  !>
   !> since: 0.1
   type, bind(c) :: bempd_step_report
     !> sizeof(bempd_step_report), set by bempd_step_report_init()
@@ -237,11 +279,50 @@ module bempd_c
     integer(c_int64_t) :: unstable_event
   end type bempd_step_report
 
-  !> The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+  !> A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
   !>
-  !> Stress intensity factors come from the energy that the body releases when the tip moves, shared among the modes as
-  !> the openings next to it are; they are right to 1e-4 and better where the boundary's elements are no longer than
-  !> what they border on.
+  !> At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there depend on the elements
+  !> or the lattice spacing alone. The exponent is the least solution with a real part below 0.99 of the equations of
+  !> the wedges that meet there (M. L. Williams, J. Appl. Mech. 19, 1952), with their angles, materials and supports;
+  !> loads do not enter, and may leave the strongest term out. Cracks in peridynamic regions are not listed.
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_singularity
+    !> sizeof(bempd_singularity), set by bempd_singularity_init()
+    integer(c_int64_t) :: struct_size
+    !> a bempd_singularity_kind
+    integer(c_int32_t) :: kind
+    !> id of a region there
+    integer(c_int32_t) :: region
+    !> place [m]
+    real(c_double) :: x
+    !> place [m]
+    real(c_double) :: y
+    !> of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-]
+    real(c_double) :: exponent
+    !> imaginary part of the exponent, >= 0: stress changes its sign with its times ln r [-]
+    real(c_double) :: oscillation
+  end type bempd_singularity
+
+  !> The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
+  !>
+  !> In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body releases when the
+  !> tip moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the
+  !> boundary's elements are no longer than what they border on.
+  !>
+  !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
+  !> rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field
+  !> of power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one
+  !> given, and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the
+  !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
+  !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
+  !> two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring
+  !> fits: `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
+  !>
+  !> Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has
+  !> grown: to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end.
+  !> Cracks that begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells
+  !> of the latter.
   !>
   !> since: 0.2
   type, bind(c) :: bempd_crack_tip
@@ -267,13 +348,26 @@ module bempd_c
     real(c_double) :: energy_release_rate
     !> stress along the crack beside the singular one [Pa]
     real(c_double) :: t_stress
-    !> estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]
+    !> estimate of the error of the stress intensity factors, from elements twice as long or from other rings [Pa
+    !> m^(1/2)]
     real(c_double) :: error
     !> angle from the direction to that of the largest hoop stress, counter-clockwise [rad]
     real(c_double) :: kink_angle
     !> smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; infinite if it
     !> never is or the material has none [-]
     real(c_double) :: critical_load_factor
+    !> a bempd_tip_method (since 0.3, as all that follows)
+    integer(c_int32_t) :: method
+    !> rings that the values come from; 0 if none fits, and in BEM regions
+    integer(c_int32_t) :: contours
+    !> 1 if bonds have broken since so that the tip is not the described end any more
+    integer(c_int32_t) :: grown
+    !> 1 if other ways lead on from the crack than the one to this tip
+    integer(c_int32_t) :: branched
+    !> outer radius of the largest ring; 0 if there is none [m]
+    real(c_double) :: contour_radius
+    !> how far ahead of its place the tip is felt; 0 in BEM regions [m]
+    real(c_double) :: felt_ahead
   end type bempd_crack_tip
 
   !> What bempd_grow_cracks() did. Fill it with bempd_growth_init().
@@ -385,7 +479,7 @@ module bempd_c
   end type bempd_statistics
 
   !> One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a call of
-  !> bempd_grow_cracks().
+  !> bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_history_entry
@@ -688,6 +782,32 @@ module bempd_c
       integer(c_int) :: bempd_add_bem_region
     end function bempd_add_bem_region
 
+    !> Add a round region treated by boundary elements. Its edges are four quarter circles: the first begins at the
+    !> place with the largest x, and they run counter-clockwise. It fits into a circular hole of the same centre and
+    !> radius.
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material
+    !> x [in]: centre [m]
+    !> y [in]: centre [m]
+    !> radius [in]: radius [m], > 0
+    !> element_length [in]: longest element on any edge [m], > 0
+    !> region [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_bem_disc(model, material, x, y, radius, element_length, region) &
+        bind(c, name="bempd_add_bem_disc")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      real(c_double), value :: x
+      real(c_double), value :: y
+      real(c_double), value :: radius
+      real(c_double), value :: element_length
+      type(c_ptr), value :: region
+      integer(c_int) :: bempd_add_bem_disc
+    end function bempd_add_bem_disc
+
     !> Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
     !>
     !> Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges.
@@ -778,6 +898,35 @@ module bempd_c
       real(c_double), value :: y
       integer(c_int) :: bempd_set_edge_arc
     end function bempd_set_edge_arc
+
+    !> Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
+    !>
+    !> Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It
+    !> may be any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or
+    !> bempd_add_circular_hole(), or edges that share it. An edge of an outer loop that bulges out of the body turns
+    !> counter-clockwise, and so does one of a hole that bulges into the hole.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a BEM region
+    !> edge [in]: edge number
+    !> x [in]: centre [m]
+    !> y [in]: centre [m]
+    !> radius [in]: radius [m], > 0
+    !> turn [in]: a bempd_turn: the way from the first vertex to the last one, about the centre
+    !> return: status
+    !> since: 0.3
+    function bempd_set_edge_arc_about(model, region, edge, x, y, radius, turn) &
+        bind(c, name="bempd_set_edge_arc_about")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: x
+      real(c_double), value :: y
+      real(c_double), value :: radius
+      integer(c_int32_t), value :: turn
+      integer(c_int) :: bempd_set_edge_arc_about
+    end function bempd_set_edge_arc_about
 
     !> Make a row of edges of a BEM region a smooth curve through their vertices.
     !>
@@ -1133,7 +1282,6 @@ module bempd_c
     end function bempd_add_point_force
 
     !> Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
-    !> Energies and work leave out what such loads do within the crack alone.
     !>
     !> model [in]: the model
     !> crack [in]: id of a crack
@@ -1583,8 +1731,43 @@ module bempd_c
       integer(c_int) :: bempd_reaction_moment
     end function bempd_reaction_moment
 
+    !> Force that supports exert on the body through one edge of a region at the present load factor, and its moment: of
+    !> all supports that hold the edge or a part of it.
+    !>
+    !> Where several edges hold a component of the same node (corners, ends of interfaces), each has the force that the
+    !> tractions beside the node on its own side make there, and of what then is missing or left of the node's force all
+    !> have the same share. A node that points are held at too counts for the edges alone. So the edges of all regions
+    !> and the points that lie on none of them sum to the reactions of all supports, to rounding, in whatever order they
+    !> were added.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: number of an edge that a support holds
+    !> x [in]: the point for the moment [m]
+    !> y [in]: [m]
+    !> force [out]: shape [2], resultant [N]; may be NULL
+    !> moment [out]: positive counter-clockwise [N m]; may be NULL
+    !> return: status; an edge without a support is an argument error
+    !> since: 0.3
+    function bempd_edge_reaction(model, region, edge, x, y, force, moment) bind(c, name="bempd_edge_reaction")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: x
+      real(c_double), value :: y
+      type(c_ptr), value :: force
+      type(c_ptr), value :: moment
+      integer(c_int) :: bempd_edge_reaction
+    end function bempd_edge_reaction
+
     !> Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
     !> between material points in PD regions.
+    !>
+    !> At an interface the values are those of the peridynamic region, between regions of one kind those of the one with
+    !> the lower id; on a crack in a BEM region those of its left face, seen from its first point. bempd_evaluate_in()
+    !> asks for another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and
+    !> grows as they get smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
     !>
     !> model [in]: the model
     !> count [in]: number of places
@@ -1605,6 +1788,72 @@ module bempd_c
       integer(c_int) :: bempd_evaluate
     end function bempd_evaluate
 
+    !> Displacement and stress as one region has them: at an interface, where stress jumps, on this region's side; on a
+    !> crack in a BEM region on the face that is asked for. Else as bempd_evaluate().
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> face [in]: a bempd_face; of no matter off cracks
+    !> count [in]: number of places
+    !> points [in]: shape [count][2] [m]
+    !> displacement [out]: shape [count][2] [m]; may be NULL
+    !> stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
+    !> return: status; a place outside the region and its boundary is an argument error
+    !> since: 0.3
+    function bempd_evaluate_in(model, region, face, count, points, displacement, stress) &
+        bind(c, name="bempd_evaluate_in")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: face
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: points(2, *)
+      type(c_ptr), value :: displacement
+      type(c_ptr), value :: stress
+      integer(c_int) :: bempd_evaluate_in
+    end function bempd_evaluate_in
+
+    !> Set struct_size and zeros.
+    !>
+    !> singularity [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_singularity) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.3
+    function bempd_singularity_init(singularity, struct_size) bind(c, name="bempd_singularity_init")
+      import :: bempd_singularity, c_int, c_int64_t
+      type(bempd_singularity), intent(inout) :: singularity
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_singularity_init
+    end function bempd_singularity_init
+
+    !> Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER marks them.
+    !>
+    !> model [in]: the model
+    !> count [out]: their number
+    !> return: status
+    !> since: 0.3
+    function bempd_singularity_count(model, count) bind(c, name="bempd_singularity_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_singularity_count
+    end function bempd_singularity_count
+
+    !> A place where stress is unbounded.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> singularity [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_get_singularity(model, index, singularity) bind(c, name="bempd_get_singularity")
+      import :: bempd_singularity, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(bempd_singularity), intent(inout) :: singularity
+      integer(c_int) :: bempd_get_singularity
+    end function bempd_get_singularity
+
     !> Set struct_size and zeros.
     !>
     !> tip [out]: the struct to fill
@@ -1618,8 +1867,8 @@ module bempd_c
       integer(c_int) :: bempd_crack_tip_init
     end function bempd_crack_tip_init
 
-    !> Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none. Prepares the
-    !> model.
+    !> Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none. Prepares
+    !> the model. What tips carry is computed when it is asked for.
     !>
     !> model [in]: the model
     !> count [out]: number of tips
@@ -1632,7 +1881,8 @@ module bempd_c
       integer(c_int) :: bempd_tip_count
     end function bempd_tip_count
 
-    !> A tip, by crack and the end nearer to its first point first.
+    !> A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the end nearer
+    !> to its first point first.
     !>
     !> model [in]: the model
     !> index [in]: 0 .. count-1
@@ -1646,6 +1896,45 @@ module bempd_c
       type(bempd_crack_tip), intent(inout) :: tip
       integer(c_int) :: bempd_tip
     end function bempd_tip
+
+    !> Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and at
+    !> the end of every step, also where bempd_grow_cracks() has made one.
+    !>
+    !> A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the option
+    !> nothing. States in memory carry the records; those from bytes have none.
+    !>
+    !> model [in]: the model
+    !> count [out]: number of records
+    !> return: status
+    !> since: 0.3
+    function bempd_tip_history_count(model, count) bind(c, name="bempd_tip_history_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_tip_history_count
+    end function bempd_tip_history_count
+
+    !> A tip as it was, by time, at one time in the order of bempd_tip().
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> event [out]: number of the event, or 0 for the end of a step; may be NULL
+    !> total_broken_bonds [out]: bonds broken by then; may be NULL
+    !> load_factor [out]: then [-]; may be NULL
+    !> tip [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_get_tip_history(model, index, event, total_broken_bonds, load_factor, tip) &
+        bind(c, name="bempd_get_tip_history")
+      import :: bempd_crack_tip, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      type(c_ptr), value :: event
+      type(c_ptr), value :: total_broken_bonds
+      type(c_ptr), value :: load_factor
+      type(bempd_crack_tip), intent(inout) :: tip
+      integer(c_int) :: bempd_get_tip_history
+    end function bempd_get_tip_history
 
     !> Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen from
     !> its first point, less that of the face on its right.
@@ -1931,6 +2220,10 @@ module bempd_c
     !> damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face),
     !> and prefix.pvd, the series of all snapshots this model has written with this prefix.
     !>
+    !> With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what bempd_tip() has, and
+    !> among the cracks are those in peridynamic regions: a line in each cell of the lattice for every broken or cut
+    !> bond between nearest neighbours, with the opening that its elongation and its turning show.
+    !>
     !> model [in]: the model
     !> prefix [in]: path without ending, UTF-8; the folder must exist
     !> return: status
@@ -1954,5 +2247,19 @@ module bempd_c
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int) :: bempd_write_history
     end function bempd_write_history
+
+    !> Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with event,
+    !> total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none were recorded.
+    !>
+    !> model [in]: the model
+    !> path [in]: file name, UTF-8
+    !> return: status
+    !> since: 0.3
+    function bempd_write_tips(model, path) bind(c, name="bempd_write_tips")
+      import :: c_char, c_int, c_ptr
+      type(c_ptr), value :: model
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int) :: bempd_write_tips
+    end function bempd_write_tips
   end interface
 end module bempd_c

@@ -183,6 +183,47 @@ contains
     if (present(regions)) call move_alloc(ids, regions)
   end procedure evaluate
 
+  module procedure edge_reaction
+    real(c_double), target :: f(2), m
+
+    f = 0
+    m = 0
+    call finish(self, bempd_edge_reaction(self%handle, region, edge, x, y, c_loc(f), c_loc(m)), stat, errmsg)
+    force = f
+    moment = m
+  end procedure edge_reaction
+
+  module procedure evaluate_in
+    real(c_double), allocatable, target :: u(:, :), s(:, :)
+    integer(c_int64_t) :: count
+    integer(c_int32_t) :: side
+
+    if (.not. are_points(self, "bempd_evaluate_in", "points", points, stat, errmsg)) return
+    side = BEMPD_FACE_LEFT
+    if (present(face)) side = face
+    count = size(points, 2)
+    allocate (u(2, count), s(3, count), source=0.0_c_double)
+    call finish(self, bempd_evaluate_in(self%handle, region, side, count, points, &
+      merge(c_loc(u), c_null_ptr, present(displacement)), merge(c_loc(s), c_null_ptr, present(stress))), stat, errmsg)
+    if (present(displacement)) call move_alloc(u, displacement)
+    if (present(stress)) call move_alloc(s, stress)
+  end procedure evaluate_in
+
+  module procedure singularities
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_singularity_count(self%handle, count)
+    allocate (found(count))
+    do k = 1, count
+      status = bempd_singularity_init(found(k), c_sizeof(found(k)))
+      status = bempd_get_singularity(self%handle, k - 1, found(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure singularities
+
   module procedure tips
     integer(c_int64_t) :: count, k
     integer(c_int) :: status
@@ -197,6 +238,30 @@ contains
     end do
     call finish(self, status, stat, errmsg)
   end procedure tips
+
+  module procedure tip_history
+    integer(c_int64_t), allocatable, target :: event(:), broken(:)
+    real(c_double), allocatable, target :: factor(:)
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_tip_history_count(self%handle, count)
+    allocate (found(count), event(count), broken(count), factor(count))
+    do k = 1, count
+      status = bempd_crack_tip_init(found(k), c_sizeof(found(k)))
+      status = bempd_get_tip_history(self%handle, k - 1, c_loc(event(k)), c_loc(broken(k)), c_loc(factor(k)), found(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    if (present(events)) call move_alloc(event, events)
+    if (present(broken_bonds)) call move_alloc(broken, broken_bonds)
+    if (present(load_factors)) call move_alloc(factor, load_factors)
+    call finish(self, status, stat, errmsg)
+  end procedure tip_history
+
+  module procedure write_tips
+    call finish(self, bempd_write_tips(self%handle, c_string(path)), stat, errmsg)
+  end procedure write_tips
 
   module procedure grow_cracks
     type(bempd_growth), target :: done

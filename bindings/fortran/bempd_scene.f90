@@ -97,6 +97,18 @@ contains
     call finish(self, bempd_set_edge_arc(self%handle, region, edge, x, y), stat, errmsg)
   end procedure set_edge_arc
 
+  module procedure add_bem_disc
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_bem_disc(self%handle, material, x, y, radius, element_length, c_loc(new)), stat, errmsg)
+    call give(new, region)
+  end procedure add_bem_disc
+
+  module procedure set_edge_arc_about
+    call finish(self, bempd_set_edge_arc_about(self%handle, region, edge, x, y, radius, turn), stat, errmsg)
+  end procedure set_edge_arc_about
+
   module procedure set_edges_smooth
     call finish(self, bempd_set_edges_smooth(self%handle, region, first_edge, last_edge), stat, errmsg)
   end procedure set_edges_smooth

@@ -32,6 +32,16 @@ void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::functio
   }
 }
 
+void add_traction_forces(const BoundaryMesh& mesh, const BoundaryElement& element,
+                         const Eigen::Matrix<double, 2, 3>& tractions, double thickness,
+                         Eigen::Ref<Eigen::VectorXd> forces) {
+  at_gauss_points(mesh, element, [&](const std::array<double, 3>& shape, const Point&, const Point& dx, double weight) {
+    const Point traction = tractions * Eigen::Map<const Eigen::Vector3d>(shape.data());
+    const Point force = thickness * weight * dx.norm() * traction;
+    for (int k = 0; k < 3; ++k) forces.segment<2>(2 * element.nodes[k]) += shape[k] * force;
+  });
+}
+
 void add_stress_forces(const BoundaryMesh& mesh, const std::function<Eigen::Vector3d(const Point&)>& stress,
                        double thickness, Eigen::Ref<Eigen::VectorXd> forces) {
   for (const BoundaryElement& element : mesh.elements) {
@@ -53,6 +63,18 @@ void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> 
                         integrals.segment<2>(2 * element.nodes[k]) += weight * shape[k] * scaled_normal(dx);
                     });
   }
+}
+
+// div (r f) = 2 f + r . grad f = 4 f.
+double integral_of_quadratic(const BoundaryMesh& mesh, const Point& centre,
+                             const std::function<double(const Point&)>& function) {
+  double sum = 0;
+  for (const BoundaryElement& element : mesh.elements) {
+    at_gauss_points(mesh, element, [&](const std::array<double, 3>&, const Point& x, const Point& dx, double weight) {
+      sum += 0.25 * weight * function(x) * (x - centre).dot(scaled_normal(dx));
+    });
+  }
+  return sum;
 }
 
 }  // namespace bempd::bem

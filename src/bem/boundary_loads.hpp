@@ -12,11 +12,20 @@ namespace bempd::bem {
 void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
                          double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
+// The same of one element with the tractions that it has at its three nodes.
+void add_traction_forces(const BoundaryMesh& mesh, const BoundaryElement& element,
+                         const Eigen::Matrix<double, 2, 3>& tractions, double thickness,
+                         Eigen::Ref<Eigen::VectorXd> forces);
+
 // The same all along the boundary of the tractions that a state of stress (xx, yy, xy) [Pa] has there.
 void add_stress_forces(const BoundaryMesh& mesh, const std::function<Eigen::Vector3d(const Point&)>& stress,
                        double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
 // Adds the integrals of N_a n ds, n being the outward normal.
 void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals);
+
+// Integral over the area of a function that is homogeneous of degree 2 in the distance from a centre.
+double integral_of_quadratic(const BoundaryMesh& mesh, const Point& centre,
+                             const std::function<double(const Point&)>& function);
 
 }  // namespace bempd::bem

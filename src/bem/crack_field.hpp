@@ -10,12 +10,14 @@ namespace bempd::bem {
 
 // Displacement and stress inside a body on account of the openings of its cracks: the double layer over every element,
 // in closed form close to it, so that it is as exact beside the crack as elsewhere and jumps by the opening across it.
-// On a crack itself the values are those of its left face. In lengths over `boundary.length` and stresses over the
-// shear modulus.
+// On a crack itself the values are those of its left face, or of the right one if that is chosen. In lengths over
+// `boundary.length` and stresses over the shear modulus.
 class CrackField {
  public:
   // `openings` [m], all of them.
   CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, double nu, const Eigen::VectorXd& openings);
+
+  void look_from_right(bool right) { from_right_ = right; }
 
   struct Value {
     Point displacement = Point::Zero();
@@ -23,6 +25,10 @@ class CrackField {
   };
   // Without one element if that is named.
   Value at(const Point& x, int skipped = -1) const;
+
+  // As at(), also at ends of elements, where the sums of closed forms lose all digits: the means of displacements right
+  // beside them, and of stresses inside the elements that meet, whose openings bend there.
+  Value anywhere(const Point& x) const;
 
   // Distance of the nearest tip over the length of its element.
   double nearness_of_tip(const Point& x) const;
@@ -40,6 +46,7 @@ class CrackField {
   void add(const Piece& piece, const Point& x, Value& value) const;
 
   double nu_;
+  bool from_right_ = false;
   std::vector<Piece> pieces_;
 };
 

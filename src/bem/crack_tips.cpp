@@ -97,10 +97,6 @@ StressIntensity shared_by_modes(const CrackedOperator& body, const CrackTip& tip
 
 }  // namespace
 
-double plane_modulus(const PlaneElasticity& elasticity) {
-  return 2 * elasticity.shear_modulus() / (1 - elasticity.effective_poisson_ratio());
-}
-
 std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
                                                              const std::vector<CrackedState>& states) {
   const CrackMesh& cracks = body.cracks();

@@ -5,7 +5,7 @@
 
 #include "bem/crack_forces.hpp"
 #include "bem/cracked_operator.hpp"
-#include "bem/kinked_tip.hpp"
+#include "elasticity/griffith.hpp"
 
 namespace bempd::bem {
 
@@ -35,8 +35,5 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
 // its openings give equal stresses along and across it, so that T is the difference of those that all the rest gives at
 // the tip, plus the normal stress that loads press on the faces with.
 std::vector<double> stresses_along_crack(const CrackedOperator& body, const CrackedState& state);
-
-// E' of plane stress or strain.
-double plane_modulus(const PlaneElasticity& elasticity);
 
 }  // namespace bempd::bem

@@ -183,11 +183,6 @@ Eigen::MatrixXd CrackedOperator::forces_on_boundary(const Eigen::Ref<const Eigen
   return forces.topRows(u) - full_.topRightCorner(u, w) * of_openings_.solve(forces.bottomRows(w));
 }
 
-double CrackedOperator::energy_within(const Eigen::VectorXd& opening_forces) const {
-  const Eigen::VectorXd forces = (cracks_.constraint.transpose() * opening_forces).tail(of_openings_.size());
-  return 0.5 * forces.dot(of_openings_.solve(forces).col(0));
-}
-
 Eigen::MatrixXd CrackedOperator::openings(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                                           const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const {
   const Eigen::MatrixXd forces = cracks_.constraint.transpose() * opening_forces;

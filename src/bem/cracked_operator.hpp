@@ -41,8 +41,6 @@ class CrackedOperator final : public BoundaryOperator {
   // Forces on all openings [N], as crack_forces.hpp gives them, as forces on the boundary's nodes: what they add to the
   // right-hand side.
   Eigen::MatrixXd forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
-  // What they make of the potential energy beside that [J].
-  double energy_within(const Eigen::VectorXd& opening_forces) const;
   // All openings [m] that belong to displacements and such forces.
   Eigen::MatrixXd openings(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                            const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;

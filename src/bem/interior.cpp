@@ -215,7 +215,7 @@ InteriorEvaluator::Value InteriorEvaluator::evaluate(const Point& position, bool
             position.y(),
             ") is infinite: a crack ends there; ask for it beside the tip, or for the stress intensity "
             "factors of the tip");
-    const CrackField::Value cracks = cracks_->at(x);
+    const CrackField::Value cracks = cracks_->anywhere(x);
     value.displacement += cracks.displacement;
     value.stress += cracks.stress;
   }

@@ -33,6 +33,11 @@ class InteriorEvaluator {
   // The body's cracks with their openings; beyond them nothing changes.
   void set_cracks(CrackField cracks) { cracks_ = std::move(cracks); }
 
+  // On a crack the values are those of its left face, or of the right one.
+  void look_from_right(bool right) {
+    if (cracks_) cracks_->look_from_right(right);
+  }
+
   // Throws Error (argument) at the tip of a crack, where the stress is infinite.
   Value at(const Point& x) const;
   // Stress that the boundary and all cracks but one element give at the place x.

@@ -3,6 +3,33 @@
 using namespace bempd;
 using namespace bempd::capi;
 
+namespace {
+
+bempd_crack_tip described(const regions::TipValues& t) {
+  return {sizeof(bempd_crack_tip),
+          t.crack,
+          t.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END,
+          t.place.x(),
+          t.place.y(),
+          t.direction.x(),
+          t.direction.y(),
+          t.factors.x(),
+          t.factors.y(),
+          t.energy_release_rate,
+          t.stress_along,
+          t.error,
+          t.kink_angle,
+          t.critical_load_factor,
+          t.method == regions::TipMethod::elements ? BEMPD_TIP_ELEMENTS : BEMPD_TIP_CONTOURS,
+          t.contours,
+          t.grown ? 1 : 0,
+          t.branched ? 1 : 0,
+          t.contour_radius,
+          t.felt_ahead};
+}
+
+}  // namespace
+
 bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size) {
   return init_struct(__func__, "tip", tip, struct_size, bempd_crack_tip{});
 }
@@ -16,14 +43,28 @@ bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip) 
   return with_model(model, __func__, [&](model::Model& m) {
     struct_bytes(tip, "tip", sizeof(int64_t));
     const auto count = static_cast<int64_t>(m.tips().size());
-    require(index >= 0 && index < count, "index is ", index, "; cracks in BEM regions have ", count, " tips");
-    const regions::TipValues& t = m.tips()[static_cast<std::size_t>(index)];
-    write_struct(
-        tip,
-        bempd_crack_tip{sizeof(bempd_crack_tip), t.crack, t.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, t.place.x(),
-                        t.place.y(), t.direction.x(), t.direction.y(), t.factors.x(), t.factors.y(),
-                        t.energy_release_rate, t.stress_along, t.error, t.kink_angle, t.critical_load_factor},
-        "tip");
+    require(index >= 0 && index < count, "index is ", index, "; cracks have ", count, " tips");
+    write_struct(tip, described(m.tips()[static_cast<std::size_t>(index)]), "tip");
+  });
+}
+
+bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count) {
+  return with_model(model, __func__,
+                    [&](const model::Model& m) { out(count, "count") = static_cast<int64_t>(m.tip_history().size()); });
+}
+
+bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event, int64_t* total_broken_bonds,
+                                   double* load_factor, bempd_crack_tip* tip) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    struct_bytes(tip, "tip", sizeof(int64_t));
+    const auto count = static_cast<int64_t>(m.tip_history().size());
+    require(index >= 0 && index < count, "index is ", index, "; ", count,
+            " tips were recorded; set the option tips.record before stepping");
+    const results::TipRecord& record = m.tip_history()[static_cast<std::size_t>(index)];
+    write_struct(tip, described(record.tip), "tip");
+    if (event) *event = record.event;
+    if (total_broken_bonds) *total_broken_bonds = record.total_broken_bonds;
+    if (load_factor) *load_factor = record.load_factor;
   });
 }
 

@@ -16,3 +16,10 @@ bempd_status bempd_write_history(const bempd_model* model, const char* path) {
     m.write_history(path);
   });
 }
+
+bempd_status bempd_write_tips(const bempd_model* model, const char* path) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
+    m.write_tips(path);
+  });
+}

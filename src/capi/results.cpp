@@ -10,8 +10,8 @@ using namespace bempd::capi;
 namespace {
 
 regions::Field field_of(std::int32_t field) {
-  require(field >= BEMPD_POSITION && field <= BEMPD_ELEMENT_STRESS, "field is ", field,
-          "; it must be a bempd_field, 1 .. 7");
+  require(field >= BEMPD_POSITION && field <= BEMPD_STRESS_ORDER, "field is ", field,
+          "; it must be a bempd_field, 1 .. 8");
   return static_cast<regions::Field>(field);
 }
 
@@ -138,6 +138,16 @@ bempd_status bempd_reaction_moment(bempd_model* model, int32_t support, double x
   });
 }
 
+bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y, double* force,
+                                 double* moment) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(std::isfinite(x) && std::isfinite(y), "the point is (", x, ", ", y, "); give finite coordinates");
+    const model::Model::EdgeReaction reaction = m.edge_reaction(region, edge, Point(x, y));
+    if (force) std::copy_n(reaction.force.data(), 2, force);
+    if (moment) *moment = reaction.moment;
+  });
+}
+
 bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* points, double* displacement,
                             double* stress, int32_t* regions) {
   return with_model(model, __func__, [&](model::Model& m) {
@@ -146,6 +156,21 @@ bempd_status bempd_evaluate(bempd_model* model, int64_t count, const double* poi
       if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
       if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
       if (regions) regions[i] = values[i].region;
+    }
+  });
+}
+
+bempd_status bempd_evaluate_in(bempd_model* model, int32_t region, int32_t face, int64_t count, const double* points,
+                               double* displacement, double* stress) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    m.scene().region(region);
+    require(face == BEMPD_FACE_LEFT || face == BEMPD_FACE_RIGHT, "face is ", face,
+            "; it must be BEMPD_FACE_LEFT (1) or BEMPD_FACE_RIGHT (2)");
+    const auto values =
+        m.evaluate(points_from(points, count, "points"), stress != nullptr, {region, face == BEMPD_FACE_RIGHT});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (displacement) std::copy_n(values[i].displacement.data(), 2, displacement + 2 * i);
+      if (stress) std::copy_n(values[i].stress.data(), 3, stress + 3 * i);
     }
   });
 }

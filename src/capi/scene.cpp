@@ -48,6 +48,14 @@ bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t 
   });
 }
 
+bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, double y, double radius,
+                                double element_length, int32_t* region) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const int added = regions::add_boundary_disc(m.editable_scene(), material, {x, y}, radius, element_length);
+    if (region) *region = added;
+  });
+}
+
 bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
                                  double spacing, int32_t horizon_ratio, int32_t* region) {
   return with_model(model, __func__, [&](model::Model& m) {
@@ -76,6 +84,15 @@ bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double 
 
 bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y) {
   return with_model(model, __func__, [&](model::Model& m) { m.editable_scene().set_edge_arc(region, edge, {x, y}); });
+}
+
+bempd_status bempd_set_edge_arc_about(bempd_model* model, int32_t region, int32_t edge, double x, double y,
+                                      double radius, int32_t turn) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    require(turn == BEMPD_COUNTER_CLOCKWISE || turn == BEMPD_CLOCKWISE, "turn is ", turn,
+            "; it must be BEMPD_COUNTER_CLOCKWISE (1) or BEMPD_CLOCKWISE (2)");
+    m.editable_scene().set_edge_arc_about(region, edge, {x, y}, radius, turn == BEMPD_CLOCKWISE);
+  });
 }
 
 bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region, int32_t first_edge, int32_t last_edge) {

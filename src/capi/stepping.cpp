@@ -36,7 +36,7 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.load_factor = state.load_factor;
   r.stored_energy = state.history.empty() ? 0.0 : state.history.back().stored_energy;
   r.released_energy = state.released_energy;
-  r.work = state.work;
+  r.work = state.history.empty() ? 0.0 : state.history.back().work;
   r.energy_balance_error = state.worst_energy_balance_error;
   r.residual = state.residual;
   r.seconds_total = result.seconds_total;

@@ -23,6 +23,8 @@ class UniformBodyForce {
             -0.5 * along_ * b_.y() * r.y() * r.y() - across_ * (b_.x() * r.x() * r.y() - 0.5 * b_.y() * r.x() * r.x())};
   }
 
+  const Point& centre() const { return centre_; }
+
   // xx, yy, xy [Pa].
   Eigen::Vector3d stress(const Point& place) const {
     const Point r = place - centre_;

@@ -40,10 +40,18 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   state_.work = body_.energy_at_rest();
 }
 
-void CrackEvolution::set_load(const Affine& force, const Affine& prescribed) {
+void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
   sources_.settle();
+  work_within_ = work_within;
   body_.set_load(force, prescribed);
 }
+
+double CrackEvolution::within(double load_factor) const {
+  const Eigen::Vector2d loads(1, load_factor);
+  return 0.5 * loads.dot(work_within_ * loads);
+}
+
+double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }
 
 void CrackEvolution::find_equilibrium() {
   if (state_.in_equilibrium) return;
@@ -64,7 +72,7 @@ void CrackEvolution::find_equilibrium() {
 
 // At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
 // have come to.
-void CrackEvolution::go_on_after_growth(CrackEvolution& before, std::array<double, 2> within) {
+void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
   const EvolutionState& old = before.state();
   static_cast<Sums&>(state_) = old;
   state_.history = old.history;
@@ -73,7 +81,8 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, std::array<doubl
   state_.load_factor = old.load_factor;
   state_.largest_force = old.largest_force;
   held_ = body_.find_equilibrium().held;
-  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within[1] - within[0];
+  const double f = state_.load_factor;
+  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within(f) - before.within(f);
   state_.work = in_range(state_.work + work);
   state_.released_energy =
       in_range(state_.released_energy + work + before.body_.stored_energy() - body_.stored_energy());
@@ -81,7 +90,8 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, std::array<doubl
   HistoryEntry line;
   line.event = state_.events;
   line.stretch_ratio = 1;
-  line.stored_energy = line.critical_stored_energy = body_.stored_energy();
+  line.stored_energy = body_.stored_energy();
+  line.critical_stored_energy = in_range(line.stored_energy + within(f));
   line.critical_load_factor = state_.load_factor;
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
@@ -199,7 +209,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome) {
   line.stretch_ratio = event.ratio;
   line.stored_energy = outcome.stored_energy;
   line.critical_load_factor = event.critical_load_factor;
-  line.critical_stored_energy = in_range(outcome.critical_stored_energy);
+  line.critical_stored_energy = in_range(outcome.critical_stored_energy + within(event.critical_load_factor));
   line.residual = outcome.residual;
   write_line(line, outcome.energy_scale, outcome.reactions);
 }
@@ -209,7 +219,7 @@ void CrackEvolution::end_step() {
   HistoryEntry line;
   line.stored_energy = body_.stored_energy();
   line.critical_load_factor = state_.load_factor;
-  line.critical_stored_energy = in_range(line.stored_energy);
+  line.critical_stored_energy = in_range(line.stored_energy + within(state_.load_factor));
   line.residual = body_.residual();
   write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
 }
@@ -221,10 +231,11 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   line.stored_energy = in_range(line.stored_energy);
   line.released_energy = state_.released_energy;
   line.bond_energy = state_.bond_energy;
-  line.work = state_.work;
-  state_.largest_work = std::max(state_.largest_work, std::abs(state_.work));
-  const double scale = std::max(state_.largest_work, energy_scale);
   const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);
+  line.stored_energy = in_range(line.stored_energy + within(state_.load_factor));
+  line.work = work();
+  state_.largest_work = std::max(state_.largest_work, std::abs(line.work));
+  const double scale = std::max(state_.largest_work, energy_scale);
   line.energy_balance_error = scale > 0 ? difference / scale : difference;
   if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // of energies that are lost
   if (!Eigen::Map<const Eigen::VectorXd>(reactions.data(), static_cast<Eigen::Index>(reactions.size())).allFinite() ||

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -30,7 +29,10 @@ class CrackEvolution {
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs);
 
-  void set_load(const coupling::Affine& force, const coupling::Affine& prescribed);
+  // `work_within`: what loads do beside the work of the nodal forces, half of (1, f) within (1, f) at the load factor
+  // f. It is stored in the body as soon as it is done.
+  void set_load(const coupling::Affine& force, const coupling::Affine& prescribed,
+                const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero());
 
   // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
@@ -39,9 +41,8 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
-  // Goes on with the run of another body whose cracks have grown since, at its load factor: an event. `within` are
-  // energies of loads that no node sees, of that body and of this one.
-  void go_on_after_growth(CrackEvolution& before, std::array<double, 2> within);
+  // Goes on with the run of another body whose cracks have grown since, at its load factor: an event.
+  void go_on_after_growth(CrackEvolution& before);
   // What that consisted of.
   void book(const std::vector<CrackExtension>& extensions);
 
@@ -67,6 +68,10 @@ class CrackEvolution {
     sources_.bring_up_to_date();
     return body_.reaction_moment(support, about);
   }
+  double reaction_at(int dof) {
+    sources_.bring_up_to_date();
+    return body_.reaction_at(dof);
+  }
   double seconds_search() { return body_.seconds_search(); }
 
   // In the present state of the bonds, under the present loads.
@@ -74,6 +79,7 @@ class CrackEvolution {
     sources_.bring_up_to_date();
     return body_.admissible();
   }
+  double work() const;  // of loads and supports so far [J]
 
   // Whether displacements and forces have products beyond the range of numbers.
   bool energies_are_lost() const;
@@ -90,6 +96,7 @@ class CrackEvolution {
   bool perform(const Event& event, bool keep_what_was_reached);
   void forget_lines(const Start& start);  // of the history, and what was added to the sums
   void return_to(const Start& start);
+  double within(double load_factor) const;
   void book(const Event& event, const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.
@@ -100,6 +107,7 @@ class CrackEvolution {
   LoadedBody body_;
   EventSources sources_;
   std::vector<int> held_;
+  Eigen::Matrix2d work_within_ = Eigen::Matrix2d::Zero();
 };
 
 }  // namespace bempd::fracture

@@ -84,9 +84,9 @@ class LoadedBody {
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
+  double reaction_at(int dof) const;  // of one that is held [N]
 
  private:
-  double reaction_at(int dof) const;
   void apply_load();
 
   coupling::EquilibriumSystem& system_;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bem/kinked_tip.hpp"
+#include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "model/crack_way.hpp"
 #include "model/model.hpp"
@@ -19,9 +19,9 @@ struct Growing {
 
 namespace {
 
-bem::KinkCriterion criterion_of(const scene::Options& options) {
-  return options.text_value("growth.criterion") == "energy" ? bem::KinkCriterion::energy_release_rate
-                                                            : bem::KinkCriterion::hoop_stress;
+KinkCriterion criterion_of(const scene::Options& options) {
+  return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
+                                                            : KinkCriterion::hoop_stress;
 }
 
 Point turned(const Point& direction, double angle) {
@@ -29,16 +29,16 @@ Point turned(const Point& direction, double angle) {
   return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
 }
 
-bem::Kink kink_at(const regions::TipValues& tip, double load_factor, bem::KinkCriterion criterion) {
-  return bem::kink_of(tip.constant_factors + load_factor * tip.proportional_factors, criterion);
+Kink kink_at(const regions::TipValues& tip, double load_factor, KinkCriterion criterion) {
+  return kink_of(tip.constant_factors + load_factor * tip.proportional_factors, criterion);
 }
 
 Growing growing_tips(const std::vector<regions::TipValues>& tips, double length, const scene::Options& options) {
-  const bem::KinkCriterion criterion = criterion_of(options);
+  const KinkCriterion criterion = criterion_of(options);
   std::vector<double> load_factors;
   for (const regions::TipValues& tip : tips)
     load_factors.push_back(
-        bem::growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion));
+        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion));
   Growing growing;
   growing.load_factor = *std::min_element(load_factors.begin(), load_factors.end());
   if (!std::isfinite(growing.load_factor))
@@ -49,7 +49,7 @@ Growing growing_tips(const std::vector<regions::TipValues>& tips, double length,
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (!(load_factors[t] <= (1 + share) * growing.load_factor)) continue;
     const regions::TipValues& tip = tips[t];
-    const bem::Kink kink = kink_at(tip, growing.load_factor, criterion);
+    const Kink kink = kink_at(tip, growing.load_factor, criterion);
     fracture::CrackExtension extension;
     extension.crack = tip.crack;
     extension.end = tip.end;
@@ -194,6 +194,7 @@ GrowthResult Model::grow_cracks(double length) {
     ++generation_;
     throw;
   }
+  if (records_tips()) record_tips();
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
   log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
   warn_of_equilibrium();
@@ -204,14 +205,7 @@ GrowthResult Model::grow_cracks(double length) {
 std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing) {
   scene_.set_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing));
   std::unique_ptr<PreparedScene> next = build();
-  const auto within = [&](const PreparedScene& prepared) {
-    regions::Solution solution = solution_of(prepared);
-    solution.load_factor = load_factor();
-    double sum = 0;
-    for (const auto& region : prepared.discretization.regions) sum += region->energy_within_cracks(solution);
-    return sum;
-  };
-  next->evolution->go_on_after_growth(*prepared_->evolution, {within(*prepared_), within(*next)});
+  next->evolution->go_on_after_growth(*prepared_->evolution);
   return next;
 }
 

@@ -2,15 +2,15 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
+#include "regions/tips/lattice_pictures.hpp"
+#include "regions/tips/lattice_tips.hpp"
 
 namespace bempd::model {
 
-const std::vector<regions::TipValues>& Model::tips() {
-  ensure_equilibrium();
-  if (tips_generation_ == generation_) return tips_;
-  tips_ = tips_of(*prepared_, regions::TipDetail::everything);
-  tips_generation_ = generation_;
-  return tips_;
+regions::BondedBody Model::bonded_body() const {
+  const coupling::EquilibriumSystem& system = *prepared_->system;
+  return {scene_,          prepared_->discretization, system.terms(), system.present_stiffness(),
+          system.intact(), prepared_->cut_bonds};
 }
 
 std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {
@@ -24,6 +24,33 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
   });
   return tips;
+}
+
+std::vector<regions::TipValues> Model::compute_tips() const {
+  std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
+  const std::vector<regions::TipValues> in_lattices = regions::lattice_tips(bonded_body(), solution());
+  all.insert(all.end(), in_lattices.begin(), in_lattices.end());
+  return all;
+}
+
+const std::vector<regions::TipValues>& Model::tips() {
+  ensure_equilibrium();
+  if (tips_generation_ == generation_) return tips_;
+  tips_ = compute_tips();
+  tips_generation_ = generation_;
+  return tips_;
+}
+
+std::vector<regions::CrackPicture> Model::crack_pictures() const {
+  std::vector<regions::CrackPicture> cracks;
+  for (const auto& region : prepared_->discretization.regions) {
+    const auto pictures = region->crack_pictures(solution());
+    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
+  }
+  if (!records_tips()) return cracks;
+  const auto in_lattices = regions::lattice_crack_pictures(bonded_body(), solution().displacement);
+  cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
+  return cracks;
 }
 
 std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& fractions) {

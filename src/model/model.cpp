@@ -118,7 +118,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
-  p->evolution->set_load(p->conditions.force, p->conditions.displacement);
+  p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within);
   p->interface_bonds.emplace(*p->system, d.positions);
   return p;
 }
@@ -203,7 +203,7 @@ void Model::warn_of_interface() {
 void Model::reload() {
   if (!prepared_) return;
   regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
-  prepared_->evolution->set_load(conditions.force, conditions.displacement);
+  prepared_->evolution->set_load(conditions.force, conditions.displacement, conditions.work_within);
   prepared_->conditions = std::move(conditions);
   ++generation_;
 }
@@ -245,13 +245,7 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   {
     const Stopwatch watch(result.seconds_total);
     ++generation_;
-    result.reason = evolution.advance(target, goal, stepping, [&](const fracture::EvolutionState& state) {
-      const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
-      if (!go_on)
-        fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
-      if (cancel_requested_)
-        fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
-    });
+    result.reason = run_recording(target, goal, stepping);
   }
   result.events = evolution.progress().events - events;
   result.broken_bonds = evolution.progress().broken_bonds - broken;

@@ -18,9 +18,12 @@
 #include "model/fingerprint.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
+#include "regions/singular_places.hpp"
+#include "regions/tips/tip_rings.hpp"
 #include "results/field_cache.hpp"
 #include "results/point_values.hpp"
 #include "results/snapshots.hpp"
+#include "results/tip_record.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
@@ -39,6 +42,7 @@ struct SavedState {
   SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
+  std::vector<results::TipRecord> tips;  // not among its bytes
 };
 
 // Everything that is built from a finished scene.
@@ -51,6 +55,7 @@ struct PreparedScene {
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
   std::int64_t interior_kernel_evaluations = 0;
+  std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
 
 struct GrowthResult {
@@ -118,12 +123,23 @@ class Model {
 
   Eigen::Vector2d reaction(int support);
   double reaction_moment(int support, const Point& about);
+  struct EdgeReaction {
+    Eigen::Vector2d force;
+    double moment;
+  };
+  // Of all supports on an edge (edge_reactions.cpp).
+  EdgeReaction edge_reaction(int region, int edge, const Point& about);
 
   // Values at places in the body; stress only if asked for.
-  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress);
+  std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress,
+                                            const results::Side& side = {});
+  // Places where stress is unbounded.
+  const std::vector<regions::SingularPlace>& singular_places();
 
-  // Tips of cracks that have elements, by crack; computed once per generation (crack_results.cpp).
+  // Tips of cracks that have elements, by crack, then of those among bonds; computed once per generation
+  // (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
+  const std::vector<results::TipRecord>& tip_history() const { return tip_history_; }
   // Openings along a crack and normal to it [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
@@ -134,6 +150,7 @@ class Model {
   // Files
   void write_snapshot(const std::string& prefix);
   void write_history(const std::string& path) const;
+  void write_tips(const std::string& path) const;
 
  private:
   void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
@@ -145,6 +162,13 @@ class Model {
   void warn_of_interface();
   void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
+  bool records_tips() const { return options_.whole_number("tips.record") > 0; }
+  void record_tips();
+  // As CrackEvolution::advance() (recording.cpp).
+  fracture::StopReason run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping);
+  regions::BondedBody bonded_body() const;
+  std::vector<regions::TipValues> compute_tips() const;
+  std::vector<regions::CrackPicture> crack_pictures() const;
   void reload();
   std::unique_ptr<PreparedScene> build() const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
@@ -169,6 +193,7 @@ class Model {
   std::atomic<bool> cancel_requested_{false};
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
+  std::vector<results::TipRecord> tip_history_;
   std::vector<regions::TipValues> tip_factors_;  // of the same without errors, as growth needs them
   std::int64_t factors_generation_ = 0;
   std::set<std::pair<int, int>> frozen_tips_;  // crack and end

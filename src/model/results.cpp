@@ -1,6 +1,7 @@
 #include "error.hpp"
 #include "model/model.hpp"
 #include "results/history_table.hpp"
+#include "results/stress_orders.hpp"
 
 namespace bempd::model {
 
@@ -53,13 +54,17 @@ regions::Solution Model::solution_of(const PreparedScene& prepared) {
   return {state.total_displacement,  prepared.system->terms(),
           prepared.system->intact(), prepared.conditions.body_forces(state.load_factor),
           &state.displacement,       &prepared.conditions.crack_loads,
-          state.load_factor};
+          state.load_factor,         &prepared.system->stages()};
 }
 
 const FieldValues& Model::field(int id, Field which) {
   region(id).field_size(which);
   ensure_equilibrium();
-  const FieldValues& field = fields_.of(region(id), which, solution(), generation_);
+  const FieldValues& field = fields_.of({id, which}, generation_, [&] {
+    if (which != Field::stress_order) return region(id).field(which, solution());
+    const results::StressOrders orders(singular_places(), prepared_->discretization.tolerance);
+    return orders.at_nodes(region(id).field(Field::position, solution()));
+  });
   require_numbers(
       Eigen::Map<const Eigen::VectorXd>(field.values.data(), static_cast<Eigen::Index>(field.values.size())));
   return field;
@@ -69,10 +74,21 @@ results::FieldsOfScene Model::fields() {
   return [this](int region, Field which) -> const FieldValues& { return field(region, which); };
 }
 
-std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& places, bool with_stress) {
+const std::vector<regions::SingularPlace>& Model::singular_places() {
+  prepare();
+  auto& known = prepared_->singular_places;
+  if (!known) known = regions::singular_places(scene_, prepared_->discretization);
+  return *known;
+}
+
+std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& places, bool with_stress,
+                                                 const results::Side& side) {
+  if (side.region != 0) scene_.region(side.region);
   ensure_equilibrium();
+  if (with_stress && options_.text_value("results.singular_stress") == "refuse")
+    results::StressOrders(singular_places(), prepared_->discretization.tolerance).require_bounded(places);
   results::PointValues found =
-      results::evaluate(scene_, prepared_->discretization, solution(), fields(), places, with_stress);
+      results::evaluate(scene_, prepared_->discretization, solution(), fields(), places, with_stress, side);
   prepared_->interior_kernel_evaluations += found.kernel_evaluations;
   for (const regions::PointValue& value : found.values) {
     require_numbers(value.displacement);
@@ -83,12 +99,8 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
 
 void Model::write_snapshot(const std::string& prefix) {
   ensure_equilibrium();
-  std::vector<regions::CrackPicture> cracks;
-  for (const auto& region : prepared_->discretization.regions) {
-    const auto pictures = region->crack_pictures(solution());
-    cracks.insert(cracks.end(), pictures.begin(), pictures.end());
-  }
-  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(), cracks);
+  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(),
+                   {crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()});
 }
 
 void Model::write_history(const std::string& path) const {

@@ -34,7 +34,8 @@ SavedState Model::save() {
   if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
   // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
   prepared_->evolution->synchronize();
-  return {prepared_->fingerprint, load_fingerprint(scene_, prepared_->conditions), prepared_->evolution->state()};
+  return {prepared_->fingerprint, load_fingerprint(scene_, prepared_->conditions), prepared_->evolution->state(),
+          tip_history_};
 }
 
 void Model::restore(const SavedState& state) {
@@ -60,6 +61,7 @@ void Model::restore(const SavedState& state) {
     copy.first_unit_energy = -1;
   }
   prepared_->evolution->restore(std::move(copy));
+  tip_history_ = state.tips;
   ++generation_;
 }
 

@@ -39,7 +39,11 @@ const scene::OptionGroup group(scene::OptionPlace::stepping, [] {
           "load | path", "load"),
       scene::number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0,
                            1e9, true),
-      scene::number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true)};
+      scene::number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),
+      scene::number_option("tips.record",
+                           "Tips of cracks are recorded at every event whose number this divides and at the ends of "
+                           "steps, and shown in snapshots; 0 for never.",
+                           0, 0, 1e9, true)};
 });
 
 }  // namespace

@@ -38,7 +38,7 @@ struct PointBonds {
   Matrix3d response = Matrix3d::Zero();
   Vector3d carried = Vector3d::Zero();
   Vector2d side = Vector2d::Zero();  // where they lie, 0 if they are balanced
-  bool whole = true;                 // none is broken
+  bool whole = true;                 // none is broken or softened
 
   bool one_sided() const { return side.norm() > 1e-6 * response.trace(); }
 };
@@ -68,28 +68,31 @@ struct LinearFit {
 // The bonds of a network with what they show under a displacement.
 class ShownStretches {
  public:
-  ShownStretches(const Network& network, const std::vector<std::uint8_t>& broken,
+  ShownStretches(const Network& network, const BondStates& states,
                  const Eigen::Ref<const Eigen::VectorXd>& displacements)
-      : network_(network), broken_(broken), displacements_(displacements) {
+      : network_(network), states_(states), displacements_(displacements) {
     for (const Bond& bond : network.bonds) stiffest_ = std::max(stiffest_, bond.stiffness);
   }
 
   std::size_t size() const { return network_.bonds.size(); }
   const Bond& bond(std::size_t b) const { return network_.bonds[b]; }
   const BondOffset& offset(std::size_t b) const { return network_.offsets[network_.offset_of[b]]; }
-  bool intact(std::size_t b) const { return broken_.empty() || !broken_[b]; }
+  double share(std::size_t b) const { return states_.share.empty() ? 1 : states_.share[b]; }
+  // The one at which a whole bond would carry the same force.
   double stretch(std::size_t b) const {
     const Vector2d difference =
         displacements_.segment<2>(2 * bond(b).second) - displacements_.segment<2>(2 * bond(b).first);
     const Vector2d& direction = offset(b).direction;
-    return elongation_along(direction.x(), direction.y(), difference.x(), difference.y()) / offset(b).length;
+    const double rest = states_.rest_stretch.empty() ? 0 : states_.rest_stretch[b];
+    const double length = offset(b).length;
+    return share(b) * (elongation_along(direction.x(), direction.y(), difference.x(), difference.y()) / length - rest);
   }
   // Stiffness times squared length, relative to the stiffest bond, so that units do not matter.
   double weight(std::size_t b) const { return bond(b).stiffness / stiffest_ * offset(b).length * offset(b).length; }
 
  private:
   const Network& network_;
-  const std::vector<std::uint8_t>& broken_;
+  const BondStates& states_;
   Eigen::Ref<const Eigen::VectorXd> displacements_;
   double stiffest_ = 0;
 };
@@ -103,10 +106,8 @@ std::vector<PointBonds> collect(int point_count, const ShownStretches& bonds) {
     first.response += response, second.response += response;
     const Vector2d side = bonds.weight(b) * bonds.offset(b).step;
     first.side += side, second.side -= side;
-    if (!bonds.intact(b)) {
-      first.whole = second.whole = false;
-      continue;
-    }
+    if (bonds.share(b) < 1) first.whole = second.whole = false;
+    if (bonds.share(b) == 0) continue;
     const Vector3d carried = bonds.weight(b) * bonds.stretch(b) * direction;
     first.carried += carried, second.carried += carried;
   }
@@ -140,11 +141,12 @@ void refine_at_faces(const std::vector<PointBonds>& points, const ShownStretches
 
 }  // namespace
 
-std::vector<Vector3d> bond_strains(int point_count, const Network& network, const std::vector<std::uint8_t>& broken,
+std::vector<Vector3d> bond_strains(int point_count, const Network& network, const BondStates& states,
                                    const Eigen::Ref<const Eigen::VectorXd>& displacements) {
-  assert(broken.empty() || broken.size() == network.bonds.size());
+  assert(states.share.empty() || states.share.size() == network.bonds.size());
+  assert(states.rest_stretch.empty() || states.rest_stretch.size() == network.bonds.size());
   assert(displacements.size() == 2 * point_count);
-  const ShownStretches bonds(network, broken, displacements);
+  const ShownStretches bonds(network, states, displacements);
   const std::vector<PointBonds> points = collect(point_count, bonds);
   std::vector<Vector3d> strains;
   for (const PointBonds& point : points) strains.push_back(solve_semidefinite(point.response, point.carried));

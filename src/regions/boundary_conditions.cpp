@@ -23,6 +23,7 @@ class SupportTable {
     require(d_.ties.tie_of(node) < 0, "support ", support + 1, " holds the material point at (", d_.positions[node].x(),
             ", ", d_.positions[node].y(),
             "), which follows the boundary elements of its interface; hold the boundary element region's edge instead");
+    c_.held_dofs[support].push_back(dof);
     if (owner_[dof] < 0) {
       owner_[dof] = support;
       c_.prescribed[dof] = 1;
@@ -72,10 +73,15 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
   c.displacement = c.force = Affine::Zero(dofs, 2);
   c.body_force = Affine::Zero(2 * scene.region_count(), 2);
   c.reaction_dofs.resize(scene.supports().size());
+  c.held_dofs.resize(scene.supports().size());
   SupportTable table(d, c);
   for (std::size_t s = 0; s < scene.supports().size(); ++s) apply_support(scene, d, static_cast<int>(s), table);
   for (std::size_t l = 0; l < scene.loads().size(); ++l)
     if (!scene.loads()[l].removed()) scene.loads()[l].place->add_load(scene, d, static_cast<int>(l), c);
+  for (int id : scene.region_ids()) {
+    const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (id - 1)); };
+    c.work_within += d.region(id).work_within({body_force(0), body_force(1)}, c.crack_loads);
+  }
   return c;
 }
 

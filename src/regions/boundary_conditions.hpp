@@ -16,6 +16,11 @@ struct DofConditions {
   std::vector<CrackLoad> crack_loads;           // their effect on nodes is part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
 
+  std::vector<std::vector<int>> held_dofs;  // per support: with those that count for another one
+
+  // What loads do beside the work of `force`: half of (1, f) within (1, f) at the load factor f [J].
+  Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
+
   // Of every region at a load factor.
   std::vector<Point> body_forces(double load_factor) const;
 };

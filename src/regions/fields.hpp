@@ -11,7 +11,7 @@
 
 namespace bempd::regions {
 
-enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch, element_stress };
+enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch, element_stress, stress_order };
 enum class BondState { intact = 0, broken = 1, cut = 2 };
 
 // A field as numbers, entry by entry.
@@ -28,7 +28,7 @@ struct FieldSize {
 
 inline int components_of(Field field) {
   if (field == Field::stress || field == Field::element_stress) return 3;
-  return field == Field::damage || field == Field::bond_stretch ? 1 : 2;
+  return field == Field::damage || field == Field::bond_stretch || field == Field::stress_order ? 1 : 2;
 }
 
 // Loads on the faces of a crack that has elements, by the part of its length: pressure and shear [Pa], constant and
@@ -48,6 +48,7 @@ struct Solution {
   const coupling::Affine* parts = nullptr;  // of the displacement
   const std::vector<CrackLoad>* crack_loads = nullptr;
   double load_factor = 0;
+  const std::vector<std::uint8_t>* stages = nullptr;  // of bonds in their laws; null: they are intact or gone
 
   const Point& body_force(int region) const { return body_forces[static_cast<std::size_t>(region) - 1]; }
 };
@@ -66,6 +67,8 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual PointValue at(const Point& place) = 0;
+  // On cracks with elements: values of the right face, seen from the first point, in place of the left one.
+  virtual void look_from_right(bool /*right*/) {}
   virtual std::int64_t kernel_evaluations() const { return 0; }
 };
 

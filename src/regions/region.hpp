@@ -41,7 +41,9 @@ struct LeadingElements {
   std::vector<int> nodes;  // of the scene
 };
 
-// The tip of a crack with elements.
+enum class TipMethod { elements = 1, contours = 2 };
+
+// The tip of a crack.
 struct TipValues {
   int crack;                    // id
   int end;                      // 1: the crack's last point, 0: its first
@@ -52,9 +54,16 @@ struct TipValues {
   double error;                 // of the factors [Pa m^(1/2)]
   double kink_angle;            // from the direction, counter-clockwise [rad]
   double critical_load_factor;  // at which the energy release rate is the fracture energy; infinite if it never is
-  Point constant_factors, proportional_factors;  // what the loads' parts make of K_I, K_II
-  double toughness;                              // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
-  double plane_modulus;                          // [Pa]
+  // Of a tip with elements, which grows by lengths.
+  Point constant_factors = {0, 0}, proportional_factors = {0, 0};  // what the loads' parts make of K_I, K_II
+  double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
+  double plane_modulus = 0;  // [Pa]
+
+  // Of a tip among bonds; without contours there are no numbers above but place and direction.
+  TipMethod method = TipMethod::elements;
+  int contours = 0;
+  bool grown = false, branched = false;
+  double contour_radius = 0, felt_ahead = 0;  // [m]
 };
 
 enum class TipDetail { factors, everything };
@@ -69,6 +78,12 @@ struct Overlap {
 struct CrackPicture {
   int crack;
   std::vector<Point> places, openings;
+};
+
+// Places of material points: origin + spacing * (i, j).
+struct LatticeGrid {
+  Point origin;
+  double spacing, horizon;  // [m]
 };
 
 struct RegionOperator {
@@ -141,6 +156,19 @@ class Region {
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
   // Adds nodal forces [N] of a constant force per volume [N/m^3].
   virtual void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
+  // What the constant and the proportional part of the loads on its inside, forces per volume and tractions on cracks,
+  // do to each other's displacements [J] beside the work of the nodal forces, of which the nodes know nothing.
+  virtual Eigen::Matrix2d work_within(const std::array<Point, 2>& /*body_force*/,
+                                      const std::vector<CrackLoad>& /*crack_loads*/) const {
+    return Eigen::Matrix2d::Zero();
+  }
+
+  // Force [N] of the body's own stress on one side of each of some nodes: what its tractions on this edge add up to
+  // there. Where edges share a node it tells their parts of the force.
+  virtual std::vector<Point> forces_on_edge(const EdgeSpan& /*span*/, const std::vector<int>& nodes_of_scene,
+                                            const FieldsOfRegion& /*fields*/) const {
+    return std::vector<Point>(nodes_of_scene.size(), Point::Zero());
+  }
 
   // --- Cracks and bonds
 
@@ -157,8 +185,6 @@ class Region {
     return {};
   }
   virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
-  // What loads on crack faces make of the body's potential energy beside their effect on nodes [J].
-  virtual double energy_within_cracks(const Solution& /*solution*/) const { return 0; }
   // Where faces overlap most, if they do.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
   // Adds the scene's bonds that crack number `crack` cuts.
@@ -168,6 +194,8 @@ class Region {
   // nodes that no region has both of.
   virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
+  // Of a region whose bonds show what a crack tip among them carries.
+  virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
 
   // --- Results
 

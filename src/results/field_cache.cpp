@@ -9,18 +9,17 @@ namespace bempd::results {
 
 using regions::BondState;
 
-const regions::FieldValues& FieldCache::of(const regions::Region& region, regions::Field field,
-                                           const regions::Solution& solution, std::int64_t generation) {
+const regions::FieldValues& FieldCache::of(const Key& key, std::int64_t generation,
+                                           const std::function<regions::FieldValues()>& compute) {
   if (generation_ != generation) {
     fields_.clear();
     generation_ = generation;
   }
-  const auto key = std::make_pair(region.id(), field);
   const auto found = fields_.find(key);
   if (found != fields_.end()) return found->second;
-  regions::FieldValues computed = region.field(field, solution);
+  regions::FieldValues computed = compute();
   if (!std::all_of(computed.values.begin(), computed.values.end(), [](double value) { return std::isfinite(value); })) {
-    fail(Failure::unsolvable, "a value of this field of region ", region.id(),
+    fail(Failure::unsolvable, "a value of this field of region ", key.first,
          " is beyond the range of numbers; choose other units, or smaller loads");
   }
   return fields_.emplace(key, std::move(computed)).first->second;

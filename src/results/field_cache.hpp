@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -10,13 +11,15 @@ namespace bempd::results {
 // Fields of regions under one solution, computed when they are first asked for.
 class FieldCache {
  public:
+  using Key = std::pair<int, regions::Field>;  // region id
+
   // `generation` tells solutions apart: fields of another one are forgotten.
-  const regions::FieldValues& of(const regions::Region& region, regions::Field field, const regions::Solution& solution,
-                                 std::int64_t generation);
+  const regions::FieldValues& of(const Key& key, std::int64_t generation,
+                                 const std::function<regions::FieldValues()>& compute);
 
  private:
   std::int64_t generation_ = 0;
-  std::map<std::pair<int, regions::Field>, regions::FieldValues> fields_;  // by region id
+  std::map<Key, regions::FieldValues> fields_;
 };
 
 // One entry a bond of the region: `intact` and `cut` are those of the scene.

@@ -19,10 +19,25 @@ int region_at(const scene::Scene& scene, const regions::Discretization& d, const
   return found ? found->id() : 0;
 }
 
+// The region asked for, or the one that has the place; throws Error (argument) if the place lies outside.
+int region_for(const scene::Scene& scene, const regions::Discretization& d, const Point& place, std::size_t number,
+               int wanted) {
+  if (wanted == 0) {
+    const int region = region_at(scene, d, place);
+    require(region > 0, "point ", number, ", (", place.x(), ", ", place.y(), "), lies outside the body");
+    return region;
+  }
+  require(locate(scene.region(wanted).outline(), place, d.tolerance) != Location::outside, "point ", number, ", (",
+          place.x(), ", ", place.y(), "), lies outside region ", wanted,
+          "; ask the region that has it, or let bempd_evaluate() choose");
+  return wanted;
+}
+
 }  // namespace
 
 PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d, const regions::Solution& solution,
-                     const FieldsOfScene& fields, const std::vector<Point>& places, bool with_stress) {
+                     const FieldsOfScene& fields, const std::vector<Point>& places, bool with_stress,
+                     const Side& side) {
   PointValues result;
   std::map<int, std::unique_ptr<regions::Evaluator>> evaluators;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -30,14 +45,14 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
     const Point& place = places[i];
     require(place.allFinite(), "point ", i, " is (", place.x(), ", ", place.y(),
             "); coordinates must be finite numbers");
-    const int region = region_at(scene, d, place);
-    require(region > 0, "point ", i, ", (", place.x(), ", ", place.y(), "), lies outside the body");
+    const int region = region_for(scene, d, place, i, side.region);
     std::unique_ptr<regions::Evaluator>& evaluator = evaluators[region];
     if (!evaluator) {
       const auto of_region = [&fields, region](regions::Field field) -> const regions::FieldValues& {
         return fields(region, field);
       };
       evaluator = d.region(region).evaluator(solution, of_region, with_stress);
+      evaluator->look_from_right(side.from_right);
     }
     const regions::PointValue value = evaluator->at(place);
     if (!value.displacement.allFinite() || !value.stress.allFinite()) {

@@ -58,7 +58,7 @@ class GridBuilder {
   output::VtuGrid grid_;
 };
 
-// Cracks that have elements, element by element.
+// Cracks, piece by piece.
 output::VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
   output::VtuGrid grid;
   std::vector<double> openings;
@@ -79,6 +79,38 @@ output::VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
   return grid;
 }
 
+// A point for each.
+output::VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
+  output::VtuGrid grid;
+  std::vector<double> directions;
+  std::vector<std::int32_t> cracks, ends, methods;
+  for (const regions::TipValues& tip : tips) {
+    grid.add_cell(output::VtuCell::vertex, {static_cast<std::int64_t>(grid.points.size())});
+    grid.points.push_back(tip.place);
+    directions.insert(directions.end(), {tip.direction.x(), tip.direction.y()});
+    cracks.push_back(tip.crack), ends.push_back(tip.end + 1), methods.push_back(static_cast<std::int32_t>(tip.method));
+  }
+  const auto add = [&](const char* name, const auto& number_of) {
+    std::vector<double> values;
+    for (const regions::TipValues& tip : tips) values.push_back(number_of(tip));
+    grid.point_data.push_back({name, 1, std::move(values)});
+  };
+  using Tip = regions::TipValues;
+  add("stress_intensity_1", [](const Tip& tip) { return tip.factors.x(); });
+  add("stress_intensity_2", [](const Tip& tip) { return tip.factors.y(); });
+  add("energy_release_rate", [](const Tip& tip) { return tip.energy_release_rate; });
+  add("t_stress", [](const Tip& tip) { return tip.stress_along; });
+  add("error", [](const Tip& tip) { return tip.error; });
+  add("kink_angle", [](const Tip& tip) { return tip.kink_angle; });
+  add("critical_load_factor", [](const Tip& tip) { return tip.critical_load_factor; });
+  add("felt_ahead", [](const Tip& tip) { return tip.felt_ahead; });
+  grid.point_data.push_back({"direction", 2, std::move(directions)});
+  grid.point_data.push_back({"crack", 1, std::move(cracks)});
+  grid.point_data.push_back({"end", 1, std::move(ends)});
+  grid.point_data.push_back({"method", 1, std::move(methods)});
+  return grid;
+}
+
 void require_name_for_series(const std::string& prefix) {
   require(output::fits_xml(output::path_from_utf8(prefix).filename().native()), "prefix is ", output::printable(prefix),
           ", and prefix.pvd cannot name such files: XML holds neither bytes that are not UTF-8 nor ",
@@ -88,7 +120,7 @@ void require_name_for_series(const std::string& prefix) {
 }  // namespace
 
 void Snapshots::write(const std::string& prefix, double load_factor, const regions::Discretization& d,
-                      const FieldsOfScene& fields, const std::vector<regions::CrackPicture>& cracks) {
+                      const FieldsOfScene& fields, const CracksShown& cracks) {
   require_name_for_series(prefix);
   const std::filesystem::path base = output::path_from_utf8(prefix);
   std::vector<Moment>& series = series_[prefix];
@@ -111,7 +143,8 @@ void Snapshots::write(const std::string& prefix, double load_factor, const regio
     };
     for (const auto& [at, builder] : blocks) write_block(at, builder.name(), builder.grid());
     constexpr int behind_regions = 100;
-    if (!cracks.empty()) write_block(behind_regions, "cracks", grid_of(cracks));
+    if (!cracks.faces.empty()) write_block(behind_regions, "cracks", grid_of(cracks.faces));
+    if (!cracks.tips.empty()) write_block(behind_regions + 1, "tips", grid_of(cracks.tips));
     std::vector<output::PvdEntry> entries;
     for (const Moment& moment : all) {
       for (const auto& [block, file] : moment.files) entries.push_back({moment.load_factor, block, file});

@@ -9,12 +9,18 @@
 
 namespace bempd::results {
 
+// What a snapshot shows of cracks.
+struct CracksShown {
+  std::vector<regions::CrackPicture> faces;
+  std::vector<regions::TipValues> tips;
+};
+
 // Series of VTK files, one file a block of regions and moment, with a collection for each series.
 class Snapshots {
  public:
   // Adds a moment to the series of this prefix. Throws Error (io).
   void write(const std::string& prefix, double load_factor, const regions::Discretization& discretization,
-             const FieldsOfScene& fields, const std::vector<regions::CrackPicture>& cracks);
+             const FieldsOfScene& fields, const CracksShown& cracks);
 
  private:
   struct Moment {

@@ -26,7 +26,7 @@ OptionDescription text_option(const char* name, const char* summary, const char*
 OptionDescription shaping(OptionDescription option);
 
 // In the order in which they are listed.
-enum class OptionPlace { general, schemes, lattices, boundaries, stepping, growth };
+enum class OptionPlace { general, schemes, lattices, boundaries, stepping, growth, results };
 
 // Options that belong together, described next to what reads them. Objects of static duration: all are there before
 // main() begins, and the first question for an option asks them for their descriptions.

@@ -1,5 +1,8 @@
 #include "scene/outline_rules.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "error.hpp"
 #include "geometry/outline_check.hpp"
 
@@ -74,6 +77,25 @@ std::string describe(const OutlineCheck& check, const Outline& outline) {
 void require_sound(const Outline& outline) {
   const OutlineCheck check = check_outline(outline);
   require(check.sound(), describe(check, outline));
+}
+
+void require_circle(const Point& centre, double radius) {
+  require(centre.allFinite(), "the centre is (", centre.x(), ", ", centre.y(), "); coordinates must be finite numbers");
+  require(std::isfinite(radius) && radius > 0, "radius is ", radius, "; it must be > 0");
+}
+
+void append_circle(Outline& outline, const Point& centre, double radius, bool clockwise) {
+  require_circle(centre, radius);
+  const double turn = clockwise ? -1 : 1;
+  std::vector<Point> vertices;
+  for (const Point& direction : {Point(1, 0), Point(0, turn), Point(-1, 0), Point(0, -turn)})
+    vertices.push_back(centre + radius * direction);
+  int edge = static_cast<int>(edges_of(outline).size());
+  for (int k = 0; k < 4; ++k) {
+    const Arc quarter{vertices[k], vertices[(k + 1) % 4], turn * 0.5 * std::numbers::pi};
+    outline.curved.emplace(edge++, Edge(quarter));
+  }
+  outline.loops.push_back(std::move(vertices));
 }
 
 }  // namespace bempd::scene

@@ -12,4 +12,10 @@ void require_points(const std::vector<Point>& points, const char* what);
 // Throws Error (argument) for an outline that crosses itself, is turned the wrong way, and the like.
 void require_sound(const Outline& outline);
 
+// Throws Error (argument) for a circle that is none.
+void require_circle(const Point& centre, double radius);
+
+// A loop of four quarter circles, of which the first begins at the place with the largest x.
+void append_circle(Outline& outline, const Point& centre, double radius, bool clockwise);
+
 }  // namespace bempd::scene

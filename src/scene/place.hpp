@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "geometry/point.hpp"
 #include "hash.hpp"
 
 namespace bempd::regions {
@@ -25,6 +28,10 @@ class Place {
 
   // Whether it is a place of this region and of no other.
   virtual bool needs(int /*region*/) const { return false; }
+
+  // The point or the edge (id of its region, number) that it is or is a part of, if it is one.
+  virtual std::optional<Point> point() const { return std::nullopt; }
+  virtual std::optional<std::pair<int, int>> edge() const { return std::nullopt; }
 
   // Whether it lies on this crack.
   virtual bool needs_crack(int /*crack*/) const { return false; }

@@ -32,6 +32,8 @@ class Scene {
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
   // The edge becomes the arc through a place between its ends.
   void set_edge_arc(int region, int edge, const Point& between);
+  // The edge becomes the arc about a centre, on which both of its ends lie.
+  void set_edge_arc_about(int region, int edge, const Point& centre, double radius, bool clockwise);
   // A row of edges of one loop becomes a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);

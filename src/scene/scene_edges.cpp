@@ -12,6 +12,15 @@ namespace {
 
 std::string place_of(const Point& p) { return text("(", p.x(), ", ", p.y(), ")"); }
 
+// An edge becomes an arc between its ends; a flat one stays straight.
+void bend(Region& region, int number, const Arc& arc, double tolerance) {
+  Outline changed = region.outline();
+  changed.curved.erase(number - 1);
+  if (std::abs(arc.sagitta()) > 0.01 * tolerance) changed.curved.emplace(number - 1, Edge(arc));
+  require_sound(changed);
+  region.set_outline(std::move(changed));
+}
+
 }  // namespace
 
 int Scene::add_hole(int region_id, const std::vector<Point>& vertices) {
@@ -28,18 +37,9 @@ int Scene::add_hole(int region_id, const std::vector<Point>& vertices) {
 int Scene::add_circular_hole(int region_id, const Point& centre, double radius) {
   Region& region = mutable_region(region_id);
   require(region.has_elements(), "region ", region_id, " is ", region.adjective(), "; its holes are rectilinear");
-  require(centre.allFinite(), "the centre is (", centre.x(), ", ", centre.y(), "); coordinates must be finite numbers");
-  require(std::isfinite(radius) && radius > 0, "radius is ", radius, "; it must be > 0");
   Outline changed = region.outline();
-  std::vector<Point> vertices;
-  for (const Point& direction : {Point(1, 0), Point(0, -1), Point(-1, 0), Point(0, 1)})
-    vertices.push_back(centre + radius * direction);
-  changed.loops.push_back(vertices);
   const int first_edge = region.edge_count() + 1;
-  for (int k = 0; k < 4; ++k) {
-    const Arc quarter{vertices[k], vertices[(k + 1) % 4], -0.5 * std::numbers::pi};
-    changed.curved.emplace(first_edge - 1 + k, Edge(quarter));
-  }
+  append_circle(changed, centre, radius, true);
   require_sound(changed);
   region.set_outline(std::move(changed));
   return first_edge;
@@ -63,11 +63,22 @@ void Scene::set_edge_arc(int region_id, int number, const Point& between) {
   const std::optional<Arc> arc = at_an_end ? std::nullopt : arc_through(edge.start, between, edge.end);
   require(arc.has_value(), "there is no arc from ", place_of(edge.start), " through ", place_of(between), " to ",
           place_of(edge.end), "; give a place on the arc about half way between the ends of the edge");
-  Outline changed = region.outline();
-  changed.curved.erase(number - 1);
-  if (std::abs(arc->sagitta()) > 0.01 * tolerance) changed.curved.emplace(number - 1, Edge(*arc));
-  require_sound(changed);
-  region.set_outline(std::move(changed));
+  bend(region, number, *arc, tolerance);
+}
+
+void Scene::set_edge_arc_about(int region_id, int number, const Point& centre, double radius, bool clockwise) {
+  Region& region = region_with_edge(region_id, number, "can be arcs");
+  require_circle(centre, radius);
+  const Edge edge = region.edge(number);
+  const double tolerance = geometric_tolerance(bempd::bounding_box(region.outline()));
+  const Point from = edge.start - centre, to = edge.end - centre;
+  require(std::abs(from.norm() - radius) <= tolerance && std::abs(to.norm() - radius) <= tolerance, "edge ", number,
+          " of region ", region_id, " begins ", from.norm(), " and ends ", to.norm(), " from the centre ",
+          place_of(centre), ", but the radius is ", radius, "; both must be the radius up to ", tolerance,
+          ": correct the vertices, the centre or the radius");
+  const double turned = std::atan2(cross(from, to), from.dot(to)), whole = 2 * std::numbers::pi;
+  const double sweep = clockwise ? (turned < 0 ? turned : turned - whole) : (turned > 0 ? turned : turned + whole);
+  bend(region, number, {edge.start, edge.end, sweep}, tolerance);
 }
 
 void Scene::set_edges_smooth(int region_id, int first_edge, int last_edge) {

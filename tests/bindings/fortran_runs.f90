@@ -72,6 +72,7 @@ program fortran_runs
   call cracks_grow_where_they_are_not_frozen()
   call reactions_and_evaluation_agree_with_a_uniform_bar()
   call pressure_and_moments_balance()
+  call edges_sides_arcs_and_singular_places()
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
   call the_path_of_equilibrium_costs_what_bonds_take()
@@ -290,6 +291,8 @@ contains
     type(bempd_crack_tip), allocatable :: found(:)
     real(dp), allocatable :: normal(:), tangential(:)
     integer(c_int32_t) :: material, crack, load
+    integer(c_int64_t), allocatable :: events(:)
+    real(dp), allocatable :: factors(:)
     real(dp), parameter :: expected = 3 * sqrt(acos(-1.0_dp) * .01_dp)
     integer :: stat
     character(200) :: message
@@ -308,6 +311,14 @@ contains
     call model%crack_opening(crack, [.5_dp, 1.0_dp], normal, tangential)
     call check(abs(normal(1) - 4 * 3 * .01_dp) < 1e-3_dp * normal(1) .and. abs(normal(2)) < 1e-12_dp, "it opens")
     call check(maxval(abs(tangential)) < 1e-6_dp * normal(1), "it does not slide")
+    call check(all(found%method == BEMPD_TIP_ELEMENTS), "they have elements")
+    call model%set_option("tips.record", 1.0_dp)
+    call model%step(2._dp)
+    call model%tip_history(found, events=events, load_factors=factors)
+    call check(size(found) == 2 .and. all(events == 0) .and. all(factors == 2), "tips are recorded")
+    call check(maxval(abs(found%stress_intensity_1 / expected - 1)) < 3e-4_dp, "recorded tips have their factors")
+    call model%write_tips("nowhere/at/all.csv", stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_IO, message, "bempd_write_tips: ")
     call model%grow_cracks(.001_dp, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_UNSOLVABLE, message, "bempd_grow_cracks: ")
     call model%crack_opening(2, [.5_dp], normal, stat=stat, errmsg=message)
@@ -356,6 +367,37 @@ contains
     call model%reaction_moment(1, 0._dp, .5_dp, moment)
     call check(abs(moment) < 1e-9_dp, "it has no moment about its middle")
   end subroutine pressure_and_moments_balance
+
+  subroutine edges_sides_arcs_and_singular_places()
+    type(bempd_model) :: model
+    type(bempd_singularity), allocatable :: singular(:)
+    real(dp), allocatable :: stress(:, :)
+    real(dp) :: force(2), moment
+    integer(c_int32_t) :: disc
+    integer :: stat
+    character(200) :: message
+
+    call make_square(model)
+    call model%add_traction(1, 2, BEMPD_X, constant=[0._dp], proportional=[10._dp])
+    call model%add_bem_disc(1, .5_dp, 3._dp, .5_dp, .2_dp, region=disc)
+    call model%set_edge_arc_about(disc, 1, .5_dp, 3._dp, .5_dp, BEMPD_COUNTER_CLOCKWISE)
+    call model%set_edge_arc_about(disc, 1, .5_dp, 3._dp, .6_dp, BEMPD_CLOCKWISE, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_edge_arc_about: edge 1 of region 2 begins 0.5")
+    call model%fix_edge(disc, 1, BEMPD_BOTH)
+    call model%step(1._dp)
+    call model%edge_reaction(1, 4, 0._dp, .5_dp, force, moment)
+    call check(abs(force(1) + 10) < 1e-9_dp .and. abs(moment) < 1e-9_dp, "the edge holds the traction")
+    call model%edge_reaction(1, 1, 0._dp, .5_dp, force, moment, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_edge_reaction: no support holds edge 1")
+    call model%evaluate_in(1, reshape([1._dp, .5_dp], [2, 1]), stress=stress)
+    call check(abs(stress(1, 1) - 10) < 1e-7_dp, "the region has its stress on its boundary")
+    call model%evaluate_in(disc, reshape([1._dp, .5_dp], [2, 1]), stress=stress, face=BEMPD_FACE_RIGHT, stat=stat, &
+      errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_evaluate_in: point 0")
+    call model%singularities(singular)
+    call check(count(singular%region == disc .and. singular%kind == BEMPD_SINGULAR_CORNER) == 2, "a clamp has two ends")
+    call check(all(singular%exponent < 1), "stress is unbounded there")
+  end subroutine edges_sides_arcs_and_singular_places
 
   subroutine reactions_and_evaluation_agree_with_a_uniform_bar()
     type(bempd_model) :: model

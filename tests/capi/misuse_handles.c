@@ -86,7 +86,11 @@ static void null_model_is_refused_while_running(void) {
   NO_MODEL(bempd_bond_count(NULL, 1, &count));
   NO_MODEL(bempd_copy_bonds(NULL, 1, 4, integers, NULL));
   NO_MODEL(bempd_reaction(NULL, 1, values));
+  NO_MODEL(bempd_edge_reaction(NULL, 1, 1, 0.0, 0.0, values, values));
   NO_MODEL(bempd_evaluate(NULL, 1, values, values, NULL, NULL));
+  NO_MODEL(bempd_evaluate_in(NULL, 1, BEMPD_FACE_LEFT, 1, values, values, NULL));
+  NO_MODEL(bempd_singularity_count(NULL, &count));
+  NO_MODEL(bempd_get_singularity(NULL, 0, NULL));
   NO_MODEL(bempd_get_statistics(NULL, &statistics));
   NO_MODEL(bempd_history_count(NULL, &count));
   NO_MODEL(bempd_history(NULL, 0, &entry));
@@ -108,6 +112,7 @@ static void null_structs_and_arrays_are_refused(void) {
   NO_OUTPUT(NULL, bempd_step_report_init(NULL, sizeof(bempd_step_report)));
   NO_OUTPUT(NULL, bempd_statistics_init(NULL, sizeof(bempd_statistics)));
   NO_OUTPUT(NULL, bempd_history_entry_init(NULL, sizeof(bempd_history_entry)));
+  NO_OUTPUT(NULL, bempd_singularity_init(NULL, sizeof(bempd_singularity)));
   NO_OUTPUT(NULL, bempd_option_count(NULL));
   NO_OUTPUT(NULL, bempd_option_describe(0, NULL));
   NO_OUTPUT(model, bempd_add_material(model, NULL, NULL));
@@ -149,6 +154,9 @@ static void null_outputs_of_results_are_refused(void) {
   NO_OUTPUT(model, bempd_bond_count(model, plate.strip, NULL));
   NO_OUTPUT(model, bempd_reaction(model, plate.pulled_left, NULL));
   NO_OUTPUT(model, bempd_evaluate(model, 1, NULL, NULL, NULL, NULL));
+  NO_OUTPUT(model, bempd_evaluate_in(model, plate.left, BEMPD_FACE_LEFT, 1, NULL, NULL, NULL));
+  NO_OUTPUT(model, bempd_singularity_count(model, NULL));
+  NO_OUTPUT(model, bempd_get_singularity(model, 0, NULL));
   NO_OUTPUT(model, bempd_get_statistics(model, NULL));
   NO_OUTPUT(model, bempd_history_count(model, NULL));
   NO_OUTPUT(model, bempd_history(model, 0, NULL));

@@ -22,7 +22,7 @@ import bempd
 MOST_RESIDUAL, MOST_IMBALANCE = 1e-8, 1e-8
 # In which windows and plain solutions may differ, relative to the largest value.
 LOADS, ENERGIES, REACTIONS = 1e-7, 1e-6, 1e-6
-MOST_GROWTH = 1e3  # of the load factor over that of the first event
+MOST_GROWTH = 1e6  # of the load factor over that of the first event
 EVENTS = 40
 
 
@@ -153,7 +153,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
     size = max((np.abs(r).max() for r in plain.reactions), default=0) + natural + 1e-300
     for number, (a, b) in enumerate(zip(plain.reports, window.reports), 1):
         if a.load_factor > MOST_GROWTH * plain.reports[0].load_factor:
-            return None  # what breaks there hardly feels the load, and ties are decided by rounding
+            return None  # what breaks there hardly feels the load: its stretch has lost as many digits
         if a.total_broken_bonds != b.total_broken_bonds or a.stop_reason != b.stop_reason:
             return (f"event {number}: {a.total_broken_bonds} bonds, {a.stop_reason.name}; with windows "
                     f"{b.total_broken_bonds}, {b.stop_reason.name}")
@@ -171,7 +171,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
                 continue
             a, b = plain.history[name].astype(float), window.history[name].astype(float)
             size = np.abs(a).max(initial=0)
-            if name in ("stored_energy", "released_energy"):
+            if name.endswith("_energy"):
                 size = max(size, largest_energy)
             if len(a) != len(b) or np.abs(a - b).max(initial=0) > ENERGIES * size:
                 return f"history: {name} differs"

@@ -59,6 +59,7 @@ class Scene {
   void read_bonds(std::int32_t region);
   void evaluate();
   void read_books();
+  void read_singular_places();
   void keep_state();
   void write_files();
 

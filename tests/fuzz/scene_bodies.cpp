@@ -111,6 +111,7 @@ void Scene::bend_edge() {
   } else {
     const double bulge = bytes_.pick(9) * 0.05 * scale_;
     FUZZ_CALL(bempd_set_edge_arc, model_, of, first, at.x + bulge, at.y - bulge);
+    FUZZ_CALL(bempd_set_edge_arc_about, model_, of, first, at.x, at.y, bulge, 1 + first % 2);
   }
 }
 

@@ -115,8 +115,30 @@ void Scene::evaluate() {
     return;
   require_finite("bempd_evaluate", displacement.data(), static_cast<std::size_t>(2 * count));
   require_finite("bempd_evaluate", stress.data(), static_cast<std::size_t>(3 * count));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
     require_true(regions[k] >= 1 && regions[k] <= regions_, "bempd_evaluate", "a place in no region");
+    for (const std::int32_t of : {regions[k], regions_}) {
+      if (!FUZZ_CALL(bempd_evaluate_in, model_, of, BEMPD_FACE_RIGHT, 1, &points[2 * k], &displacement[2 * k],
+                     &stress[3 * k]))
+        continue;
+      require_finite("bempd_evaluate_in", &displacement[2 * k], 2);
+      require_finite("bempd_evaluate_in", &stress[3 * k], 3);
+    }
+  }
+}
+
+void Scene::read_singular_places() {
+  std::int64_t count = 0;
+  if (!FUZZ_CALL(bempd_singularity_count, model_, &count)) return;
+  for (std::int64_t k = 0; k <= count; ++k) {
+    bempd_singularity s;
+    good("bempd_singularity_init", nullptr, bempd_singularity_init(&s, sizeof s));
+    if (!FUZZ_CALL(bempd_get_singularity, model_, k, &s)) continue;
+    const std::array numbers = {s.x, s.y, s.exponent, s.oscillation};
+    require_finite("bempd_get_singularity", numbers.data(), numbers.size());
+    require_true(s.exponent >= 0 && s.exponent < 1 && s.oscillation >= 0, "bempd_get_singularity", "no exponent");
+    require_true(s.region >= 1 && s.region <= regions_, "bempd_get_singularity", "a place in no region");
+  }
 }
 
 void Scene::read_books() {
@@ -128,6 +150,12 @@ void Scene::read_books() {
     std::array<double, 2> force;
     if (FUZZ_CALL(bempd_reaction, model_, support, force.data())) require_finite("bempd_reaction", force.data(), 2);
   }
+  for (std::int32_t edge = 1; edge <= 4; ++edge) {
+    std::array<double, 3> reaction;
+    if (FUZZ_CALL(bempd_edge_reaction, model_, regions_, edge, 0.0, 0.0, reaction.data(), &reaction[2]))
+      require_finite("bempd_edge_reaction", reaction.data(), 3);
+  }
+  read_singular_places();
   const std::int64_t lines = marks().lines;
   for (std::int64_t line = 0; line <= lines; ++line) {
     bempd_history_entry e;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "elasticity/kinked_tip.hpp"
 #include "physics/cracked_bodies.hpp"
 
 namespace bempd::crack_test {
@@ -25,8 +26,8 @@ TEST(Kink, factors_of_amestoy_and_leblond_are_those_of_a_tiny_kink) {
   shear << 0, 1, 1, 0;
   for (const double degrees : {3.0, 15.0, 45.0, 75.0, -60.0}) {
     const Point one = kinked(degrees * degree, 1e-4, pull), two = kinked(degrees * degree, 1e-4, shear);
-    const Point known_one = bem::kinked_factors({1, 0}, degrees * degree);
-    const Point known_two = bem::kinked_factors({0, 1}, degrees * degree);
+    const Point known_one = kinked_factors({1, 0}, degrees * degree);
+    const Point known_two = kinked_factors({0, 1}, degrees * degree);
     std::printf("%g degrees: %.5f %.5f %.5f %.5f, known %.5f %.5f %.5f %.5f\n", degrees, one.x(), one.y(), two.x(),
                 two.y(), known_one.x(), known_one.y(), known_two.x(), known_two.y());
     EXPECT_LE((one - known_one).norm(), 1e-3) << degrees;
@@ -35,34 +36,34 @@ TEST(Kink, factors_of_amestoy_and_leblond_are_those_of_a_tiny_kink) {
 }
 
 TEST(Kink, goes_to_the_largest_energy_release_rate) {
-  using enum bem::KinkCriterion;
+  using enum KinkCriterion;
   // Pure shear: 75.6 degrees, between hoop stress (70.5) and vanishing K_II (77.3); Amestoy and Leblond 1992.
-  EXPECT_NEAR(bem::kink_of({0, 1}, energy_release_rate).angle / degree, -75.6, 0.3);
-  EXPECT_NEAR(bem::kink_of({0, -1}, energy_release_rate).angle / degree, 75.6, 0.3);
-  EXPECT_EQ(bem::kink_of({2, 0}, energy_release_rate).angle, 0);
-  EXPECT_EQ(bem::kink_of({2, 0}, energy_release_rate).equivalent_factor, 2);
-  EXPECT_LT(bem::kink_of({-2, 0}, energy_release_rate).equivalent_factor, 0);
+  EXPECT_NEAR(kink_of({0, 1}, energy_release_rate).angle / degree, -75.6, 0.3);
+  EXPECT_NEAR(kink_of({0, -1}, energy_release_rate).angle / degree, 75.6, 0.3);
+  EXPECT_EQ(kink_of({2, 0}, energy_release_rate).angle, 0);
+  EXPECT_EQ(kink_of({2, 0}, energy_release_rate).equivalent_factor, 2);
+  EXPECT_LT(kink_of({-2, 0}, energy_release_rate).equivalent_factor, 0);
   // For a little shear both criteria turn by 2 K_II / K_I.
-  EXPECT_NEAR(bem::kink_of({1, 0.01}, energy_release_rate).angle, -0.02, 2e-5);
-  EXPECT_NEAR(bem::kink_of({1, 0.01}, hoop_stress).angle, -0.02, 2e-5);
+  EXPECT_NEAR(kink_of({1, 0.01}, energy_release_rate).angle, -0.02, 2e-5);
+  EXPECT_NEAR(kink_of({1, 0.01}, hoop_stress).angle, -0.02, 2e-5);
   for (const double two : {0.1, 0.5, 1.0, 5.0}) {
-    const bem::Kink best = bem::kink_of({1, two}, energy_release_rate);
+    const Kink best = kink_of({1, two}, energy_release_rate);
     for (double angle = -1.8; angle <= 1.8; angle += 0.01)
-      EXPECT_LE(bem::kinked_factors({1, two}, angle).norm(), best.equivalent_factor * (1 + 1e-12));
+      EXPECT_LE(kinked_factors({1, two}, angle).norm(), best.equivalent_factor * (1 + 1e-12));
   }
 }
 
 TEST(Kink, load_factor_brings_the_equivalent_factor_to_the_toughness) {
-  for (const auto criterion : {bem::KinkCriterion::hoop_stress, bem::KinkCriterion::energy_release_rate}) {
+  for (const auto criterion : {KinkCriterion::hoop_stress, KinkCriterion::energy_release_rate}) {
     for (const auto& [constant, proportional] :
          {std::pair(Point(0, 0), Point(1, 0.5)), std::pair(Point(-1, 0.3), Point(2, -1)),
           std::pair(Point(0.5, 0), Point(0, 1))}) {
-      const double factor = bem::growth_load_factor(constant, proportional, 3, criterion);
-      EXPECT_NEAR(bem::kink_of(constant + factor * proportional, criterion).equivalent_factor, 3, 1e-10);
+      const double factor = growth_load_factor(constant, proportional, 3, criterion);
+      EXPECT_NEAR(kink_of(constant + factor * proportional, criterion).equivalent_factor, 3, 1e-10);
     }
-    EXPECT_EQ(bem::growth_load_factor({5, 0}, {1, 0}, 3, criterion), 0);
-    EXPECT_TRUE(std::isinf(bem::growth_load_factor({0, 0}, {-1, 0}, 3, criterion)));
-    EXPECT_TRUE(std::isinf(bem::growth_load_factor({0, 0}, {1, 0}, 0, criterion)));
+    EXPECT_EQ(growth_load_factor({5, 0}, {1, 0}, 3, criterion), 0);
+    EXPECT_TRUE(std::isinf(growth_load_factor({0, 0}, {-1, 0}, 3, criterion)));
+    EXPECT_TRUE(std::isinf(growth_load_factor({0, 0}, {1, 0}, 0, criterion)));
   }
 }
 

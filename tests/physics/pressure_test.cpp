@@ -56,6 +56,38 @@ TEST(Pressure, from_all_sides_and_in_a_hole_is_hydrostatic) {
   }
 }
 
+// What opens a crack is stored in the body: half of the integral of pressure times opening, in an infinite body
+// pi a^2 p^2 / E (Sneddon, Proc. R. Soc. London A 187, 1946).
+TEST(Pressure, in_a_crack_does_the_work_that_is_stored) {
+  constexpr double a = 0.5, young = 3, thickness = 0.2;
+  Model model;
+  model.bem(model.add(material(young, 0.3, BEMPD_PLANE_STRESS, thickness)), rectangle(-8, -8, 8, 8), 2);
+  model.crack({{-a, 0}, {a, 0}});
+  model.fix_point({-8, -8}, BEMPD_BOTH);
+  model.fix_point({8, -8}, BEMPD_Y);
+  const double constant[] = {0.5}, proportional[] = {1.5};
+  model.check(bempd_add_crack_traction(model.get(), 1, BEMPD_PRESSURE, 1, constant, proportional, nullptr));
+  for (const double factor : {0.0, 1.0}) {
+    const bempd_step_report done = model.step(factor);
+    // By Gauss's rule of Chebyshev's second kind, whose weight the opening of an ellipse has.
+    constexpr int count = 200;
+    const double pi = std::acos(-1.0), pressure = constant[0] + factor * proportional[0];
+    double integral = 0;
+    for (int k = 1; k <= count; ++k) {
+      const double angle = pi * k / (count + 1), fraction = 0.5 * (1 + std::cos(angle));
+      double normal = 0;
+      model.check(bempd_crack_opening(model.get(), 1, 1, &fraction, &normal, nullptr));
+      integral += pi / (count + 1) * std::sin(angle) * normal * a;
+    }
+    const double wanted = 0.5 * thickness * pressure * integral;
+    EXPECT_LE(std::abs(report("stored energy", done.stored_energy, wanted, "opening")), 2e-5 * wanted);
+    EXPECT_LE(std::abs(report("work", done.work, wanted, "opening")), 2e-5 * wanted);
+    EXPECT_LE(done.energy_balance_error, 1e-12);
+    const double infinite = pi * a * a * pressure * pressure / young * thickness;
+    EXPECT_LE(std::abs(report("stored energy", done.stored_energy, infinite, "Sneddon")), 0.02 * infinite);
+  }
+}
+
 // A bar clamped on the left under a pressure on its top that grows from 0 to p.
 TEST(Moment, of_a_clamp_balances_the_pressure_on_a_bar) {
   constexpr double pressure = 1e5, length = 2, thickness = 0.1;

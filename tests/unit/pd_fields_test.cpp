@@ -69,17 +69,21 @@ TEST(Deformation, stress_in_the_bulk_is_the_mean_stress_of_the_bonds) {
   Eigen::VectorXd u(2 * lattice.point_count());
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = std::sin(1.0 + 37 * static_cast<double>(i));
   const int middle = lattice.find_point({7, 7});
-  std::vector<std::uint8_t> broken(network.bonds.size(), 0);
+  BondStates states{std::vector<double>(network.bonds.size(), 1), std::vector<double>(network.bonds.size(), 0)};
   Eigen::Matrix2d mean = Eigen::Matrix2d::Zero();
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
     const Bond& bond = network.bonds[b];
-    broken[b] = b % 3 == 0;
-    if (broken[b] || (bond.first != middle && bond.second != middle)) continue;
+    // Broken, softened, or at rest at a stretch of its own.
+    if (b % 3 == 0) states.share[b] = 0;
+    if (b % 7 == 1) states.share[b] = 0.4;
+    if (b % 5 == 2) states.rest_stretch[b] = 0.3;
+    if (states.share[b] == 0 || (bond.first != middle && bond.second != middle)) continue;
     const Eigen::Vector2d step = network.offsets[network.offset_of[b]].step, e = step.normalized();
-    const double elongation = e.dot(u.segment<2>(2 * bond.second) - u.segment<2>(2 * bond.first));
-    mean += bond.stiffness * elongation * e * step.transpose() / (2 * elasticity.thickness);
+    const double elongation =
+        e.dot(u.segment<2>(2 * bond.second) - u.segment<2>(2 * bond.first)) - states.rest_stretch[b] * step.norm();
+    mean += states.share[b] * bond.stiffness * elongation * e * step.transpose() / (2 * elasticity.thickness);
   }
-  const Eigen::Vector3d stress = stress_of(bond_strains(lattice.point_count(), network, broken, u)[middle], elasticity);
+  const Eigen::Vector3d stress = stress_of(bond_strains(lattice.point_count(), network, states, u)[middle], elasticity);
   EXPECT_NEAR(stress[0], mean(0, 0), 1e-12 * mean.norm());
   EXPECT_NEAR(stress[1], mean(1, 1), 1e-12 * mean.norm());
   EXPECT_NEAR(stress[2], mean(0, 1), 1e-12 * mean.norm());
@@ -94,14 +98,31 @@ TEST(Deformation, points_without_intact_bonds_have_no_strain_and_rotation_strain
     rotation.segment<2>(2 * i) = Eigen::Vector2d(-lattice.point(i).y(), lattice.point(i).x());
   }
   // Keep one bond only.
-  std::vector<std::uint8_t> broken(network.bonds.size(), 1);
-  broken[7] = 0;
+  BondStates broken{std::vector<double>(network.bonds.size(), 0), {}};
+  broken.share[7] = 1;
   const auto turned = bond_strains(lattice.point_count(), network, broken, rotation);
   const auto stretched = bond_strains(lattice.point_count(), network, broken, u);
   for (int i = 0; i < lattice.point_count(); ++i) {
     EXPECT_LT(turned[i].norm(), 1e-14);
     const bool is_end = i == network.bonds[7].first || i == network.bonds[7].second;
     EXPECT_EQ(stretched[i].norm() > 0, is_end);
+  }
+}
+
+// Bonds that all are longer by the same share at rest carry nothing in a body that is longer by it, up to its faces.
+TEST(Deformation, of_bonds_at_rest_is_none_at_every_point) {
+  for (const Body& body : bodies()) {
+    const CellLattice lattice(body.loops);
+    const Network network = build_network(lattice, 3, bond_based(1, PlaneState::stress, 1));
+    Eigen::VectorXd u(2 * lattice.point_count());
+    for (int i = 0; i < lattice.point_count(); ++i) u.segment<2>(2 * i) = 0.01 * lattice.point(i).cast<double>();
+    BondStates states{{}, std::vector<double>(network.bonds.size(), 0.01)};
+    for (const Eigen::Vector3d& strain : bond_strains(lattice.point_count(), network, states, u))
+      EXPECT_LT(strain.norm(), 1e-13) << body.name;
+    // Half as stiff they carry half.
+    states = {std::vector<double>(network.bonds.size(), 0.5), {}};
+    for (const Eigen::Vector3d& strain : bond_strains(lattice.point_count(), network, states, u))
+      EXPECT_LT((strain - Eigen::Vector3d(0.005, 0.005, 0)).norm(), 1e-13) << body.name;
   }
 }
 

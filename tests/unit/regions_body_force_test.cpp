@@ -132,6 +132,29 @@ TEST_P(HangingBar, of_boundary_elements_is_exact_and_its_reaction_is_the_weight)
   expect_tractions(m, bar);
 }
 
+// Half of the integral of sigma : epsilon is  w^2 / (2 E') integral of y^2 dV; loads and support have done as much
+// work.
+TEST_P(HangingBar, stores_the_energy_of_its_stress_and_all_of_the_work) {
+  const auto [state, angle] = GetParam();
+  const Bar bar{{young, 0.3, state, thickness}, angle};
+  Model m;
+  m.editable_scene().add_material({bar.elasticity});
+  regions::add_boundary_region(m.editable_scene(), 1, bar.corners(), 0.3);
+  hang(bar, m);
+  const double along = (1 - bar.elasticity.effective_poisson_ratio()) / (2 * bar.elasticity.shear_modulus());
+  const double whole = along * weight * weight * thickness * width * std::pow(height, 3) / 6;
+  for (const double factor : {0.0, 0.4, 1.0}) {
+    m.advance(factor, fracture::Goal::load_factor);
+    const fracture::HistoryEntry& line = m.prepared().evolution->progress().history.back();
+    const double wanted = whole * std::pow(0.25 + 0.75 * factor, 2);
+    std::printf("stored %.10g, work %.10g (reference: %.10g), balance %.1e\n", line.stored_energy, line.work, wanted,
+                line.energy_balance_error);
+    EXPECT_NEAR(line.stored_energy, wanted, 1e-9 * whole);
+    EXPECT_NEAR(line.work, wanted, 1e-9 * whole);
+    EXPECT_LE(line.energy_balance_error, 1e-10);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(BodyForce, HangingBar,
                          testing::Combine(testing::Values(PlaneState::stress, PlaneState::strain),
                                           testing::Values(0.0, 0.5)));

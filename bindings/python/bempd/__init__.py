@@ -37,20 +37,26 @@ from .reports import (
     CrackExtension,
     CrackOpening,
     CrackTip,
+    EdgeReaction,
     Growth,
     PointValues,
+    Singularity,
+    SingularityKind,
     Statistics,
     StepReport,
     StopReason,
     TipEnd,
+    TipMethod,
+    TipRecord,
 )
 from .state import State
 
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "Bonds", "BondState", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
-    "CrackTip", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError", "OutOfMemoryError", "PointValues",
-    "ProgressBar", "State", "Statistics", "StepReport", "StopReason", "TipEnd", "UnknownOptionError", "UnsolvableError",
+    "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
+    "CrackTip", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
+    "OutOfMemoryError", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
+    "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

@@ -66,6 +66,8 @@ bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
 bempd_status bempd_add_material(bempd_model *model, const bempd_material *material, int32_t *id);
 bempd_status bempd_add_bem_region(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, double element_length, int32_t *region);
+bempd_status bempd_add_bem_disc(bempd_model *model, int32_t material, double x, double y,
+    double radius, double element_length, int32_t *region);
 bempd_status bempd_add_pd_region(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, double spacing, int32_t horizon_ratio, int32_t *region);
 bempd_status bempd_add_hole(bempd_model *model, int32_t region, int64_t vertex_count,
@@ -74,6 +76,12 @@ bempd_status bempd_add_circular_hole(bempd_model *model, int32_t region, double 
     double radius, int32_t *first_edge);
 bempd_status bempd_set_edge_arc(bempd_model *model, int32_t region, int32_t edge, double x,
     double y);
+typedef enum bempd_turn {
+  BEMPD_COUNTER_CLOCKWISE = 1,
+  BEMPD_CLOCKWISE = 2
+} bempd_turn;
+bempd_status bempd_set_edge_arc_about(bempd_model *model, int32_t region, int32_t edge, double x,
+    double y, double radius, int32_t turn);
 bempd_status bempd_set_edges_smooth(bempd_model *model, int32_t region, int32_t first_edge,
     int32_t last_edge);
 bempd_status bempd_set_edge_mesh(bempd_model *model, int32_t region, int32_t edge,
@@ -175,7 +183,8 @@ typedef enum bempd_field {
   BEMPD_DAMAGE = 4,
   BEMPD_TRACTION = 5,
   BEMPD_BOND_STRETCH = 6,
-  BEMPD_ELEMENT_STRESS = 7
+  BEMPD_ELEMENT_STRESS = 7,
+  BEMPD_STRESS_ORDER = 8
 } bempd_field;
 typedef enum bempd_bond_state {
   BEMPD_BOND_INTACT = 0,
@@ -201,12 +210,43 @@ bempd_status bempd_copy_bonds(bempd_model *model, int32_t region, int64_t capaci
 bempd_status bempd_reaction(bempd_model *model, int32_t support, double *force);
 bempd_status bempd_reaction_moment(bempd_model *model, int32_t support, double x, double y,
     double *moment);
+bempd_status bempd_edge_reaction(bempd_model *model, int32_t region, int32_t edge, double x,
+    double y, double *force, double *moment);
 bempd_status bempd_evaluate(bempd_model *model, int64_t count, const double *points,
     double *displacement, double *stress, int32_t *regions);
+typedef enum bempd_face {
+  BEMPD_FACE_LEFT = 1,
+  BEMPD_FACE_RIGHT = 2
+} bempd_face;
+bempd_status bempd_evaluate_in(bempd_model *model, int32_t region, int32_t face, int64_t count,
+    const double *points, double *displacement, double *stress);
+typedef enum bempd_singularity_kind {
+  BEMPD_SINGULAR_CORNER = 1,
+  BEMPD_SINGULAR_INTERFACE = 2,
+  BEMPD_SINGULAR_CRACK = 3,
+  BEMPD_SINGULAR_POINT = 4
+} bempd_singularity_kind;
+typedef struct bempd_singularity {
+  int64_t struct_size;
+  int32_t kind;
+  int32_t region;
+  double x;
+  double y;
+  double exponent;
+  double oscillation;
+} bempd_singularity;
+bempd_status bempd_singularity_init(bempd_singularity *singularity, int64_t struct_size);
+bempd_status bempd_singularity_count(bempd_model *model, int64_t *count);
+bempd_status bempd_get_singularity(bempd_model *model, int64_t index,
+    bempd_singularity *singularity);
 typedef enum bempd_tip_end {
   BEMPD_CRACK_START = 1,
   BEMPD_CRACK_END = 2
 } bempd_tip_end;
+typedef enum bempd_tip_method {
+  BEMPD_TIP_ELEMENTS = 1,
+  BEMPD_TIP_CONTOURS = 2
+} bempd_tip_method;
 typedef struct bempd_crack_tip {
   int64_t struct_size;
   int32_t crack;
@@ -222,10 +262,19 @@ typedef struct bempd_crack_tip {
   double error;
   double kink_angle;
   double critical_load_factor;
+  int32_t method;
+  int32_t contours;
+  int32_t grown;
+  int32_t branched;
+  double contour_radius;
+  double felt_ahead;
 } bempd_crack_tip;
 bempd_status bempd_crack_tip_init(bempd_crack_tip *tip, int64_t struct_size);
 bempd_status bempd_tip_count(bempd_model *model, int64_t *count);
 bempd_status bempd_tip(bempd_model *model, int64_t index, bempd_crack_tip *tip);
+bempd_status bempd_tip_history_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_get_tip_history(const bempd_model *model, int64_t index, int64_t *event,
+    int64_t *total_broken_bonds, double *load_factor, bempd_crack_tip *tip);
 bempd_status bempd_crack_opening(bempd_model *model, int32_t crack, int64_t count,
     const double *fractions, double *normal, double *tangential);
 typedef struct bempd_growth {
@@ -315,6 +364,7 @@ bempd_status bempd_state_to_bytes(const bempd_state *state, int64_t capacity, ui
 bempd_status bempd_state_from_bytes(int64_t size, const uint8_t *bytes, bempd_state **state);
 bempd_status bempd_write_snapshot(bempd_model *model, const char *prefix);
 bempd_status bempd_write_history(const bempd_model *model, const char *path);
+bempd_status bempd_write_tips(const bempd_model *model, const char *path);
 """
 
 DOCS: dict[str, str] = {
@@ -500,6 +550,20 @@ element_length [in]: longest element on any edge [m], > 0
 region [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_bem_disc": """\
+Add a round region treated by boundary elements. Its edges are four quarter circles: the first
+begins at the place with the largest x, and they run counter-clockwise. It fits into a circular hole
+of the same centre and radius.
+
+model [in]: the model
+material [in]: id of a material
+x [in]: centre [m]
+y [in]: centre [m]
+radius [in]: radius [m], > 0
+element_length [in]: longest element on any edge [m], > 0
+region [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_add_pd_region": """\
 Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
 
@@ -553,6 +617,26 @@ x [in]: place on the arc, best half way [m]
 y [in]: [m]
 return: status
 since: 0.1""",
+    "bempd_turn": """Sense of turning.
+
+since: 0.3""",
+    "bempd_set_edge_arc_about": """\
+Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
+
+Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly
+at them. It may be any part of the circle short of all of it: a full circle is bempd_add_bem_disc()
+or bempd_add_circular_hole(), or edges that share it. An edge of an outer loop that bulges out of
+the body turns counter-clockwise, and so does one of a hole that bulges into the hole.
+
+model [in]: the model
+region [in]: id of a BEM region
+edge [in]: edge number
+x [in]: centre [m]
+y [in]: centre [m]
+radius [in]: radius [m], > 0
+turn [in]: a bempd_turn: the way from the first vertex to the last one, about the centre
+return: status
+since: 0.3""",
     "bempd_set_edges_smooth": """\
 Make a row of edges of a BEM region a smooth curve through their vertices.
 
@@ -774,7 +858,7 @@ Shear along the crack: it drives the face on the left, seen from the crack's fir
 the last point and the other face back.""",
     "bempd_add_crack_traction": """\
 Add a traction on both faces of a crack in a BEM region; give it new values with
-bempd_set_load_values(). Energies and work leave out what such loads do within the crack alone.
+bempd_set_load_values().
 
 model [in]: the model
 crack [in]: id of a crack
@@ -885,7 +969,11 @@ equilibrium. The step keeps the increments before. Where already its first one l
 fails instead, as BEMPD_ERROR_UNSOLVABLE.
 
 since: 0.3""",
-    "bempd_step_report": """What a step did. Fill it with bempd_step_report_init().
+    "bempd_step_report": """\
+What a step did. Fill it with bempd_step_report_init().
+
+An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it is
+too small, and the log warns; energy_balance_error says nothing then, all else is right.
 
 since: 0.1""",
     "bempd_step_report.struct_size": """sizeof(bempd_step_report), set by bempd_step_report_init()""",
@@ -991,6 +1079,12 @@ beside a crack shows up to 30 % too little stress along it, the next ones some p
 BEM only: stress xx, yy, xy at the three nodes of every element as that element has it, from its
 traction and the strain along it, shape [elements * 3][3] [Pa]; at corners the two sides differ
 where stress jumps.""",
+    "BEMPD_STRESS_ORDER": """\
+Order of the stress at the nodes, shape [nodes] [-]: 0 where it is bounded; else it grows as r to
+the power of minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the elements
+(bempd_singularity).
+
+since: 0.3""",
     "bempd_bond_state": """State of a bond.
 
 since: 0.1""",
@@ -1122,9 +1216,34 @@ y [in]: [m]
 moment [out]: positive counter-clockwise [N m]
 return: status
 since: 0.3""",
+    "bempd_edge_reaction": """\
+Force that supports exert on the body through one edge of a region at the present load factor, and
+its moment: of all supports that hold the edge or a part of it.
+
+Where several edges hold a component of the same node (corners, ends of interfaces), each has the
+force that the tractions beside the node on its own side make there, and of what then is missing or
+left of the node's force all have the same share. A node that points are held at too counts for the
+edges alone. So the edges of all regions and the points that lie on none of them sum to the
+reactions of all supports, to rounding, in whatever order they were added.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: number of an edge that a support holds
+x [in]: the point for the moment [m]
+y [in]: [m]
+force [out]: shape [2], resultant [N]; may be NULL
+moment [out]: positive counter-clockwise [N m]; may be NULL
+return: status; an edge without a support is an argument error
+since: 0.3""",
     "bempd_evaluate": """\
 Displacement and stress at places in the body: by the interior identities in BEM regions, by
 interpolation between material points in PD regions.
+
+At an interface the values are those of the peridynamic region, between regions of one kind those of
+the one with the lower id; on a crack in a BEM region those of its left face, seen from its first
+point. bempd_evaluate_in() asks for another side. Where stress is unbounded
+(bempd_get_singularity()) the number depends on the elements and grows as they get smaller; the
+option results.singular_stress refuses it. At crack tips it is refused always.
 
 model [in]: the model
 count [in]: number of places
@@ -1134,15 +1253,101 @@ stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
 regions [out]: shape [count], id of the region that holds each place; may be NULL
 return: status; a place outside the body is an argument error
 since: 0.1""",
+    "bempd_face": """Face of a crack, seen from its first point.
+
+since: 0.3""",
+    "bempd_evaluate_in": """\
+Displacement and stress as one region has them: at an interface, where stress jumps, on this
+region's side; on a crack in a BEM region on the face that is asked for. Else as bempd_evaluate().
+
+model [in]: the model
+region [in]: id of a region
+face [in]: a bempd_face; of no matter off cracks
+count [in]: number of places
+points [in]: shape [count][2] [m]
+displacement [out]: shape [count][2] [m]; may be NULL
+stress [out]: shape [count][3], xx, yy, xy [Pa]; may be NULL
+return: status; a place outside the region and its boundary is an argument error
+since: 0.3""",
+    "bempd_singularity_kind": """Why stress is unbounded at a place.
+
+since: 0.3""",
+    "BEMPD_SINGULAR_CORNER": """\
+A corner of the boundary of one material, or a place on it where what supports hold changes.""",
+    "BEMPD_SINGULAR_INTERFACE": """A place where materials meet: an end or a corner of an interface.""",
+    "BEMPD_SINGULAR_CRACK": """A tip, a kink or a branch of a crack in a BEM region.""",
+    "BEMPD_SINGULAR_POINT": """A single point that is held or loaded.""",
+    "bempd_singularity": """\
+A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
+
+At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there depend
+on the elements or the lattice spacing alone. The exponent is the least solution with a real part
+below 0.99 of the equations of the wedges that meet there (M. L. Williams, J. Appl. Mech. 19, 1952),
+with their angles, materials and supports; loads do not enter, and may leave the strongest term out.
+Cracks in peridynamic regions are not listed.
+
+since: 0.3""",
+    "bempd_singularity.struct_size": """sizeof(bempd_singularity), set by bempd_singularity_init()""",
+    "bempd_singularity.kind": """a bempd_singularity_kind""",
+    "bempd_singularity.region": """id of a region there""",
+    "bempd_singularity.x": """place [m]""",
+    "bempd_singularity.y": """place [m]""",
+    "bempd_singularity.exponent": """\
+of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-]""",
+    "bempd_singularity.oscillation": """\
+imaginary part of the exponent, >= 0: stress changes its sign with its times ln r [-]""",
+    "bempd_singularity_init": """\
+Set struct_size and zeros.
+
+singularity [out]: the struct to fill
+struct_size [in]: sizeof(bempd_singularity) as the caller was compiled: older programs keep working
+  when it grows
+return: status
+since: 0.3""",
+    "bempd_singularity_count": """\
+Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER marks
+them.
+
+model [in]: the model
+count [out]: their number
+return: status
+since: 0.3""",
+    "bempd_get_singularity": """\
+A place where stress is unbounded.
+
+model [in]: the model
+index [in]: 0 .. count-1
+singularity [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
     "bempd_tip_end": """End of a crack.
 
 since: 0.2""",
-    "bempd_crack_tip": """\
-The tip of a crack in a BEM region, at the present load factor. Fill it with bempd_crack_tip_init().
+    "bempd_tip_method": """What the values of a tip come from.
 
-Stress intensity factors come from the energy that the body releases when the tip moves, shared
-among the modes as the openings next to it are; they are right to 1e-4 and better where the
-boundary's elements are no longer than what they border on.
+since: 0.3""",
+    "bempd_crack_tip": """\
+The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
+
+In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body
+releases when the tip moves, shared among the modes as the openings next to it are; they are right
+to 1e-4 and better where the boundary's elements are no longer than what they border on.
+
+In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond
+forces do across rings around the tip on the singular dual fields of Williams' expansion, and
+reversely; T-stress by the dual field of power -1, G from the factors. They are those about the
+place where the tip is felt, `felt_ahead` of the one given, and agree there with a crack in a BEM
+region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to its
+middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
+factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
+two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is
+shorter, no ring fits: `contours` is 0, and factors, G, T, their error, the kink angle and the
+critical load factor are NaN.
+
+Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it.
+Then it has grown: to the middle of the lattice cell that lies farthest along the cells which such
+bonds join to the end. Cracks that begin away from initial ones, and branches beside the farthest
+one, have no tips here; `branched` tells of the latter.
 
 since: 0.2""",
     "bempd_crack_tip.struct_size": """sizeof(bempd_crack_tip), set by bempd_crack_tip_init()""",
@@ -1158,12 +1363,19 @@ K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2
     "bempd_crack_tip.energy_release_rate": """G of growth straight on [J/m^2]""",
     "bempd_crack_tip.t_stress": """stress along the crack beside the singular one [Pa]""",
     "bempd_crack_tip.error": """\
-estimate of the error of the stress intensity factors, from elements twice as long [Pa m^(1/2)]""",
+estimate of the error of the stress intensity factors, from elements twice as long or from other
+rings [Pa m^(1/2)]""",
     "bempd_crack_tip.kink_angle": """\
 angle from the direction to that of the largest hoop stress, counter-clockwise [rad]""",
     "bempd_crack_tip.critical_load_factor": """\
 smallest load factor >= 0 at which the energy release rate is the material's fracture_energy;
 infinite if it never is or the material has none [-]""",
+    "bempd_crack_tip.method": """a bempd_tip_method (since 0.3, as all that follows)""",
+    "bempd_crack_tip.contours": """rings that the values come from; 0 if none fits, and in BEM regions""",
+    "bempd_crack_tip.grown": """1 if bonds have broken since so that the tip is not the described end any more""",
+    "bempd_crack_tip.branched": """1 if other ways lead on from the crack than the one to this tip""",
+    "bempd_crack_tip.contour_radius": """outer radius of the largest ring; 0 if there is none [m]""",
+    "bempd_crack_tip.felt_ahead": """how far ahead of its place the tip is felt; 0 in BEM regions [m]""",
     "bempd_crack_tip_init": """\
 Set struct_size and zeros.
 
@@ -1173,21 +1385,44 @@ struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older prog
 return: status
 since: 0.2""",
     "bempd_tip_count": """\
-Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are none.
-Prepares the model.
+Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are
+none. Prepares the model. What tips carry is computed when it is asked for.
 
 model [in]: the model
 count [out]: number of tips
 return: status
 since: 0.2""",
     "bempd_tip": """\
-A tip, by crack and the end nearer to its first point first.
+A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the
+end nearer to its first point first.
 
 model [in]: the model
 index [in]: 0 .. count-1
 tip [in,out]: struct_size in, the rest out
 return: status
 since: 0.2""",
+    "bempd_tip_history_count": """\
+Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th
+event and at the end of every step, also where bempd_grow_cracks() has made one.
+
+A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms; without the
+option nothing. States in memory carry the records; those from bytes have none.
+
+model [in]: the model
+count [out]: number of records
+return: status
+since: 0.3""",
+    "bempd_get_tip_history": """\
+A tip as it was, by time, at one time in the order of bempd_tip().
+
+model [in]: the model
+index [in]: 0 .. count-1
+event [out]: number of the event, or 0 for the end of a step; may be NULL
+total_broken_bonds [out]: bonds broken by then; may be NULL
+load_factor [out]: then [-]; may be NULL
+tip [in,out]: struct_size in, the rest out
+return: status
+since: 0.3""",
     "bempd_crack_opening": """\
 Openings of a crack in a BEM region at the present load factor: displacement of the face on its
 left, seen from its first point, less that of the face on its right.
@@ -1342,7 +1577,7 @@ return: status
 since: 0.1""",
     "bempd_history_entry": """\
 One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
-call of bempd_grow_cracks().
+call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
 
 since: 0.1""",
     "bempd_history_entry.struct_size": """sizeof(bempd_history_entry), set by bempd_history_entry_init()""",
@@ -1443,6 +1678,11 @@ displacement, damage and stress, prefix_NNNN_cracks.vtu with the openings of cra
 (left face less right face), and prefix.pvd, the series of all snapshots this model has written with
 this prefix.
 
+With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what
+bempd_tip() has, and among the cracks are those in peridynamic regions: a line in each cell of the
+lattice for every broken or cut bond between nearest neighbours, with the opening that its
+elongation and its turning show.
+
 model [in]: the model
 prefix [in]: path without ending, UTF-8; the folder must exist
 return: status
@@ -1454,4 +1694,13 @@ model [in]: the model
 path [in]: file name, UTF-8
 return: status
 since: 0.1""",
+    "bempd_write_tips": """\
+Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for each, with
+event, total_broken_bonds, load_factor and the members of bempd_crack_tip. Only the heading if none
+were recorded.
+
+model [in]: the model
+path [in]: file name, UTF-8
+return: status
+since: 0.3""",
 }

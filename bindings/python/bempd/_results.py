@@ -18,13 +18,17 @@ from .reports import (
     CrackExtension,
     CrackOpening,
     CrackTip,
+    EdgeReaction,
     Growth,
     PointValues,
+    Singularity,
     Statistics,
     TipEnd,
+    TipRecord,
     crack_extension,
     crack_tip,
     rows,
+    singularity,
     values_of,
 )
 
@@ -36,7 +40,9 @@ FIELDS = {
     "traction": lib.BEMPD_TRACTION,
     "bond_stretch": lib.BEMPD_BOND_STRETCH,
     "element_stress": lib.BEMPD_ELEMENT_STRESS,
+    "stress_order": lib.BEMPD_STRESS_ORDER,
 }
+FACES = {"left": lib.BEMPD_FACE_LEFT, "right": lib.BEMPD_FACE_RIGHT}
 IntArray = npt.NDArray[np.int32]
 
 
@@ -44,7 +50,8 @@ class Results:
     """What can be asked of a model. Asking prepares it if need be.
 
     Fields are "position", "displacement", "stress" (xx, yy, xy), "damage" (PD), "traction" (BEM, at the three nodes of
-    every element), "element_stress" (BEM, there too) and "bond_stretch" (PD). There are three ways to a field:
+    every element), "element_stress" (BEM, there too), "bond_stretch" (PD) and "stress_order" (0 where stress is
+    bounded). There are three ways to a field:
 
     field()       a read-only array that keeps the values of the moment; asked again before the model changes, the same
                   array. Yours for as long as you like, whatever becomes of the model.
@@ -163,6 +170,13 @@ class Results:
         return float(self._number("bempd_reaction_moment", "double", support,
                                   *arguments.place("reaction_moment: about", about)))
 
+    def edge_reaction(self, region: int, edge: int, about: Sequence[float] = (0.0, 0.0)) -> EdgeReaction:
+        """Force and moment about a place that supports exert through one edge; corners are shared among edges."""
+        force, moment = np.empty(2), ffi.new("double *")
+        self._open().call("bempd_edge_reaction", region, edge, *arguments.place("edge_reaction: about", about),
+                          ffi.from_buffer("double[]", force), moment)
+        return EdgeReaction(force, float(moment[0]))
+
     def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues:
         """Displacement, stress and region at places in the body; without `stress` it is faster."""
         places = arguments.point_array("evaluate: points", points)
@@ -173,8 +187,38 @@ class Results:
                           arguments.doubles(tensor), ffi.from_buffer("int32_t[]", regions))
         return PointValues(displacement, tensor, regions)
 
+    def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: str = "left",
+                    stress: bool = True) -> PointValues:
+        """As evaluate(), as one region has it: on its side of interfaces, and on the "left" or "right" face of cracks."""
+        places = arguments.point_array("evaluate_in: points", points)
+        count = len(places)
+        displacement, tensor = np.empty((count, 2)), np.empty((count, 3)) if stress else None
+        self._open().call("bempd_evaluate_in", region, arguments.choice("evaluate_in: face", face, FACES), count,
+                          arguments.doubles(places), arguments.doubles(displacement), arguments.doubles(tensor))
+        return PointValues(displacement, tensor, np.full(count, region, dtype=np.int32))
+
+    def singularities(self) -> list[Singularity]:
+        """Places where stress is unbounded, so that its number there depends on the elements.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> corner = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+        >>> bracket = model.add_bem_region(glass, corner, element_length=0.25)
+        >>> support = model.fix_edge(bracket, 5, "y"), model.fix_point((0, 0), "x")
+        >>> [(place.kind.name, place.x, place.y, round(place.exponent, 4)) for place in model.singularities()]
+        [('CORNER', 1.0, 1.0, 0.5445), ('POINT', 0.0, 0.0, 0.0)]
+        """
+        count = int(self._number("bempd_singularity_count", "int64_t"))
+        found = []
+        for index in range(count):
+            struct = new_struct("bempd_singularity", "bempd_singularity_init")
+            self._open().call("bempd_get_singularity", index, struct)
+            found.append(singularity(struct))
+        return found
+
     def tips(self) -> list[CrackTip]:
-        """Tips of cracks in BEM regions with their stress intensity factors, by crack.
+        """Tips of cracks with their stress intensity factors, those in BEM regions first, by crack.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -194,6 +238,29 @@ class Results:
             self._open().call("bempd_tip", index, struct)
             found.append(crack_tip(struct))
         return found
+
+    def tip_history(self) -> list[TipRecord]:
+        """The tips that were recorded: at every n-th event and at the ends of steps with the option tips.record = n.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> model.options["tips.record"] = 1
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+        >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
+        >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> report = model.step(1), model.step(2)
+        >>> [(record.load_factor, f"{record.tip.stress_intensity_1:.4g}") for record in model.tip_history()[::2]]
+        [(1.0, '1.487e+06'), (2.0, '2.973e+06')]
+        """
+        event, broken, factor = ffi.new("int64_t *"), ffi.new("int64_t *"), ffi.new("double *")
+        records = []
+        for index in range(int(self._number("bempd_tip_history_count", "int64_t"))):
+            struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
+            self._open().call("bempd_get_tip_history", index, event, broken, factor, struct)
+            records.append(TipRecord(event[0], broken[0], factor[0], crack_tip(struct)))
+        return records
 
     def grow_cracks(self, length: float) -> Growth:
         """Let the tips of cracks in BEM regions that reach their fracture energy first grow by a length [m].
@@ -255,7 +322,12 @@ class Results:
         """Write the history with the reactions of all supports as comma-separated values."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
 
+    def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write what tip_history() has as comma-separated values; read_history() reads them."""
+        self._open().call("bempd_write_tips", arguments.file_name("write_tips: path", path))
+
 
 def read_history(path: Union[str, "os.PathLike[str]"]) -> npt.NDArray[Any]:
-    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ..."""
+    """What Model.write_history() wrote as a structured array, with columns reaction_x_1, reaction_y_1, ...; or what
+    Model.write_tips() wrote."""
     return np.atleast_1d(np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64))

@@ -14,6 +14,7 @@ from .errors import ArgumentError, OrderError
 
 COMPONENTS = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y, "both": lib.BEMPD_BOTH}
 ONE_COMPONENT = {"x": lib.BEMPD_X, "y": lib.BEMPD_Y}
+TURNS = {"counter-clockwise": lib.BEMPD_COUNTER_CLOCKWISE, "clockwise": lib.BEMPD_CLOCKWISE}
 FACE_COMPONENTS = {"pressure": lib.BEMPD_PRESSURE, "shear": lib.BEMPD_SHEAR}
 PLANES = {"stress": lib.BEMPD_PLANE_STRESS, "strain": lib.BEMPD_PLANE_STRAIN}
 WHOLE_EDGE = (0.0, 1.0)
@@ -70,6 +71,11 @@ class Scene:
         points = arguments.point_array("add_bem_region: vertices", vertices)
         return self._added("bempd_add_bem_region", material, len(points), arguments.doubles(points), element_length)
 
+    def add_bem_disc(self, material: int, centre: Sequence[float], radius: float, element_length: float) -> int:
+        """Add a round region treated by boundary elements, of four quarter circles; returns its id."""
+        return self._added("bempd_add_bem_disc", material, *arguments.place("add_bem_disc: centre", centre), radius,
+                           element_length)
+
     def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0) -> int:
         """Add a rectilinear polygon treated by peridynamics; returns its id.
 
@@ -93,6 +99,22 @@ class Scene:
     def set_edge_arc(self, region: int, edge: int, point: Sequence[float]) -> None:
         """Make an edge of a BEM region the circular arc through a point between its ends."""
         self._open().call("bempd_set_edge_arc", region, edge, *arguments.place("set_edge_arc: point", point))
+
+    def set_edge_arc_about(self, region: int, edge: int, centre: Sequence[float], radius: float, turn: str) -> None:
+        """Make an edge of a BEM region the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 1, 1), element_length=0.25)
+        >>> model.set_edge_arc_about(plate, 3, (0.5, 1), 0.5, "counter-clockwise")
+        >>> support = model.fix_edge(plate, 1)
+        >>> round(float(model.field(plate, "position")[:, 1].max()), 12)
+        1.5
+        """
+        self._open().call("bempd_set_edge_arc_about", region, edge,
+                          *arguments.place("set_edge_arc_about: centre", centre), radius,
+                          arguments.choice("set_edge_arc_about: turn", turn, TURNS))
 
     def set_edges_smooth(self, region: int, first_edge: int, last_edge: int) -> None:
         """Make a row of edges of a BEM region a smooth curve through their vertices."""

@@ -34,7 +34,12 @@ NAMES: dict[str, str] = {
     "bempd_tip_count": "Model.tips",
     "bempd_tip": "Model.tips",
     "bempd_crack_tip_init": "Model.tips",
+    "bempd_tip_history_count": "Model.tip_history",
+    "bempd_get_tip_history": "Model.tip_history",
     "bempd_growth_init": "Model.grow_cracks",
+    "bempd_singularity_count": "Model.singularities",
+    "bempd_get_singularity": "Model.singularities",
+    "bempd_singularity_init": "Model.singularities",
     "bempd_extension_count": "Model.extensions",
     "bempd_extension": "Model.extensions",
     "bempd_crack_extension_init": "Model.extensions",
@@ -55,6 +60,10 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_SHEAR": '"shear"',
     "BEMPD_CRACK_START": "TipEnd.START",
     "BEMPD_CRACK_END": "TipEnd.END",
+    "BEMPD_COUNTER_CLOCKWISE": '"counter-clockwise"',
+    "BEMPD_CLOCKWISE": '"clockwise"',
+    "BEMPD_FACE_LEFT": '"left"',
+    "BEMPD_FACE_RIGHT": '"right"',
 }
 OTHER_WORDS: dict[str, str] = {"bempd_field": "name of a field"}
 

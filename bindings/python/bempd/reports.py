@@ -38,9 +38,37 @@ class TipEnd(enum.IntEnum):
     END = 2
 
 
+class TipMethod(enum.IntEnum):
+    """What the values of a tip come from."""
+
+    ELEMENTS = 1  #: boundary elements on the crack
+    CONTOURS = 2  #: rings around the tip in a peridynamic region
+
+
+class SingularityKind(enum.IntEnum):
+    """Why stress is unbounded at a place."""
+
+    CORNER = 1  #: of the boundary of one material, or where what supports hold changes
+    INTERFACE = 2  #: where materials meet
+    CRACK = 3  #: tip, kink or branch of a crack in a BEM region
+    POINT = 4  #: held or loaded
+
+
+@dataclasses.dataclass(frozen=True)
+class Singularity:
+    """A place where the stress of the elastic body is unbounded: it grows as r to the power of exponent - 1."""
+
+    kind: SingularityKind
+    region: int  #: id of a region there
+    x: float  #: place [m]
+    y: float
+    exponent: float  #: of the displacement beside it; 1/2 at crack tips, 0 at points under a force
+    oscillation: float  #: imaginary part of the exponent
+
+
 @dataclasses.dataclass(frozen=True)
 class CrackTip:
-    """The tip of a crack in a BEM region, at the present load factor."""
+    """The tip of a crack; bempd_crack_tip in the C header says how its values are found and how good they are."""
 
     crack: int  #: id
     end: TipEnd
@@ -55,6 +83,21 @@ class CrackTip:
     error: float  #: estimate for the stress intensity factors
     kink_angle: float  #: from the direction to that of the largest hoop stress, counter-clockwise [rad]
     critical_load_factor: float  #: at which the fracture energy is reached; infinite if it never is
+    method: TipMethod
+    contours: int  #: rings that the values come from; a tip in a PD region that has 0 has NaN for them
+    grown: bool  #: whether bonds have broken since so that the tip is not the described end any more
+    branched: bool  #: whether other ways lead on from the crack, too
+    contour_radius: float  #: of the largest ring [m]
+    felt_ahead: float  #: how far ahead of its place the tip is felt [m]
+
+
+class TipRecord(NamedTuple):
+    """A tip as it was."""
+
+    event: int  #: number of the event, or 0 for the end of a step
+    total_broken_bonds: int  #: by then
+    load_factor: float
+    tip: CrackTip
 
 
 @dataclasses.dataclass(frozen=True)
@@ -156,6 +199,13 @@ class PointValues(NamedTuple):
     region: npt.NDArray[np.int32]  #: shape (n,): the region that holds each place
 
 
+class EdgeReaction(NamedTuple):
+    """What supports exert on the body through one edge."""
+
+    force: npt.NDArray[np.float64]  #: shape (2,) [N]
+    moment: float  #: positive counter-clockwise [N m]
+
+
 class CrackOpening(NamedTuple):
     """Displacement of a crack's left face less that of its right one."""
 
@@ -180,8 +230,16 @@ def step_report(struct: Any) -> StepReport:
 def crack_tip(struct: Any) -> CrackTip:
     """A tip as a value."""
     values = values_of(struct, "bempd_crack_tip", CrackTip)
-    values["end"] = TipEnd(values["end"])
+    values["end"], values["method"] = TipEnd(values["end"]), TipMethod(values["method"])
+    values["grown"], values["branched"] = bool(values["grown"]), bool(values["branched"])
     return CrackTip(**values)
+
+
+def singularity(struct: Any) -> Singularity:
+    """A singular place as a value."""
+    values = values_of(struct, "bempd_singularity", Singularity)
+    values["kind"] = SingularityKind(values["kind"])
+    return Singularity(**values)
 
 
 def crack_extension(struct: Any) -> CrackExtension:

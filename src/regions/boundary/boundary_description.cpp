@@ -30,18 +30,17 @@ double perimeter(const Outline& outline) {
   return sum;
 }
 
-Outline checked_outline(const std::vector<Point>& vertices) {
-  scene::require_points(vertices, "vertex");
-  Outline outline{{vertices}};
+Outline checked(Outline outline) {
+  scene::require_points(outline.loops.front(), "vertex");
   scene::require_sound(outline);
   return outline;
 }
 
 }  // namespace
 
-BoundaryDescription::BoundaryDescription(int material, const std::vector<Point>& vertices, double element_length)
-    : Region(material, checked_outline(vertices)), element_length_(element_length) {
-  require_element_length(element_length, perimeter(outline()));
+BoundaryDescription::BoundaryDescription(int material, Outline outline, double element_length)
+    : Region(material, checked(std::move(outline))), element_length_(element_length) {
+  require_element_length(element_length, perimeter(this->outline()));
 }
 
 void BoundaryDescription::set_outline(Outline changed) {
@@ -86,7 +85,14 @@ std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Prepar
 
 int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length) {
   scene.material(material);
-  return scene.add_region(std::make_unique<BoundaryDescription>(material, vertices, element_length));
+  return scene.add_region(std::make_unique<BoundaryDescription>(material, Outline{{vertices}, {}}, element_length));
+}
+
+int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length) {
+  scene.material(material);
+  Outline outline;
+  scene::append_circle(outline, centre, radius, false);
+  return scene.add_region(std::make_unique<BoundaryDescription>(material, std::move(outline), element_length));
 }
 
 }  // namespace bempd::regions

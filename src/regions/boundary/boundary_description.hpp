@@ -11,7 +11,7 @@ namespace bempd::regions {
 class BoundaryDescription final : public scene::Region {
  public:
   // Throws Error (argument) for an outline or a length that cannot be used.
-  BoundaryDescription(int material, const std::vector<Point>& vertices, double element_length);
+  BoundaryDescription(int material, Outline outline, double element_length);
 
   const char* adjective() const override { return "BEM"; }
   void set_outline(Outline outline) override;
@@ -31,5 +31,6 @@ class BoundaryDescription final : public scene::Region {
 
 // Adds one to the scene and returns its id.
 int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length);
+int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length);
 
 }  // namespace bempd::regions

@@ -36,6 +36,24 @@ void BoundaryRegion::add_traction(const EdgeSpan& span, const std::function<Poin
   scatter(trace_.transpose() * nodal, force);
 }
 
+std::vector<Point> BoundaryRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
+                                                  const FieldsOfRegion& fields) const {
+  const std::vector<double>& tractions = fields(Field::traction).values;
+  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    if (panels_[mesh_.elements[e].panel].edge != span.edge) continue;
+    const Eigen::Map<const Eigen::Matrix<double, 2, 3>> at_nodes(&tractions[6 * e]);
+    bem::add_traction_forces(mesh_, mesh_.elements[e], at_nodes, elasticity().thickness, nodal);
+  }
+  const Eigen::VectorXd own = trace_.transpose() * nodal;
+  std::vector<Point> forces;
+  for (const int node : nodes_of_scene) {
+    const auto place = std::find(nodes_.begin(), nodes_.end(), node) - nodes_.begin();
+    forces.emplace_back(own.segment<2>(2 * static_cast<Eigen::Index>(place)));
+  }
+  return forces;
+}
+
 UniformBodyForce BoundaryRegion::particular(const Point& body_force) const {
   Box box;
   for (const Point& node : mesh_.nodes) box.extend(node);
@@ -47,14 +65,41 @@ UniformBodyForce BoundaryRegion::particular(const Point& body_force) const {
 void BoundaryRegion::add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force == Point::Zero()) return;
   require(!cracks_, "region ", id(), " has cracks and a force per volume; one of them has to go");
-  const UniformBodyForce particular = this->particular(body_force);
+  scatter(trace_.transpose() * force_besides(particular(body_force)), force);
+}
+
+Eigen::VectorXd BoundaryRegion::displacement_of(const UniformBodyForce& particular) const {
   Eigen::VectorXd displacement(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) = particular.displacement(mesh_.nodes[i]);
+  return displacement;
+}
+
+Eigen::VectorXd BoundaryRegion::force_besides(const UniformBodyForce& particular) const {
+  const Eigen::VectorXd displacement = displacement_of(particular);
   Eigen::VectorXd of_tractions = Eigen::VectorXd::Zero(displacement.size());
   bem::add_stress_forces(
       mesh_, [&](const Point& place) { return particular.stress(place); }, elasticity().thickness, of_tractions);
-  scatter(trace_.transpose() * (mesh_stiffness() * displacement - of_tractions), force);
+  return mesh_stiffness() * displacement - of_tractions;
+}
+
+// By Betti's theorem for u_p and what u_0 is beside it, the force b does on any state u of the body the work
+//   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f(t_p) on the boundary's nodes,
+// where u_p' is the particular part of u. The first term is what nodes know of; the rest is told here.
+double BoundaryRegion::work_within(const Point& body_force, const Point& other) const {
+  if (body_force == Point::Zero() || other == Point::Zero()) return 0;
+  const UniformBodyForce theirs = particular(other);
+  const double in_volume = bem::integral_of_quadratic(
+      mesh_, theirs.centre(), [&](const Point& x) { return body_force.dot(theirs.displacement(x)); });
+  return elasticity().thickness * in_volume - force_besides(particular(body_force)).dot(displacement_of(theirs));
+}
+
+Eigen::Matrix2d BoundaryRegion::work_within(const std::array<Point, 2>& body_force,
+                                            const std::vector<CrackLoad>& crack_loads) const {
+  Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) work(i, j) = work_within(body_force[i], body_force[j]);
+  return cracks_ ? Eigen::Matrix2d(work + work_within_cracks(crack_loads)) : work;
 }
 
 Eigen::VectorXd BoundaryRegion::displacement_without(const UniformBodyForce& particular,

@@ -38,8 +38,13 @@ class BoundaryRegion : public Region {
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
   void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                     Eigen::Ref<Eigen::VectorXd> force) const override;
+  std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
+                                    const FieldsOfRegion& fields) const override;
   // By a state of stress that has the body force everywhere: what is left to the boundary is free of it.
   void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
+
+  Eigen::Matrix2d work_within(const std::array<Point, 2>& body_force,
+                              const std::vector<CrackLoad>& crack_loads) const override;
 
   // crack_results.cpp
   bool has_crack_elements() const override { return true; }
@@ -48,7 +53,6 @@ class BoundaryRegion : public Region {
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions,
                                     const Solution& solution) const override;
   std::vector<CrackPicture> crack_pictures(const Solution& solution) const override;
-  double energy_within_cracks(const Solution& solution) const override;
   std::optional<Overlap> overlap(const Solution& solution) const override;
 
   FieldSize field_size(Field field) const override;
@@ -83,6 +87,11 @@ class BoundaryRegion : public Region {
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
   UniformBodyForce particular(const Point& body_force) const;
+  // Of the particular solution: the displacements of the mesh's nodes, and the nodal forces that are left for the rest.
+  Eigen::VectorXd displacement_of(const UniformBodyForce& particular) const;
+  Eigen::VectorXd force_besides(const UniformBodyForce& particular) const;
+  double work_within(const Point& body_force, const Point& other) const;
+  Eigen::Matrix2d work_within_cracks(const std::vector<CrackLoad>& loads) const;
   // Displacements of the mesh's nodes without those of the particular solution.
   Eigen::VectorXd displacement_without(const UniformBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const UniformBodyForce& particular, const Solution& solution) const;

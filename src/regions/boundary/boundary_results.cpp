@@ -28,6 +28,7 @@ class BoundaryEvaluator final : public Evaluator {
     const auto rest = interior_.at(place);
     return {region_, rest.displacement + particular_.displacement(place), rest.stress + particular_.stress(place)};
   }
+  void look_from_right(bool right) override { interior_.look_from_right(right); }
   std::int64_t kernel_evaluations() const override { return interior_.kernel_evaluations(); }
 
  private:
@@ -65,6 +66,8 @@ FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
     case Field::damage:
     case Field::bond_stretch:
       break;  // refused by field_size()
+    case Field::stress_order:
+      break;  // a matter of the whole scene
   }
   return {};
 }

@@ -1,7 +1,8 @@
 #include <cmath>
-#include <limits>
 
 #include "bem/coarse_level.hpp"
+#include "elasticity/griffith.hpp"
+#include "elasticity/kinked_tip.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
 
@@ -16,16 +17,6 @@ constexpr double error_of_difference = 1.0 / 3;
 const std::vector<CrackLoad>& loads_of(const Solution& solution) {
   static const std::vector<CrackLoad> none;
   return solution.crack_loads ? *solution.crack_loads : none;
-}
-
-// The smallest load factor > 0 at which |constant + factor * proportional|^2 is `square`.
-double critical_factor(const Point& constant, const Point& proportional, double square) {
-  const double a = proportional.squaredNorm(), b = constant.dot(proportional), c = constant.squaredNorm() - square;
-  const double root = b * b - a * c;
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(square > 0) || c >= 0) return square > 0 ? 0.0 : never;
-  // Between the two roots, which have different signs, the crack stands still.
-  return a > 0 ? (std::sqrt(root) - b) / a : never;
 }
 
 }  // namespace
@@ -60,6 +51,20 @@ void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<
   scatter(trace_.transpose() * cracked().forces_on_boundary(forces), force);
 }
 
+// With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
+// the part that depends on u.
+Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::vector<CrackLoad>& loads) const {
+  const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
+  Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
+  for (int part = 0; part < 2; ++part) {
+    const auto traction = cracks_->traction(loads, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
+    if (traction) forces.col(part) = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
+  }
+  if (forces.isZero(0)) return Eigen::Matrix2d::Zero();
+  const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
+  return forces.transpose() * cracked().openings(held, forces);
+}
+
 std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail detail) const {
   if (!cracks_ || cracks_->elements().tips.empty()) return {};
   std::vector<bem::CrackedState> states{cracked_state(solution.parts->col(0), solution, 1, 0),
@@ -68,7 +73,7 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
   const auto factors = bem::stress_intensities(cracked(), states);
   std::vector<double> along(factors.size(), 0);
   if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
-  const double modulus = bem::plane_modulus(elasticity()), toughness = std::sqrt(modulus * material().fracture_energy);
+  const double modulus = plane_modulus(elasticity()), toughness = std::sqrt(modulus * material().fracture_energy);
   std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
     const bem::CrackTip& tip = cracks_->elements().tips[t];
@@ -76,8 +81,8 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     values.push_back({cracks_->id_of(tip), tip.end == bem::TipEnd::end ? 1 : 0, tip.place, tip.direction,
                       present.factors, present.energy_release_rate, along[t],
                       error_of_difference * (present.factors - factors[t].back().factors).norm(),
-                      bem::kink_of(present.factors).angle,
-                      critical_factor(constant.factors, proportional.factors, toughness * toughness), constant.factors,
+                      kink_of(present.factors).angle,
+                      critical_load_factor(constant.factors, proportional.factors, toughness), constant.factors,
                       proportional.factors, toughness, modulus});
   }
   return values;
@@ -94,13 +99,6 @@ std::vector<Point> BoundaryRegion::crack_openings(int crack, const std::vector<d
 std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solution) const {
   if (!cracks_) return {};
   return cracks_->pictures(cracked_state(solution).openings);
-}
-
-double BoundaryRegion::energy_within_cracks(const Solution& solution) const {
-  if (!cracks_) return 0;
-  const auto traction = cracks_->traction(loads_of(solution), 1, solution.load_factor);
-  if (!traction) return 0;
-  return cracked().energy_within(bem::crack_forces(cracks_->elements(), traction, elasticity().thickness));
 }
 
 std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {

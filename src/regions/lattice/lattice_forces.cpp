@@ -46,6 +46,24 @@ void LatticeRegion::add_traction(const EdgeSpan& span, const std::function<Point
   scatter(nodal, force);
 }
 
+// The edge's part of the force that the stress at the node makes on all of it.
+std::vector<Point> LatticeRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
+                                                 const FieldsOfRegion& fields) const {
+  const std::vector<double>& stress = fields(Field::stress).values;
+  const Point along = span.geometry.direction().normalized(), normal(along.y(), -along.x());
+  std::vector<Point> forces;
+  for (const int node : nodes_of_scene) {
+    const auto place = static_cast<std::size_t>(std::find(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
+    const double* s = &stress[3 * place];
+    const Point traction(s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y());
+    Eigen::VectorXd of_edge = Eigen::VectorXd::Zero(2 * (1 + *std::max_element(nodes_.begin(), nodes_.end())));
+    add_traction(
+        {span.edge, span.geometry, 0, 1}, [&](const Point&) { return traction; }, of_edge);
+    forces.emplace_back(of_edge.segment<2>(2 * node));
+  }
+  return forces;
+}
+
 // A quarter of every cell goes to each of its corners: the integrals of the bilinear shape functions.
 std::vector<double> LatticeRegion::cell_shares() const {
   std::vector<double> shares(points_.size(), 0.0);

@@ -5,6 +5,7 @@
 
 #include "geometry/rectilinear.hpp"
 #include "pd/cell_lattice.hpp"
+#include "pd/deformation.hpp"
 #include "pd/network.hpp"
 #include "regions/lattice/lattice_description.hpp"
 #include "regions/region.hpp"
@@ -39,6 +40,8 @@ class LatticeRegion : public Region {
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
   void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                     Eigen::Ref<Eigen::VectorXd> force) const override;
+  std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
+                                    const FieldsOfRegion& fields) const override;
   void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
 
   bool takes_cracks() const override { return true; }
@@ -48,6 +51,9 @@ class LatticeRegion : public Region {
     return std::span<const pd::Bond>(network()->bonds).first(bonds_.listed);
   }
   std::size_t first_bond() const override { return bonds_.first; }
+  std::optional<LatticeGrid> lattice_grid() const override {
+    return LatticeGrid{origin_, spacing(), horizon_ratio_ * spacing()};
+  }
 
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
@@ -119,6 +125,7 @@ class LatticeRegion : public Region {
   std::size_t scene_bond(std::size_t bond) const {
     return bonds_.of_scene.empty() ? bonds_.first + bond : static_cast<std::size_t>(bonds_.of_scene[bond]);
   }
+  pd::BondStates bond_states(const Solution& solution) const;
   FieldValues stress(const Solution& solution) const;
   FieldValues bond_stretch(const Solution& solution) const;
 

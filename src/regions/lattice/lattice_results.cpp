@@ -42,6 +42,8 @@ FieldValues LatticeRegion::field(Field field, const Solution& solution) const {
     case Field::traction:
     case Field::element_stress:
       break;  // refused by field_size()
+    case Field::stress_order:
+      break;  // a matter of the whole scene
   }
   return {};
 }
@@ -61,6 +63,24 @@ FieldValues LatticeRegion::damage(const std::vector<char>& intact) const {
   return field;
 }
 
+pd::BondStates LatticeRegion::bond_states(const Solution& solution) const {
+  const coupling::Terms& terms = solution.bonds;
+  pd::BondStates states;
+  for (std::size_t b = 0; b < network()->bonds.size(); ++b) {
+    const std::size_t term = scene_bond(b);
+    const double share = !solution.intact[term] ? 0
+                         : solution.stages      ? terms.law_of(term).stiffness_share((*solution.stages)[term])
+                                                : 1;
+    states.share.push_back(share);
+    if (!terms.have_offsets()) continue;
+    const double rest = terms.rest(term, 0) + solution.load_factor * terms.rest(term, 1);
+    const double force = terms.constant(term, 0) + solution.load_factor * terms.constant(term, 1);
+    const double pushed = share > 0 ? force / (share * terms.stiffness[term]) : 0;
+    states.rest_stretch.push_back((rest - pushed) / terms.length[term]);
+  }
+  return states;
+}
+
 FieldValues LatticeRegion::stress(const Solution& solution) const {
   const int own = point_count(), count = own + static_cast<int>(bonds_.far_nodes.size());
   Eigen::VectorXd displacement(2 * count);
@@ -68,7 +88,7 @@ FieldValues LatticeRegion::stress(const Solution& solution) const {
   for (int i = own; i < count; ++i)
     displacement.segment<2>(2 * i) = solution.displacement.segment<2>(2 * bonds_.far_nodes[i - own]);
   displacement /= spacing();
-  auto strains = pd::bond_strains(count, *network(), broken_bonds(solution.intact), displacement);
+  auto strains = pd::bond_strains(count, *network(), bond_states(solution), displacement);
   strains.resize(own);  // at the others some bonds are missing
   FieldValues field{{}, 3};
   for (const Eigen::Vector3d& strain : strains) {

@@ -12,6 +12,7 @@ class EdgePart : public scene::Place {
 
   void check(const scene::Scene& scene) const override;
   bool needs(int region) const override { return region == region_; }
+  std::optional<std::pair<int, int>> edge() const override { return std::make_pair(region_, edge_); }
   void identify(Hash& hash) const override {
     hash.add(std::string_view("edge part"));
     hash.add(region_), hash.add(edge_), hash.add(from_), hash.add(to_);

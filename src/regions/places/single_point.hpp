@@ -11,6 +11,7 @@ class SinglePoint final : public scene::Place {
   explicit SinglePoint(const Point& where) : where_(where) {}
 
   void check(const scene::Scene& scene) const override;
+  std::optional<Point> point() const override { return where_; }
   void identify(Hash& hash) const override {
     hash.add(std::string_view("single point"));
     hash.add(where_.x()), hash.add(where_.y());

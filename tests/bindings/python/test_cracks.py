@@ -81,6 +81,59 @@ def test_cracks_grow_straight_on_at_their_fracture_energy():
     assert model.grow_cracks(0.05).load_factor < first
 
 
+def lattice_plate():
+    """A square of 41 spacings with a crack of 20 in its middle."""
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
+    plate = model.add_pd_region(glass, bempd.rectangle(-20.5, -20.5, 20.5, 20.5), spacing=1, horizon_ratio=3)
+    model.add_crack([(-10, 0), (10, 0)])
+    model.fix_point((-20.5, -20.5))
+    model.fix_point((20.5, -20.5), "y")
+    model.add_traction(plate, 3, "y", 1)
+    model.add_traction(plate, 1, "y", -1)
+    return model
+
+
+def test_tips_in_a_lattice():
+    model = lattice_plate()
+    model.step(0.01)
+    start, end = model.tips()
+    assert (end.method, end.contours, end.grown, end.branched) == (bempd.TipMethod.CONTOURS, 3, False, False)
+    assert 0.3 < end.felt_ahead < 0.5 and 8 < end.contour_radius <= 20
+    assert end.stress_intensity_1 == pytest.approx(start.stress_intensity_1, rel=1e-9)
+    elements, _ = cracked_plate([(-0.5, 0), (0.5, 0)])
+    assert elements.tips()[0].method == bempd.TipMethod.ELEMENTS
+
+
+def test_recorded_tips(tmp_path):
+    model = lattice_plate()
+    assert model.tip_history() == []
+    model.options["tips.record"] = 2
+    model.step(0.01)
+    for _ in range(4):
+        model.step_to_next_event(10)
+    records = model.tip_history()
+    assert [record.event for record in records] == [0, 0, 2, 2, 4, 4]
+    assert records[-1].tip == model.tips()[1]
+    assert records[-1].load_factor == model.load_factor and records[-1].total_broken_bonds > 2
+    model.write_tips(tmp_path / "tips.csv")
+    table = bempd.read_history(tmp_path / "tips.csv")
+    assert table["stress_intensity_1"] == pytest.approx([record.tip.stress_intensity_1 for record in records], rel=1e-15)
+    assert table["crack"].tolist() == [1] * 6 and table["end"].tolist() == [1, 2] * 3
+    model.write_snapshot(tmp_path / "shot")
+    assert (tmp_path / "shot_0000_tips.vtu").exists() and (tmp_path / "shot_0000_cracks.vtu").exists()
+
+
+def test_growth_by_lengths_is_recorded():
+    model, _ = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
+    model.options["tips.record"] = 1
+    for _ in range(3):
+        model.grow_cracks(0.05)
+    ends = [record.tip for record in model.tip_history() if record.tip.end == bempd.TipEnd.END]
+    assert [tip.x for tip in ends] == pytest.approx([0.35, 0.4, 0.45])
+    assert ends[2].stress_intensity_1 > 0
+
+
 def test_history_goes_on_while_cracks_grow():
     model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
     model.set_tip_frozen(crack, bempd.TipEnd.START)

@@ -32,6 +32,45 @@ def test_pressure_pulls_where_it_is_negative_and_supports_have_moments(plate):
         plate.model.reaction_moment(plate.held[0], (1, 2, 3))
 
 
+def test_edges_that_share_a_corner_have_what_their_supports_have():
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=0.3)
+    region = model.add_bem_region(material, rectangle(0, 0, 2, 1), 0.25)
+    supports = [model.fix_edge(region, edge) for edge in (1, 4)]
+    model.add_traction(region, 3, "y", -1)
+    model.step(1)
+    edges = [model.edge_reaction(region, edge, (0.5, 0.2)) for edge in (1, 4)]
+    assert sum(edge.force for edge in edges) == pytest.approx(sum(map(model.reaction, supports)), abs=1e-12)
+    assert sum(edge.force[1] for edge in edges) == pytest.approx(2, rel=1e-9)
+    assert sum(edge.moment for edge in edges) == pytest.approx(
+        sum(model.reaction_moment(support, (0.5, 0.2)) for support in supports), abs=1e-12)
+    with pytest.raises(bempd.ArgumentError, match="edge_reaction: no support holds edge 2"):
+        model.edge_reaction(region, 2)
+
+
+def test_an_interface_has_two_sides_and_singular_ends():
+    model = bempd.Model()
+    soft, stiff = (model.add_material(young_modulus=modulus, poisson_ratio=0.3) for modulus in (1, 3))
+    lower = model.add_bem_region(soft, rectangle(0, 0, 2, 1), 0.25)
+    upper = model.add_bem_region(stiff, rectangle(0, 1, 2, 2), 0.25)
+    for region in (lower, upper):
+        model.fix_edge(region, 4, "x")
+        model.prescribe_edge(region, 2, "x", 2)
+    model.fix_point((0, 0), "y")
+    model.step(1)
+    assert model.evaluate_in(lower, [(1, 1)]).stress[0, 0] == pytest.approx(1, abs=1e-7)
+    assert model.evaluate_in(upper, [(1, 1)], face="right").stress[0, 0] == pytest.approx(3, abs=1e-7)
+    assert model.evaluate_in(upper, [(1, 1)], stress=False).stress is None
+    with pytest.raises(bempd.ArgumentError, match="outside region 2"):
+        model.evaluate_in(upper, [(1, 0.5)])
+    with pytest.raises(bempd.ArgumentError, match="evaluate_in: face"):
+        model.evaluate_in(upper, [(1, 1)], face="top")
+    places = {(place.x, place.y): place for place in model.singularities()}
+    assert places[(0, 0)].kind == bempd.SingularityKind.POINT
+    orders = model.field(lower, "stress_order")
+    assert orders.shape == (model.node_count(lower),) and orders.max() == 1
+
+
 def test_constant_and_proportional_parts(plate):
     load = plate.model.add_traction(plate.plate, 2, "x", 1e8, constant=[1e8, 1e8, 1e8])
     assert tip(plate.model, plate.plate)[0] == pytest.approx(2e-3, rel=1e-9)
@@ -161,6 +200,20 @@ def test_curved_edges():
     assert corners[:, 1].max() == pytest.approx(2.5, abs=1e-14)
     with pytest.raises(bempd.ArgumentError, match="set_edge_arc"):
         bempd.Model().set_edge_arc(1, 1, (0, 0))
+
+    about = bempd.Model()
+    material = about.add_material(young_modulus=1, poisson_ratio=0.3)
+    disc = about.add_bem_disc(material, (1, 2), 0.5, 0.2)
+    square = about.add_bem_region(material, rectangle(3, 0, 4, 1), 0.25)
+    about.set_edge_arc_about(square, 2, (4, 0.5), 0.5, "counter-clockwise")
+    with pytest.raises(bempd.ArgumentError, match="begins 0.5 and ends 0.5 from the centre"):
+        about.set_edge_arc_about(square, 2, (4, 0.5), 0.6, "clockwise")
+    with pytest.raises(bempd.ArgumentError, match="set_edge_arc_about: turn"):
+        about.set_edge_arc_about(square, 2, (4, 0.5), 0.5, "left")
+    about.fix_edge(disc, 1)
+    about.fix_edge(square, 4)
+    assert np.hypot(*(about.field(disc, "position") - (1, 2)).T) == pytest.approx(0.5, abs=1e-14)
+    assert about.field(square, "position")[:, 0].max() == pytest.approx(4.5, abs=1e-14)
 
     rounded = bempd.Model()
     corners = [(np.cos(t), np.sin(t)) for t in np.linspace(0, 2 * np.pi, 8, endpoint=False)]

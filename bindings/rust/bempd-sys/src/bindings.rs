@@ -302,6 +302,30 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a round region treated by boundary elements. Its edges are four quarter circles: the
+    /// first begins at the place with the largest x, and they run counter-clockwise. It fits into a
+    /// circular hole of the same centre and radius.
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material
+    /// * x \[in\]: centre \[m\]
+    /// * y \[in\]: centre \[m\]
+    /// * radius \[in\]: radius \[m\], \> 0
+    /// * element_length \[in\]: longest element on any edge \[m\], \> 0
+    /// * region \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_bem_disc(
+        model: *mut bempd_model,
+        material: i32,
+        x: f64,
+        y: f64,
+        radius: f64,
+        element_length: f64,
+        region: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice
     /// cells.
     ///
@@ -388,6 +412,41 @@ extern "C" {
         edge: i32,
         x: f64,
         y: f64,
+    ) -> bempd_status;
+}
+pub const BEMPD_COUNTER_CLOCKWISE: bempd_turn = 1;
+pub const BEMPD_CLOCKWISE: bempd_turn = 2;
+/// Sense of turning.
+///
+/// * since: 0.3
+pub type bempd_turn = ::std::os::raw::c_uint;
+extern "C" {
+    /// Make an edge of a BEM region the circular arc about a centre, from its first vertex to its
+    /// last one.
+    ///
+    /// Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends
+    /// exactly at them. It may be any part of the circle short of all of it: a full circle is
+    /// bempd_add_bem_disc() or bempd_add_circular_hole(), or edges that share it. An edge of an
+    /// outer loop that bulges out of the body turns counter-clockwise, and so does one of a hole
+    /// that bulges into the hole.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a BEM region
+    /// * edge \[in\]: edge number
+    /// * x \[in\]: centre \[m\]
+    /// * y \[in\]: centre \[m\]
+    /// * radius \[in\]: radius \[m\], \> 0
+    /// * turn \[in\]: a bempd_turn: the way from the first vertex to the last one, about the centre
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_edge_arc_about(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        x: f64,
+        y: f64,
+        radius: f64,
+        turn: i32,
     ) -> bempd_status;
 }
 extern "C" {
@@ -757,8 +816,7 @@ pub const BEMPD_SHEAR: bempd_face_component = 2;
 pub type bempd_face_component = ::std::os::raw::c_uint;
 extern "C" {
     /// Add a traction on both faces of a crack in a BEM region; give it new values with
-    /// bempd_set_load_values(). Energies and work leave out what such loads do within the crack
-    /// alone.
+    /// bempd_set_load_values().
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
@@ -936,6 +994,9 @@ pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
 pub type bempd_stop_reason = ::std::os::raw::c_uint;
 /// What a step did. Fill it with bempd_step_report_init().
 ///
+/// An energy or work that no double can hold is told as the largest double (DBL_MAX), or as 0 if it
+/// is too small, and the log warns; energy_balance_error says nothing then, all else is right.
+///
 /// * since: 0.1
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
@@ -1089,6 +1150,12 @@ pub const BEMPD_BOND_STRETCH: bempd_field = 6;
 /// traction and the strain along it, shape \[elements \* 3\]\[3\] \[Pa\]; at corners the two sides differ
 /// where stress jumps.
 pub const BEMPD_ELEMENT_STRESS: bempd_field = 7;
+/// Order of the stress at the nodes, shape \[nodes\] \[-\]: 0 where it is bounded; else it grows as r
+/// to the power of minus this, 1/2 at crack tips, and the number in BEMPD_STRESS depends on the
+/// elements (bempd_singularity).
+///
+/// * since: 0.3
+pub const BEMPD_STRESS_ORDER: bempd_field = 8;
 /// A field on a region. Nodes are boundary nodes or material points.
 ///
 /// * since: 0.1
@@ -1302,8 +1369,44 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Force that supports exert on the body through one edge of a region at the present load
+    /// factor, and its moment: of all supports that hold the edge or a part of it.
+    ///
+    /// Where several edges hold a component of the same node (corners, ends of interfaces), each
+    /// has the force that the tractions beside the node on its own side make there, and of what
+    /// then is missing or left of the node's force all have the same share. A node that points are
+    /// held at too counts for the edges alone. So the edges of all regions and the points that lie
+    /// on none of them sum to the reactions of all supports, to rounding, in whatever order they
+    /// were added.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: number of an edge that a support holds
+    /// * x \[in\]: the point for the moment \[m\]
+    /// * y \[in\]: \[m\]
+    /// * force \[out\]: shape \[2\], resultant \[N\]; may be NULL
+    /// * moment \[out\]: positive counter-clockwise \[N m\]; may be NULL
+    /// * return: status; an edge without a support is an argument error
+    /// * since: 0.3
+    pub fn bempd_edge_reaction(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        x: f64,
+        y: f64,
+        force: *mut f64,
+        moment: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Displacement and stress at places in the body: by the interior identities in BEM regions, by
     /// interpolation between material points in PD regions.
+    ///
+    /// At an interface the values are those of the peridynamic region, between regions of one kind
+    /// those of the one with the lower id; on a crack in a BEM region those of its left face, seen
+    /// from its first point. bempd_evaluate_in() asks for another side. Where stress is unbounded
+    /// (bempd_get_singularity()) the number depends on the elements and grows as they get smaller;
+    /// the option results.singular_stress refuses it. At crack tips it is refused always.
     ///
     /// * model \[in\]: the model
     /// * count \[in\]: number of places
@@ -1322,18 +1425,146 @@ extern "C" {
         regions: *mut i32,
     ) -> bempd_status;
 }
+pub const BEMPD_FACE_LEFT: bempd_face = 1;
+pub const BEMPD_FACE_RIGHT: bempd_face = 2;
+/// Face of a crack, seen from its first point.
+///
+/// * since: 0.3
+pub type bempd_face = ::std::os::raw::c_uint;
+extern "C" {
+    /// Displacement and stress as one region has them: at an interface, where stress jumps, on this
+    /// region's side; on a crack in a BEM region on the face that is asked for. Else as
+    /// bempd_evaluate().
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * face \[in\]: a bempd_face; of no matter off cracks
+    /// * count \[in\]: number of places
+    /// * points \[in\]: shape \[count\]\[2\] \[m\]
+    /// * displacement \[out\]: shape \[count\]\[2\] \[m\]; may be NULL
+    /// * stress \[out\]: shape \[count\]\[3\], xx, yy, xy \[Pa\]; may be NULL
+    /// * return: status; a place outside the region and its boundary is an argument error
+    /// * since: 0.3
+    pub fn bempd_evaluate_in(
+        model: *mut bempd_model,
+        region: i32,
+        face: i32,
+        count: i64,
+        points: *const f64,
+        displacement: *mut f64,
+        stress: *mut f64,
+    ) -> bempd_status;
+}
+/// A corner of the boundary of one material, or a place on it where what supports hold changes.
+pub const BEMPD_SINGULAR_CORNER: bempd_singularity_kind = 1;
+/// A place where materials meet: an end or a corner of an interface.
+pub const BEMPD_SINGULAR_INTERFACE: bempd_singularity_kind = 2;
+/// A tip, a kink or a branch of a crack in a BEM region.
+pub const BEMPD_SINGULAR_CRACK: bempd_singularity_kind = 3;
+/// A single point that is held or loaded.
+pub const BEMPD_SINGULAR_POINT: bempd_singularity_kind = 4;
+/// Why stress is unbounded at a place.
+///
+/// * since: 0.3
+pub type bempd_singularity_kind = ::std::os::raw::c_uint;
+/// A place where the stress of the elastic body is unbounded. Fill it with
+/// bempd_singularity_init().
+///
+/// At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there
+/// depend on the elements or the lattice spacing alone. The exponent is the least solution with a
+/// real part below 0.99 of the equations of the wedges that meet there (M. L. Williams, J. Appl.
+/// Mech. 19, 1952), with their angles, materials and supports; loads do not enter, and may leave
+/// the strongest term out. Cracks in peridynamic regions are not listed.
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_singularity {
+    /// sizeof(bempd_singularity), set by bempd_singularity_init()
+    pub struct_size: i64,
+    /// a bempd_singularity_kind
+    pub kind: i32,
+    /// id of a region there
+    pub region: i32,
+    /// place \[m\]
+    pub x: f64,
+    /// place \[m\]
+    pub y: f64,
+    /// of the displacement beside it, 1/2 at crack tips, 0 at points under a force \[-\]
+    pub exponent: f64,
+    /// imaginary part of the exponent, \>= 0: stress changes its sign with its times ln r \[-\]
+    pub oscillation: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * singularity \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_singularity) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_singularity_init(
+        singularity: *mut bempd_singularity,
+        struct_size: i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER
+    /// marks them.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: their number
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_singularity_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// A place where stress is unbounded.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * singularity \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_singularity(
+        model: *mut bempd_model,
+        index: i64,
+        singularity: *mut bempd_singularity,
+    ) -> bempd_status;
+}
 pub const BEMPD_CRACK_START: bempd_tip_end = 1;
 pub const BEMPD_CRACK_END: bempd_tip_end = 2;
 /// End of a crack.
 ///
 /// * since: 0.2
 pub type bempd_tip_end = ::std::os::raw::c_uint;
-/// The tip of a crack in a BEM region, at the present load factor. Fill it with
-/// bempd_crack_tip_init().
+pub const BEMPD_TIP_ELEMENTS: bempd_tip_method = 1;
+pub const BEMPD_TIP_CONTOURS: bempd_tip_method = 2;
+/// What the values of a tip come from.
 ///
-/// Stress intensity factors come from the energy that the body releases when the tip moves, shared
-/// among the modes as the openings next to it are; they are right to 1e-4 and better where the
-/// boundary's elements are no longer than what they border on.
+/// * since: 0.3
+pub type bempd_tip_method = ::std::os::raw::c_uint;
+/// The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
+///
+/// In BEM regions (BEMPD_TIP_ELEMENTS) stress intensity factors come from the energy that the body
+/// releases when the tip moves, shared among the modes as the openings next to it are; they are
+/// right to 1e-4 and better where the boundary's elements are no longer than what they border on.
+///
+/// In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond
+/// forces do across rings around the tip on the singular dual fields of Williams' expansion, and
+/// reversely; T-stress by the dual field of power -1, G from the factors. They are those about the
+/// place where the tip is felt, `felt_ahead` of the one given, and agree there with a crack in a
+/// BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to
+/// its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which
+/// makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that.
+/// Where less than two horizons around a tip are free of other cracks, bends and branches, or the
+/// crack behind it is shorter, no ring fits: `contours` is 0, and factors, G, T, their error, the
+/// kink angle and the critical load factor are NaN.
+///
+/// Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to
+/// it. Then it has grown: to the middle of the lattice cell that lies farthest along the cells
+/// which such bonds join to the end. Cracks that begin away from initial ones, and branches beside
+/// the farthest one, have no tips here; `branched` tells of the latter.
 ///
 /// * since: 0.2
 #[repr(C)]
@@ -1361,14 +1592,26 @@ pub struct bempd_crack_tip {
     pub energy_release_rate: f64,
     /// stress along the crack beside the singular one \[Pa\]
     pub t_stress: f64,
-    /// estimate of the error of the stress intensity factors, from elements twice as long \[Pa
-    /// m^(1/2)\]
+    /// estimate of the error of the stress intensity factors, from elements twice as long or from
+    /// other rings \[Pa m^(1/2)\]
     pub error: f64,
     /// angle from the direction to that of the largest hoop stress, counter-clockwise \[rad\]
     pub kink_angle: f64,
     /// smallest load factor \>= 0 at which the energy release rate is the material's
     /// fracture_energy; infinite if it never is or the material has none \[-\]
     pub critical_load_factor: f64,
+    /// a bempd_tip_method (since 0.3, as all that follows)
+    pub method: i32,
+    /// rings that the values come from; 0 if none fits, and in BEM regions
+    pub contours: i32,
+    /// 1 if bonds have broken since so that the tip is not the described end any more
+    pub grown: i32,
+    /// 1 if other ways lead on from the crack than the one to this tip
+    pub branched: i32,
+    /// outer radius of the largest ring; 0 if there is none \[m\]
+    pub contour_radius: f64,
+    /// how far ahead of its place the tip is felt; 0 in BEM regions \[m\]
+    pub felt_ahead: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -1381,8 +1624,8 @@ extern "C" {
     pub fn bempd_crack_tip_init(tip: *mut bempd_crack_tip, struct_size: i64) -> bempd_status;
 }
 extern "C" {
-    /// Number of tips that cracks in BEM regions have: ends at edges, holes or other cracks are
-    /// none. Prepares the model.
+    /// Number of tips that cracks have: ends at edges and holes, and in BEM regions at other
+    /// cracks, are none. Prepares the model. What tips carry is computed when it is asked for.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: number of tips
@@ -1391,7 +1634,8 @@ extern "C" {
     pub fn bempd_tip_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
 }
 extern "C" {
-    /// A tip, by crack and the end nearer to its first point first.
+    /// A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack
+    /// and the end nearer to its first point first.
     ///
     /// * model \[in\]: the model
     /// * index \[in\]: 0 .. count-1
@@ -1401,6 +1645,39 @@ extern "C" {
     pub fn bempd_tip(
         model: *mut bempd_model,
         index: i64,
+        tip: *mut bempd_crack_tip,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of tips that were recorded: with the option tips.record = n \> 0 all there are at
+    /// every n-th event and at the end of every step, also where bempd_grow_cracks() has made one.
+    ///
+    /// A tip in a peridynamic region costs 10 to 200 ms each time, one in a BEM region some ms;
+    /// without the option nothing. States in memory carry the records; those from bytes have none.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of records
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_tip_history_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// A tip as it was, by time, at one time in the order of bempd_tip().
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * event \[out\]: number of the event, or 0 for the end of a step; may be NULL
+    /// * total_broken_bonds \[out\]: bonds broken by then; may be NULL
+    /// * load_factor \[out\]: then \[-\]; may be NULL
+    /// * tip \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_tip_history(
+        model: *const bempd_model,
+        index: i64,
+        event: *mut i64,
+        total_broken_bonds: *mut i64,
+        load_factor: *mut f64,
         tip: *mut bempd_crack_tip,
     ) -> bempd_status;
 }
@@ -1656,7 +1933,7 @@ extern "C" {
     ) -> bempd_status;
 }
 /// One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
-/// call of bempd_grow_cracks().
+/// call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -1811,6 +2088,11 @@ extern "C" {
     /// BEM regions (left face less right face), and prefix.pvd, the series of all snapshots this
     /// model has written with this prefix.
     ///
+    /// With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what
+    /// bempd_tip() has, and among the cracks are those in peridynamic regions: a line in each cell
+    /// of the lattice for every broken or cut bond between nearest neighbours, with the opening
+    /// that its elongation and its turning show.
+    ///
     /// * model \[in\]: the model
     /// * prefix \[in\]: path without ending, UTF-8; the folder must exist
     /// * return: status
@@ -1828,6 +2110,20 @@ extern "C" {
     /// * return: status
     /// * since: 0.1
     pub fn bempd_write_history(
+        model: *const bempd_model,
+        path: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for
+    /// each, with event, total_broken_bonds, load_factor and the members of bempd_crack_tip. Only
+    /// the heading if none were recorded.
+    ///
+    /// * model \[in\]: the model
+    /// * path \[in\]: file name, UTF-8
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_write_tips(
         model: *const bempd_model,
         path: *const ::std::os::raw::c_char,
     ) -> bempd_status;

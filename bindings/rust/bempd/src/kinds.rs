@@ -32,6 +32,54 @@ pub enum FaceComponent {
     Shear = sys::BEMPD_SHEAR as i32,
 }
 
+/// Sense of turning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Turn {
+    /// With the body on the left, outer loops do.
+    CounterClockwise = sys::BEMPD_COUNTER_CLOCKWISE as i32,
+    /// As the hands of a clock do.
+    Clockwise = sys::BEMPD_CLOCKWISE as i32,
+}
+
+/// Face of a crack, seen from its first point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Face {
+    /// On its left.
+    Left = sys::BEMPD_FACE_LEFT as i32,
+    /// On its right.
+    Right = sys::BEMPD_FACE_RIGHT as i32,
+}
+
+/// Why stress is unbounded at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum SingularityKind {
+    /// A corner of the boundary of one material, or a place where what supports hold changes.
+    Corner,
+    /// A place where materials meet.
+    Interface,
+    /// A tip, a kink or a branch of a crack in a boundary element region.
+    Crack,
+    /// A single point that is held or loaded.
+    Point,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl SingularityKind {
+    pub(crate) fn from_raw(kind: i32) -> SingularityKind {
+        match kind as sys::bempd_singularity_kind {
+            sys::BEMPD_SINGULAR_CORNER => SingularityKind::Corner,
+            sys::BEMPD_SINGULAR_INTERFACE => SingularityKind::Interface,
+            sys::BEMPD_SINGULAR_CRACK => SingularityKind::Crack,
+            sys::BEMPD_SINGULAR_POINT => SingularityKind::Point,
+            _ => SingularityKind::Other(kind),
+        }
+    }
+}
+
 /// End of a crack.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -62,6 +110,27 @@ impl TipEnd {
     }
 }
 
+/// What the values of a tip come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TipMethod {
+    /// Boundary elements on the crack.
+    Elements,
+    /// Rings around the tip in a peridynamic region.
+    Contours,
+    /// One that this version of the crate does not know.
+    Other(i32),
+}
+
+impl TipMethod {
+    pub(crate) fn from_raw(method: i32) -> TipMethod {
+        match method as sys::bempd_tip_method {
+            sys::BEMPD_TIP_ELEMENTS => TipMethod::Elements,
+            sys::BEMPD_TIP_CONTOURS => TipMethod::Contours,
+            _ => TipMethod::Other(method),
+        }
+    }
+}
+
 /// A field on a region. Nodes are boundary nodes or material points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
@@ -80,6 +149,8 @@ pub enum Field {
     BondStretch = sys::BEMPD_BOND_STRETCH as i32,
     /// Boundary elements only: stress xx, yy, xy at the three nodes of every element as that element has it [Pa].
     ElementStress = sys::BEMPD_ELEMENT_STRESS as i32,
+    /// Order of the stress at the nodes: 0 where it is bounded, 1/2 at crack tips [-].
+    StressOrder = sys::BEMPD_STRESS_ORDER as i32,
 }
 
 /// State of a bond.

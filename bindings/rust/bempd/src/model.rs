@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::raw::Handle;
 use crate::{
-    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, Progress, RegionId, Result, State, StepReport,
+    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, Progress, RegionId, Result, State, StepReport, Turn,
 };
 
 /// A scene and its state. Dropping it frees everything.
@@ -57,6 +57,18 @@ impl Model {
         self.handle.add_bem_region(material.0, vertices, element_length).map(RegionId)
     }
 
+    /// Adds a round region treated by boundary elements no longer than `element_length` [m]: four quarter circles,
+    /// counter-clockwise from the place with the largest x.
+    pub fn add_bem_disc(
+        &mut self,
+        material: MaterialId,
+        centre: [f64; 2],
+        radius: f64,
+        element_length: f64,
+    ) -> Result<RegionId> {
+        self.handle.add_bem_disc(material.0, centre, radius, element_length).map(RegionId)
+    }
+
     /// Adds a polygon with edges along the axes treated by peridynamics: square lattice cells of size `spacing` [m],
     /// which must divide all edges, with material points on their corners. `vertices` run counter-clockwise [m].
     ///
@@ -87,6 +99,19 @@ impl Model {
     /// Makes an edge of a boundary element region the circular arc through a place between its ends [m].
     pub fn set_edge_arc(&mut self, region: RegionId, edge: i32, place: [f64; 2]) -> Result<()> {
         self.handle.set_edge_arc(region.0, edge, place)
+    }
+
+    /// Makes an edge of a boundary element region the circular arc about a centre, on which both of its vertices lie,
+    /// turning from the first one to the last one [m].
+    pub fn set_edge_arc_about(
+        &mut self,
+        region: RegionId,
+        edge: i32,
+        centre: [f64; 2],
+        radius: f64,
+        turn: Turn,
+    ) -> Result<()> {
+        self.handle.set_edge_arc_about(region.0, edge, centre, radius, turn as i32)
     }
 
     /// Makes a row of edges of a boundary element region a smooth curve through their vertices.
@@ -213,6 +238,11 @@ impl Model {
     /// Writes the history with the reactions of all supports as comma-separated values.
     pub fn write_history(&self, path: impl AsRef<Path>) -> Result<()> {
         self.handle.write_history(utf8(path.as_ref())?)
+    }
+
+    /// Writes what [`Model::tip_history`] has as comma-separated values.
+    pub fn write_tips(&self, path: impl AsRef<Path>) -> Result<()> {
+        self.handle.write_tips(utf8(path.as_ref())?)
     }
 }
 

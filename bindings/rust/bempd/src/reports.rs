@@ -1,6 +1,6 @@
 use bempd_sys as sys;
 
-use crate::{CrackId, StopReason, TipEnd};
+use crate::{CrackId, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
 
 /// Where a run stands, told after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,14 +57,46 @@ impl FromRaw<i32> for CrackId {
     }
 }
 
+impl FromRaw<i32> for RegionId {
+    fn from_raw(raw: i32) -> RegionId {
+        RegionId(raw)
+    }
+}
+
+impl FromRaw<i32> for SingularityKind {
+    fn from_raw(raw: i32) -> SingularityKind {
+        SingularityKind::from_raw(raw)
+    }
+}
+
 impl FromRaw<i32> for TipEnd {
     fn from_raw(raw: i32) -> TipEnd {
         TipEnd::from_raw(raw)
     }
 }
 
+impl FromRaw<i32> for TipMethod {
+    fn from_raw(raw: i32) -> TipMethod {
+        TipMethod::from_raw(raw)
+    }
+}
+
+/// A tip as it was.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct TipRecord {
+    /// Number of the event, or 0 for the end of a step.
+    pub event: i64,
+    /// Bonds broken by then.
+    pub total_broken_bonds: i64,
+    /// Load factor then [-].
+    pub load_factor: f64,
+    /// The tip.
+    pub tip: CrackTip,
+}
+
 mirror! {
-    /// The tip of a crack in a boundary element region, at the present load factor.
+    /// The tip of a crack at the present load factor; `bempd_crack_tip` in the C header says how its values are found.
     CrackTip of bempd_crack_tip {
         /// The crack.
         crack: CrackId,
@@ -92,6 +124,36 @@ mirror! {
         kink_angle: f64,
         /// Smallest load factor >= 0 at which the energy release rate is the fracture energy; infinite if it never is.
         critical_load_factor: f64,
+        /// What the values come from.
+        method: TipMethod,
+        /// Rings that the values come from; a tip in a peridynamic region that has 0 has NaN for them.
+        contours: i32,
+        /// Whether bonds have broken since so that the tip is not the described end any more.
+        grown: bool,
+        /// Whether other ways lead on from the crack, too.
+        branched: bool,
+        /// Outer radius of the largest ring [m].
+        contour_radius: f64,
+        /// How far ahead of its place the tip is felt [m].
+        felt_ahead: f64,
+    }
+}
+
+mirror! {
+    /// A place where the stress of the elastic body is unbounded: it grows as r to the power of exponent - 1.
+    Singularity of bempd_singularity {
+        /// Why it is.
+        kind: SingularityKind,
+        /// A region there.
+        region: RegionId,
+        /// Place [m].
+        x: f64,
+        /// Place [m].
+        y: f64,
+        /// Of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-].
+        exponent: f64,
+        /// Imaginary part of the exponent [-].
+        oscillation: f64,
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::{
-    BondState, CrackExtension, CrackId, CrackTip, Field, Growth, HistoryEntry, Model, RegionId, Result, Statistics,
-    SupportId, TipEnd, View,
+    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, Model, RegionId, Result, Singularity,
+    Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -30,6 +30,15 @@ pub struct PointValues {
     pub stress: Vec<[f64; 3]>,
     /// The regions that hold the places.
     pub regions: Vec<RegionId>,
+}
+
+/// What supports exert on the body through one edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeReaction {
+    /// Resultant [N].
+    pub force: [f64; 2],
+    /// Moment, positive counter-clockwise [N m].
+    pub moment: f64,
 }
 
 /// Openings of a crack, one entry a place: displacement of its left face less that of its right one.
@@ -134,7 +143,26 @@ impl Model {
         self.handle.evaluate_displacement(places)
     }
 
-    /// Number of tips that cracks in boundary element regions have.
+    /// Force, and moment about a place, that all supports of an edge exert through it; what corners carry is shared among
+    /// the edges that meet there.
+    pub fn edge_reaction(&self, region: RegionId, edge: i32, about: [f64; 2]) -> Result<EdgeReaction> {
+        let (force, moment) = self.handle.edge_reaction(region.0, edge, about)?;
+        Ok(EdgeReaction { force, moment })
+    }
+
+    /// As [`Model::evaluate`], as one region has it: on its side of interfaces, and on one face of cracks.
+    pub fn evaluate_in(&self, region: RegionId, face: Face, places: &[[f64; 2]]) -> Result<PointValues> {
+        let (displacement, stress) = self.handle.evaluate_in(region.0, face as i32, places)?;
+        Ok(PointValues { displacement, stress, regions: vec![region; places.len()] })
+    }
+
+    /// All places where stress is unbounded, so that its number there depends on the elements.
+    pub fn singularities(&self) -> Result<Vec<Singularity>> {
+        let count = self.handle.singularity_count()?;
+        (0..count).map(|index| Ok(Singularity::from_raw(&self.handle.singularity(index)?))).collect()
+    }
+
+    /// Number of tips that cracks have.
     pub fn tip_count(&self) -> Result<usize> {
         self.handle.tip_count().map(|count| count as usize)
     }
@@ -144,7 +172,7 @@ impl Model {
         Ok(CrackTip::from_raw(&self.handle.tip(index as i64)?))
     }
 
-    /// All tips, by crack, with their stress intensity factors.
+    /// All tips with their stress intensity factors: those in boundary element regions first, by crack.
     ///
     /// ```
     /// use bempd::{Component, FaceComponent, Material, Model, TipEnd, Values};
@@ -170,6 +198,39 @@ impl Model {
     /// ```
     pub fn tips(&self) -> Result<Vec<CrackTip>> {
         (0..self.tip_count()?).map(|index| self.tip(index)).collect()
+    }
+
+    /// The tips that were recorded: at every n-th event and at the ends of steps with the option `tips.record` = n.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, TipMethod, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// model.set_option("tips.record", 1.0)?;
+    /// let glass = model.add_material(&Material::new(1.0, 1.0 / 3.0))?;
+    /// let square = [[-20.5, -20.5], [20.5, -20.5], [20.5, 20.5], [-20.5, 20.5]];
+    /// let plate = model.add_pd_region(glass, &square, 1.0, 3)?;
+    /// model.add_crack(&[[-10.0, 0.0], [10.0, 0.0]])?;
+    /// model.fix_point([-20.5, -20.5], Component::Both)?;
+    /// model.fix_point([20.5, -20.5], Component::Y)?;
+    /// model.add_traction(plate, 3, Component::Y, Values::proportional(&[1.0]))?;
+    /// model.add_traction(plate, 1, Component::Y, Values::proportional(&[-1.0]))?;
+    /// model.step(0.01)?;
+    ///
+    /// let recorded = model.tip_history()?;
+    /// assert_eq!((recorded.len(), recorded[1].event, recorded[1].load_factor), (2, 0, 0.01));
+    /// assert_eq!((recorded[1].tip.method, recorded[1].tip.contours), (TipMethod::Contours, 3));
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn tip_history(&self) -> Result<Vec<TipRecord>> {
+        let count = self.handle.tip_history_count()?;
+        let record = |index| {
+            let (event, total_broken_bonds, load_factor, tip) = self.handle.tip_record(index)?;
+            Ok(TipRecord { event, total_broken_bonds, load_factor, tip: CrackTip::from_raw(&tip) })
+        };
+        (0..count).map(record).collect()
     }
 
     /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].

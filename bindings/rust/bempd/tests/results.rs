@@ -2,7 +2,10 @@
 
 mod common;
 
-use bempd::{BondState, Component, Elements, Error, Field, Material, Model, OptionKind, StopReason, Values};
+use bempd::{
+    BondState, Component, Elements, Error, Face, Field, Material, Model, OptionKind, SingularityKind, StopReason, Turn,
+    Values,
+};
 use common::{plate, rectangle};
 
 #[test]
@@ -118,11 +121,53 @@ fn the_path_of_equilibrium_costs_what_bonds_take() {
     assert!(lowest < 0.0 && highest > 0.0);
     let held = held.model.run_to_separation(1000.0).unwrap();
     let mut path = common::plate();
-    path.model.set_option("stepping.control", "path").unwrap();
+    path.model.set_option_text("stepping.control", "path").unwrap();
     let path = path.model.run_to_separation(1000.0).unwrap();
     assert_eq!(path.unstable_event, 0);
     assert!(held.unstable_event > 0);
     assert!((path.released_energy / held.bond_energy - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn edges_share_corners_sides_have_their_stress_and_corners_are_singular() {
+    let mut model = Model::new().unwrap();
+    let soft = model.add_material(&Material::new(1.0, 0.3)).unwrap();
+    let stiff = model.add_material(&Material::new(3.0, 0.3)).unwrap();
+    let lower = model.add_bem_region(soft, &rectangle(0.0, 0.0, 2.0, 1.0), 0.25).unwrap();
+    let upper = model.add_bem_region(stiff, &rectangle(0.0, 1.0, 2.0, 2.0), 0.25).unwrap();
+    let mut held = vec![model.fix_point([0.0, 0.0], Component::Y).unwrap()];
+    for region in [lower, upper] {
+        held.push(model.fix_edge(region, 4, Component::X).unwrap());
+        held.push(model.prescribe_edge(region, 2, .., Component::X, Values::proportional(&[2.0])).unwrap());
+    }
+    model.step(1.0).unwrap();
+    for (region, modulus) in [(lower, 1.0), (upper, 3.0)] {
+        let there = model.evaluate_in(region, Face::Left, &[[1.0, 1.0]]).unwrap();
+        assert!((there.stress[0][0] - modulus).abs() < 1e-7 && there.regions == [region]);
+        let pull = model.edge_reaction(region, 2, [0.0, 0.0]).unwrap();
+        assert!((pull.force[0] - modulus).abs() < 1e-7, "{pull:?}");
+    }
+    assert!(matches!(model.evaluate_in(upper, Face::Right, &[[1.0, 0.5]]), Err(Error::Argument(_))));
+    assert!(matches!(model.edge_reaction(lower, 1, [0.0, 0.0]), Err(Error::Argument(_))));
+    let singular = model.singularities().unwrap();
+    assert!(singular.iter().any(|place| place.kind == SingularityKind::Point && (place.x, place.y) == (0.0, 0.0)));
+    let mut orders = vec![0.0; model.node_count(lower).unwrap()];
+    model.copy_field(lower, Field::StressOrder, &mut orders).unwrap();
+    assert_eq!(orders.iter().copied().fold(0.0, f64::max), 1.0);
+}
+
+#[test]
+fn arcs_are_given_by_centre_and_radius() {
+    let mut model = Model::new().unwrap();
+    let material = model.add_material(&Material::new(1.0, 0.3)).unwrap();
+    let square = model.add_bem_region(material, &rectangle(0.0, 0.0, 1.0, 1.0), 0.25).unwrap();
+    model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.5, Turn::CounterClockwise).unwrap();
+    assert!(model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.6, Turn::Clockwise).is_err());
+    let disc = model.add_bem_disc(material, [3.0, 0.0], 0.5, 0.2).unwrap();
+    model.fix_edge(square, 4, Component::Both).unwrap();
+    model.fix_edge(disc, 1, Component::Both).unwrap();
+    let view = model.view(disc, Field::Position).unwrap();
+    assert!(view.values().chunks(2).all(|p| ((p[0] - 3.0).hypot(p[1]) - 0.5).abs() < 1e-14));
 }
 
 #[test]

@@ -141,6 +141,38 @@ impl Handle {
         Ok(displacement)
     }
 
+    pub(crate) fn edge_reaction(&self, region: i32, edge: i32, [x, y]: [f64; 2]) -> Result<([f64; 2], f64)> {
+        let mut force = [0.0; 2];
+        let moment = self.output(|model, moment| unsafe {
+            sys::bempd_edge_reaction(model, region, edge, x, y, force.as_mut_ptr(), moment)
+        })?;
+        Ok((force, moment))
+    }
+
+    pub(crate) fn evaluate_in(
+        &self,
+        region: i32,
+        face: i32,
+        places: &[[f64; 2]],
+    ) -> Result<(Vec<[f64; 2]>, Vec<[f64; 3]>)> {
+        let mut displacement = vec![[0.0; 2]; places.len()];
+        let mut stress = vec![[0.0; 3]; places.len()];
+        let (count, places) = points(places);
+        let outputs = (displacement.as_mut_ptr().cast(), stress.as_mut_ptr().cast());
+        self.call(|model| unsafe { sys::bempd_evaluate_in(model, region, face, count, places, outputs.0, outputs.1) })?;
+        Ok((displacement, stress))
+    }
+
+    pub(crate) fn singularity_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_singularity_count(model, count) })
+    }
+
+    pub(crate) fn singularity(&self, index: i64) -> Result<sys::bempd_singularity> {
+        let mut singularity = filled(sys::bempd_singularity_init)?;
+        self.call(|model| unsafe { sys::bempd_get_singularity(model, index, &mut singularity) })?;
+        Ok(singularity)
+    }
+
     pub(crate) fn tip_count(&self) -> Result<i64> {
         self.output(|model, count| unsafe { sys::bempd_tip_count(model, count) })
     }
@@ -149,6 +181,20 @@ impl Handle {
         let mut tip = filled(sys::bempd_crack_tip_init)?;
         self.call(|model| unsafe { sys::bempd_tip(model, index, &mut tip) })?;
         Ok(tip)
+    }
+
+    pub(crate) fn tip_history_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_tip_history_count(model, count) })
+    }
+
+    /// Event, broken bonds, load factor and tip.
+    pub(crate) fn tip_record(&self, index: i64) -> Result<(i64, i64, f64, sys::bempd_crack_tip)> {
+        let mut tip = filled(sys::bempd_crack_tip_init)?;
+        let (mut event, mut broken, mut factor) = (0, 0, 0.0);
+        self.call(|model| unsafe {
+            sys::bempd_get_tip_history(model, index, &mut event, &mut broken, &mut factor, &mut tip)
+        })?;
+        Ok((event, broken, factor, tip))
     }
 
     pub(crate) fn grow_cracks(&mut self, length: f64) -> Result<sys::bempd_growth> {

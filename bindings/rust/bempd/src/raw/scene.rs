@@ -20,6 +20,10 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_bem_disc(&mut self, material: i32, [x, y]: [f64; 2], radius: f64, length: f64) -> Result<i32> {
+        self.output(|model, region| unsafe { sys::bempd_add_bem_disc(model, material, x, y, radius, length, region) })
+    }
+
     pub(crate) fn add_pd_region(
         &mut self,
         material: i32,
@@ -46,6 +50,17 @@ impl Handle {
 
     pub(crate) fn set_edge_arc(&mut self, region: i32, edge: i32, [x, y]: [f64; 2]) -> Result<()> {
         self.call(|model| unsafe { sys::bempd_set_edge_arc(model, region, edge, x, y) })
+    }
+
+    pub(crate) fn set_edge_arc_about(
+        &mut self,
+        region: i32,
+        edge: i32,
+        [x, y]: [f64; 2],
+        radius: f64,
+        turn: i32,
+    ) -> Result<()> {
+        self.call(|model| unsafe { sys::bempd_set_edge_arc_about(model, region, edge, x, y, radius, turn) })
     }
 
     pub(crate) fn set_edges_smooth(&mut self, region: i32, first_edge: i32, last_edge: i32) -> Result<()> {

@@ -66,4 +66,9 @@ impl Handle {
         let path = terminated(path)?;
         self.call(|model| unsafe { sys::bempd_write_history(model, path.as_ptr()) })
     }
+
+    pub(crate) fn write_tips(&self, path: &str) -> Result<()> {
+        let path = terminated(path)?;
+        self.call(|model| unsafe { sys::bempd_write_tips(model, path.as_ptr()) })
+    }
 }

@@ -1,4 +1,4 @@
-#include "bem/kinked_tip.hpp"
+#include "elasticity/kinked_tip.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace bempd::bem {
+namespace bempd {
 
 namespace {
 
@@ -96,4 +96,4 @@ double growth_load_factor(const Point& constant, const Point& proportional, doub
   return high;
 }
 
-}  // namespace bempd::bem
+}  // namespace bempd

@@ -2,7 +2,7 @@
 
 #include "geometry/point.hpp"
 
-namespace bempd::bem {
+namespace bempd {
 
 // What decides in which direction a tip goes on.
 enum class KinkCriterion { hoop_stress, energy_release_rate };
@@ -25,4 +25,4 @@ Point kinked_factors(const Point& factors, double angle);
 // toughness; infinite if none does.
 double growth_load_factor(const Point& constant, const Point& proportional, double toughness, KinkCriterion criterion);
 
-}  // namespace bempd::bem
+}  // namespace bempd

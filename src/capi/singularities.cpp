@@ -1,0 +1,26 @@
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+bempd_status bempd_singularity_init(bempd_singularity* singularity, int64_t struct_size) {
+  return init_struct(__func__, "singularity", singularity, struct_size, bempd_singularity{});
+}
+
+bempd_status bempd_singularity_count(bempd_model* model, int64_t* count) {
+  return with_model(model, __func__,
+                    [&](model::Model& m) { out(count, "count") = static_cast<int64_t>(m.singular_places().size()); });
+}
+
+bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    struct_bytes(singularity, "singularity", sizeof(int64_t));
+    const auto count = static_cast<int64_t>(m.singular_places().size());
+    require(index >= 0 && index < count, "index is ", index, "; stress is unbounded at ", count, " places");
+    const regions::SingularPlace& s = m.singular_places()[static_cast<std::size_t>(index)];
+    write_struct(singularity,
+                 bempd_singularity{sizeof(bempd_singularity), static_cast<int32_t>(s.kind), s.region, s.place.x(),
+                                   s.place.y(), s.exponent.real(), s.exponent.imag()},
+                 "singularity");
+  });
+}

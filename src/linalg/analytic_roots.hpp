@@ -1,0 +1,22 @@
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <optional>
+
+namespace bempd::linalg {
+
+using AnalyticFunction = std::function<std::complex<double>(const std::complex<double>&)>;
+
+struct RealRange {
+  double from, to;
+};
+
+// The root with the least real part in a range and an imaginary part of no more than a bound, of a function that has
+// conjugate values at conjugate places up to a factor; of a conjugate pair the one with the positive imaginary part.
+// Found by the argument principle, so that no root is passed over; the function must not vanish on the ends of the
+// range.
+std::optional<std::complex<double>> leftmost_root(const AnalyticFunction& function, RealRange range,
+                                                  double most_imaginary);
+
+}  // namespace bempd::linalg

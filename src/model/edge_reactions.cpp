@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "error.hpp"
+#include "model/model.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+using regions::Field;
+using regions::FieldValues;
+using EdgeName = std::pair<int, int>;  // id of the region, number
+
+// Edges that hold each of some degrees of freedom.
+using Holders = std::map<int, std::vector<EdgeName>>;
+
+Holders holders_of(const scene::Scene& scene, const regions::DofConditions& conditions, const EdgeName& wanted) {
+  Holders holders;
+  for (const bool first : {true, false}) {
+    for (std::size_t s = 0; s < scene.supports().size(); ++s) {
+      const scene::Condition& support = scene.supports()[s];
+      const auto edge = support.removed() ? std::nullopt : support.place->edge();
+      if (!edge || (*edge == wanted) != first) continue;
+      for (const int dof : conditions.held_dofs[s]) {
+        const auto of_dof = first ? holders.try_emplace(dof).first : holders.find(dof);
+        if (of_dof == holders.end()) continue;
+        std::vector<EdgeName>& all = of_dof->second;
+        if (std::find(all.begin(), all.end(), *edge) == all.end()) all.push_back(*edge);
+      }
+    }
+  }
+  return holders;
+}
+
+}  // namespace
+
+Model::EdgeReaction Model::edge_reaction(int region_id, int edge, const Point& about) {
+  const scene::Region& described = scene_.region(region_id);
+  require(edge >= 1 && edge <= described.edge_count(), "edge ", edge, " does not exist; region ", region_id,
+          " has edges 1 .. ", described.edge_count());
+  ensure_equilibrium();
+  const EdgeName wanted(region_id, edge);
+  const Holders holders = holders_of(scene_, prepared_->conditions, wanted);
+  require(!holders.empty(), "no support holds edge ", edge, " of region ", region_id,
+          "; reactions act on edges that are held");
+  // What the tractions of every edge make of the nodes that it shares.
+  std::map<EdgeName, std::map<int, Point>> tractions;
+  for (const auto& [dof, edges] : holders)
+    if (edges.size() > 1)
+      for (const EdgeName& name : edges) tractions[name].emplace(dof / 2, Point::Zero());
+  for (auto& [name, at_nodes] : tractions) {
+    std::vector<int> nodes;
+    for (const auto& [node, force] : at_nodes) nodes.push_back(node);
+    const int id = name.first;
+    const auto fields = [this, id](Field which) -> const FieldValues& { return field(id, which); };
+    const std::vector<Point> forces =
+        region(id).forces_on_edge({name.second, scene_.region(id).edge(name.second), 0, 1}, nodes, fields);
+    for (std::size_t i = 0; i < nodes.size(); ++i) at_nodes[nodes[i]] = forces[i];
+  }
+  EdgeReaction sum{Eigen::Vector2d::Zero(), 0};
+  for (const auto& [dof, edges] : holders) {
+    const int node = dof / 2, component = dof % 2;
+    double force = prepared_->evolution->reaction_at(dof);
+    if (edges.size() > 1) {
+      double rest = force;
+      for (const EdgeName& name : edges) rest -= tractions[name][node][component];
+      force = tractions[wanted][node][component] + rest / static_cast<double>(edges.size());
+    }
+    const Point arm = prepared_->discretization.positions[static_cast<std::size_t>(node)] - about;
+    sum.force[component] += force;
+    sum.moment += force * (component == 0 ? -arm.y() : arm.x());
+  }
+  if (!sum.force.allFinite() || !std::isfinite(sum.moment))
+    fail(Failure::unsolvable, "a result is beyond the range of numbers; choose other units or smaller loads");
+  return sum;
+}
+
+}  // namespace bempd::model

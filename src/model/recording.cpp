@@ -1,0 +1,37 @@
+#include "error.hpp"
+#include "model/model.hpp"
+#include "results/tip_table.hpp"
+
+namespace bempd::model {
+
+void Model::record_tips() {
+  const fracture::HistoryEntry& line = prepared_->evolution->state().history.back();
+  for (const regions::TipValues& tip : compute_tips())
+    tip_history_.push_back({line.event, line.total_broken_bonds, line.load_factor, tip});
+}
+
+fracture::StopReason Model::run_recording(double target, fracture::Goal goal,
+                                          const fracture::SteppingOptions& stepping) {
+  const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
+  const auto every = static_cast<std::int64_t>(options_.number("tips.record"));
+  try {
+    const auto on_event = [&](const fracture::EvolutionState& state) {
+      if (every > 0 && state.events % every == 0) record_tips();
+      const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
+      if (!go_on)
+        fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
+      if (cancel_requested_)
+        fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
+    };
+    const fracture::StopReason reason = prepared_->evolution->advance(target, goal, stepping, on_event);
+    if (every > 0 && prepared_->evolution->progress().history.back().event == 0) record_tips();
+    return reason;
+  } catch (...) {
+    tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
+    throw;
+  }
+}
+
+void Model::write_tips(const std::string& path) const { results::write_tips(path, tip_history_); }
+
+}  // namespace bempd::model

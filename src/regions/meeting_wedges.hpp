@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "elasticity/wedge_exponent.hpp"
+#include "geometry/box_tree.hpp"
+#include "regions/discretization.hpp"
+
+namespace bempd::regions {
+
+// What meets at a place: the materials around it, bonded where they touch.
+struct MeetingWedge {
+  Wedge wedge;
+  int region;     // the first one
+  bool at_crack;  // a face of a crack is one of its sides
+};
+
+// Finds the wedges at places of a scene's outlines and cracks.
+class WedgeFinder {
+ public:
+  WedgeFinder(const scene::Scene& scene, const Discretization& discretization);
+
+  std::vector<MeetingWedge> wedges_at(const Point& place) const;
+
+ private:
+  // A side of a region, seen from the place.
+  struct Ray {
+    double angle;
+    int held = 0;  // components
+    bool crack = false;
+  };
+  struct Sector {
+    int region;
+    Ray from, to;
+    double opening;
+  };
+  struct OutlineEdge {
+    int region, number;
+    Edge edge;
+  };
+
+  void add_sectors_of_outlines(const Point& place, std::vector<Sector>& sectors) const;
+  void cut_by_cracks(const Point& place, std::vector<Sector>& sectors) const;
+  Sector between(int region, const Point& place, const Ray& from, const Ray& to) const;
+  int held_on(const OutlineEdge& edge, double fraction) const;
+
+  const scene::Scene& scene_;
+  const Discretization& d_;
+  std::vector<OutlineEdge> edges_;
+  BoxTree tree_;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,45 @@
+#include "regions/tips/lattice_pictures.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace bempd::regions {
+
+namespace {
+
+// Spacing of the lattice that each node belongs to, 0 for nodes of none.
+std::vector<double> spacings(const Discretization& d) {
+  std::vector<double> found(d.positions.size(), 0.0);
+  for (const auto& region : d.regions)
+    if (const auto grid = region->lattice_grid())
+      for (const int node : region->nodes()) found[node] = grid->spacing;
+  return found;
+}
+
+}  // namespace
+
+std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const Eigen::VectorXd& displacement) {
+  const std::vector<double> spacing = spacings(body.discretization);
+  std::map<int, CrackPicture> pictures;
+  for (std::size_t b = 0; b < body.bonds.size(); ++b) {
+    if (body.intact[b] || body.bonds.is_wide(b)) continue;
+    const int low = body.bonds.first[b], high = body.bonds.second[b];
+    const double length = body.bonds.length[b];
+    if (spacing[low] == 0 || std::abs(length - spacing[low]) > 0.01 * spacing[low]) continue;
+    const Point middle = 0.5 * (body.discretization.positions[low] + body.discretization.positions[high]);
+    // The second point lies on the left of the line that leads from here to there.
+    const Point half = 0.5 * length * Point(body.bonds.sine[b], -body.bonds.cosine[b]);
+    const Point opening = displacement.segment<2>(2 * high) - displacement.segment<2>(2 * low);
+    const int crack = body.scene.crack_nearest(middle);
+    CrackPicture& picture = pictures.try_emplace(crack, CrackPicture{crack, {}, {}}).first->second;
+    for (const double part : {-1.0, 0.0, 1.0}) {
+      picture.places.emplace_back(middle + part * half);
+      picture.openings.push_back(opening);
+    }
+  }
+  std::vector<CrackPicture> all;
+  for (auto& [crack, picture] : pictures) all.push_back(std::move(picture));
+  return all;
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,97 @@
+#include "regions/tips/lattice_tips.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cancellation.hpp"
+#include "elasticity/griffith.hpp"
+#include "elasticity/kinked_tip.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Outer radii of rings as parts of the largest one; weights fall from half of them on.
+constexpr std::array parts{1.0, 0.8, 0.6};
+constexpr double inner_part = 0.5;
+
+// Less than this around a tip shows too much of the lattice; more shows nothing new and takes longer.
+constexpr double least_horizons = 2, most_horizons = 10;
+
+// Of what is clear around the tip: its end is another tip, a mouth or a bend.
+constexpr double part_of_clear = 0.9;
+
+Point factors_of(const TipRings::Expansion& expansion) {
+  return std::sqrt(2 * std::numbers::pi) * Point(expansion.opening.real(), -expansion.opening.imag());
+}
+
+// How far ahead of the place the tip is felt: there the field has no term of power -1/2, which is what a move of the
+// term of power 1/2 makes.
+double felt_ahead(const TipRings& rings, double radius, double horizon, const Eigen::VectorXd& displacement) {
+  double ahead = 0;
+  for (int i = 0; i < 3; ++i) {
+    const TipRings::Expansion seen = rings.expansion(rings.about(ahead), inner_part * radius, radius, displacement);
+    const double size = std::norm(seen.opening);
+    if (size > 0) ahead += -2 * (seen.shift * std::conj(seen.opening)).real() / size;
+    // Beyond, the openings are not those of a crack.
+    ahead = std::clamp(ahead, -horizon, horizon);
+  }
+  return ahead;
+}
+
+TipValues without_contours(const LatticeTip& tip) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  TipValues values{tip.crack, tip.end, tip.axes.place, tip.axes.direction, {unknown, unknown}, unknown, unknown,
+                   unknown,   unknown, unknown};
+  values.method = TipMethod::contours;
+  values.grown = tip.grown, values.branched = tip.branched;
+  return values;
+}
+
+TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fracture_energy, const Solution& solution) {
+  TipValues values = without_contours(tip);
+  if (tip.clear < least_horizons * tip.horizon) return values;
+  const double radius = std::min(part_of_clear * tip.clear, most_horizons * tip.horizon);
+  const TipRings rings(body, tip.axes, radius + tip.horizon);
+  const Eigen::VectorXd whole = rings.around(solution.displacement);
+  const Eigen::VectorXd constant = rings.around(solution.parts->col(0));
+  const Eigen::VectorXd proportional = rings.around(solution.parts->col(1));
+  // Without any load the tip is felt where the proportional one will have it.
+  const bool loaded = whole.squaredNorm() > 0;
+  values.felt_ahead = felt_ahead(rings, radius, tip.horizon, loaded ? whole : proportional);
+  const TipRings::View view = rings.about(values.felt_ahead);
+  const auto seen = [&](const Eigen::VectorXd& displacement, double part) {
+    return rings.expansion(view, inner_part * part * radius, part * radius, displacement);
+  };
+  const TipRings::Expansion largest = seen(whole, 1);
+  values.factors = factors_of(largest);
+  values.stress_along = largest.uniform;
+  values.error = 0;
+  for (const double part : parts)
+    values.error = std::max(values.error, (factors_of(seen(whole, part)) - values.factors).norm());
+  values.contours = static_cast<int>(parts.size());
+  values.contour_radius = radius;
+  const double modulus = plane_modulus(tip.axes.elasticity), toughness = std::sqrt(modulus * fracture_energy);
+  const Point held = factors_of(seen(constant, 1)), growing = factors_of(seen(proportional, 1));
+  values.energy_release_rate = values.factors.squaredNorm() / modulus;
+  values.kink_angle = kink_of(values.factors).angle;
+  values.critical_load_factor = critical_load_factor(held, growing, toughness);
+  return values;
+}
+
+}  // namespace
+
+std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution) {
+  std::vector<TipValues> values;
+  for (const LatticeTip& tip : find_lattice_tips(body)) {
+    check_cancelled();
+    const double energy = body.discretization.region(tip.region).material().fracture_energy;
+    values.push_back(values_of(body, tip, energy, solution));
+  }
+  return values;
+}
+
+}  // namespace bempd::regions

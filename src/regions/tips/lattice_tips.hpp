@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "regions/tips/tip_search.hpp"
+
+namespace bempd::regions {
+
+// What the tips of cracks among bonds carry.
+std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution);
+
+}  // namespace bempd::regions

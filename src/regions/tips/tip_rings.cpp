@@ -1,0 +1,190 @@
+#include "regions/tips/tip_rings.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/segment.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Falls from 1 to 0 without a kink.
+double weight_at(double radius, double inner, double outer) {
+  const double t = std::clamp((radius - inner) / (outer - inner), 0.0, 1.0);
+  return 1 - t * t * (3 - 2 * t);
+}
+
+// Whether a place lies on the left of the piece of the path that is closest to it.
+bool is_left_of(const std::vector<Point>& path, const Point& place) {
+  double least = std::numeric_limits<double>::infinity();
+  bool left = true;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Segment segment{path[i], path[i + 1]};
+    const double gap = distance(segment, place);
+    if (gap >= least) continue;
+    least = gap;
+    left = cross(segment.direction(), place - segment.start) > 0;
+  }
+  return left;
+}
+
+}  // namespace
+
+TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
+    : body_(body), axes_(std::move(axes)), radius_(radius) {
+  const coupling::Terms& terms = body.bonds;
+  const std::vector<char> usable = bonds_of_material();
+  const std::vector<Point>& positions = body.discretization.positions;
+  std::vector<int> local(positions.size(), -1);
+  const auto near = [&](int node) { return (positions[node] - axes_.place).norm() < radius_; };
+  const auto number = [&](int node) {
+    if (local[node] < 0) local[node] = static_cast<int>(nodes_.size()), nodes_.push_back(node);
+    return local[node];
+  };
+  for (std::size_t b = 0; b < terms.size(); ++b) {
+    if (!body.intact[b] || !usable[b] || (!near(terms.first[b]) && !near(terms.second[b]))) continue;
+    bonds_.push_back(
+        {number(terms.first[b]), number(terms.second[b]), body.stiffness[b], Point(terms.cosine[b], terms.sine[b])});
+  }
+  collect_faces();
+}
+
+// One entry a bond. The dual fields are those of one material: lattices of another one are what boundary elements are,
+// something beyond the outline.
+std::vector<char> TipRings::bonds_of_material() const {
+  const coupling::Terms& terms = body_.bonds;
+  std::vector<char> inside(body_.discretization.positions.size(), 0), usable(terms.size(), 1);
+  for (const auto& region : body_.discretization.regions) {
+    if (is_of_material(*region))
+      for (const int node : region->nodes()) inside[node] = 1;
+    else if (const auto listed = region->bonds())
+      std::fill_n(usable.begin() + static_cast<std::ptrdiff_t>(region->first_bond()), listed->size(), 0);
+  }
+  for (std::size_t b = 0; b < terms.size(); ++b)
+    if (terms.is_wide(b) || !inside[terms.first[b]] || !inside[terms.second[b]]) usable[b] = 0;
+  return usable;
+}
+
+// Parts of lattices' edges near the tip that do not lie on other lattices of the same material.
+void TipRings::collect_faces() {
+  for (const auto& region : body_.discretization.regions) {
+    if (!is_of_material(*region)) continue;
+    const std::vector<Edge> edges = edges_of(body_.scene.region(region->id()).outline());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      if (distance(edges[e], axes_.place) > radius_) continue;
+      double from = 0;
+      const auto add_until = [&](double to) {
+        if (to > from) faces_.push_back({region.get(), {static_cast<int>(e) + 1, edges[e], from, to}});
+      };
+      for (const Contact& contact : body_.discretization.arrangement.contacts) {
+        if (contact.region != region->id() - 1 || contact.edge != static_cast<int>(e)) continue;
+        if (!is_of_material(body_.discretization.region(contact.other_region + 1))) continue;
+        add_until(contact.from);
+        from = contact.to;
+      }
+      add_until(1);
+    }
+  }
+}
+
+TipPolar TipRings::polar(const Point& place, const Point& centre) const {
+  const Point local = axes_.into(place - centre);
+  TipPolar found{std::max(local.norm(), 1e-3 * axes_.spacing), std::atan2(local.y(), local.x())};
+  // Beside the crack what counts is on which side of it a point is, wherever it lies to its line.
+  if (local.x() < 0 && std::abs(local.y()) < 2.5 * axes_.spacing) {
+    const bool left = is_left_of(axes_.path, place);
+    if (left && found.angle < 0) found.angle += 2 * std::numbers::pi;
+    if (!left && found.angle > 0) found.angle -= 2 * std::numbers::pi;
+  }
+  return found;
+}
+
+Eigen::VectorXd TipRings::face_forces(const CrackTipField& dual, const Point& centre) const {
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes_.size()));
+  if (faces_.empty()) return own;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(body_.discretization.positions.size()));
+  for (const FacePart& face : faces_) {
+    const Point along = face.span.geometry.direction().normalized();
+    const Point normal = axes_.into(Point(along.y(), -along.x()));
+    const auto traction = [&](const Point& place) {
+      const Eigen::Vector3d s = dual.stress(polar(place, centre));
+      return axes_.out_of({s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y()});
+    };
+    face.region->add_traction(face.span, traction, forces);
+  }
+  for (std::size_t i = 0; i < nodes_.size(); ++i) own.segment<2>(2 * i) = forces.segment<2>(2 * nodes_[i]);
+  return own;
+}
+
+TipRings::View::Dual TipRings::dual_at(const Point& centre, double power, std::complex<double> factor) const {
+  const CrackTipField field(axes_.elasticity, -power, factor);
+  std::vector<Point> moved;
+  for (const int node : nodes_)
+    moved.push_back(axes_.out_of(field.displacement(polar(body_.discretization.positions[node], centre))));
+  View::Dual dual{power, factor, {}, face_forces(field, centre)};
+  for (const LocalBond& b : bonds_)
+    dual.tensions.push_back(b.stiffness * b.direction.dot(moved[b.second] - moved[b.first]));
+  return dual;
+}
+
+TipRings::View TipRings::about(double ahead) const {
+  View view{axes_.place + ahead * axes_.direction, {}, {}};
+  for (const int node : nodes_) view.distances.push_back((body_.discretization.positions[node] - view.centre).norm());
+  for (const double power : {0.5, -0.5})
+    for (const std::complex<double> factor : {std::complex<double>(1, 0), std::complex<double>(0, 1)})
+      view.duals.push_back(dual_at(view.centre, power, factor));
+  view.duals.push_back(dual_at(view.centre, 1, 1));
+  return view;
+}
+
+// To move as one does no work on any field; but where the crack has left fewer bonds at its faces the dual fields are
+// in balance far from the tip only. So it is taken out beforehand: what a fit by the first terms of Williams' expansion
+// has of it, without which the terms of power 1/2 would be taken for some of it.
+Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
+  const auto count = static_cast<Eigen::Index>(nodes_.size());
+  Eigen::VectorXd own(2 * count);
+  for (Eigen::Index i = 0; i < count; ++i) own.segment<2>(2 * i) = displacement.segment<2>(2 * nodes_[i]);
+  Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(2 * count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Point arm = (body_.discretization.positions[nodes_[i]] - axes_.place) / radius_;
+    terms.block<2, 3>(2 * i, 0) << 1, 0, -arm.y(), 0, 1, arm.x();
+  }
+  const Eigen::MatrixXd rigid = terms;
+  for (const double power : {-0.5, 0.5, 1.0, 1.5, 2.0, 2.5}) {
+    for (const std::complex<double> factor : {std::complex<double>(1, 0), std::complex<double>(0, 1)}) {
+      if (power == 1 && factor.imag() != 0) continue;  // a turn
+      const CrackTipField field(axes_.elasticity, power, factor * axes_.elasticity.shear_modulus());
+      terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
+      for (Eigen::Index i = 0; i < count; ++i) {
+        TipPolar place = polar(body_.discretization.positions[nodes_[i]], axes_.place);
+        place.radius = std::max(place.radius, axes_.spacing) / radius_;
+        terms.block<2, 1>(2 * i, terms.cols() - 1) = axes_.out_of(field.displacement(place));
+      }
+    }
+  }
+  const Eigen::VectorXd fit = (terms.transpose() * terms).ldlt().solve(terms.transpose() * own);
+  return own - rigid * fit.head<3>();
+}
+
+TipRings::Expansion TipRings::expansion(const View& view, double inner, double outer,
+                                        const Eigen::VectorXd& around) const {
+  std::vector<Point> weighted;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    weighted.push_back(weight_at(view.distances[i], inner, outer) * around.segment<2>(2 * i));
+  std::vector<double> found;
+  for (const View::Dual& dual : view.duals) {
+    double work = 0;
+    for (std::size_t b = 0; b < bonds_.size(); ++b)
+      work += dual.tensions[b] * bonds_[b].direction.dot(weighted[bonds_[b].second] - weighted[bonds_[b].first]);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) work -= dual.face_forces.segment<2>(2 * i).dot(weighted[i]);
+    found.push_back(work / axes_.elasticity.thickness /
+                    reciprocal_work(axes_.elasticity, dual.power, dual.factor, dual.factor));
+  }
+  return {{found[0], found[1]}, {found[2], found[3]}, 4 * found[4]};
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "elasticity/crack_tip_field.hpp"
+#include "regions/discretization.hpp"
+
+namespace bempd::regions {
+
+// The bonds of a scene as they are.
+struct BondedBody {
+  const scene::Scene& scene;
+  const Discretization& discretization;
+  const coupling::Terms& bonds;
+  const std::vector<double>& stiffness;  // present ones [N/m]
+  const std::vector<char>& intact;
+  const std::vector<int>& cut;  // by initial cracks, ascending
+};
+
+// Where a tip is, and the crack behind it.
+struct TipAxes {
+  Point place, direction;   // unit vector in which a straight crack would go on
+  std::vector<Point> path;  // of the crack, ending at the tip
+  double spacing;           // of the lattice
+  PlaneElasticity elasticity;
+
+  Point into(const Point& vector) const {
+    return {direction.dot(vector), direction.x() * vector.y() - direction.y() * vector.x()};
+  }
+  Point out_of(const Point& local) const {
+    return local.x() * direction + local.y() * Point(-direction.y(), direction.x());
+  }
+};
+
+// What a displacement of the body has of the terms of Williams' expansion at a tip, seen on rings around it.
+//
+// Reciprocity of the displacement u with the dual term u*, both without forces inside: for a weight q that falls from 1
+// within the ring to 0 outside of it the sum over bonds
+//   H = sum k [e(u) e(q u*) - e(u*) e(q u)]
+// is the work that the two do on each other across the ring, whatever the ring. No stress has to be recovered and no
+// displacement differentiated; and since the bonds hold every point in balance with the forces on it, it is
+//   H = sum k e(u*) e(q u) - sum q F*.u,
+// F* the forces of the dual term's tractions on the lattice's outline. Where the ring meets the lattice's outline the
+// forces that act on the lattice there, those of boundary elements beside it too, do the rest: the way round the tip
+// then goes along the outline.
+class TipRings {
+ public:
+  TipRings(const BondedBody& body, TipAxes axes, double radius);
+
+  struct Expansion {
+    std::complex<double> opening;  // factor of power 1/2
+    std::complex<double> shift;    // of power -1/2: there is some if the tip is felt elsewhere on its line
+    double uniform = 0;            // T [Pa]
+  };
+
+  // What all rings around one place have in common.
+  struct View {
+    struct Dual {
+      double power;  // of what it picks out
+      std::complex<double> factor;
+      std::vector<double> tensions;  // of the bonds [N]
+      Eigen::VectorXd face_forces;   // [N] at the nodes
+    };
+    Point centre;
+    std::vector<double> distances;  // of the nodes
+    std::vector<Dual> duals;
+  };
+  View about(double ahead) const;
+  // The displacements of the nodes around less their rigid motion.
+  Eigen::VectorXd around(const Eigen::VectorXd& displacement) const;
+  // q falls between the two radii.
+  Expansion expansion(const View& view, double inner, double outer, const Eigen::VectorXd& around) const;
+
+ private:
+  struct LocalBond {
+    int first, second;  // local nodes
+    double stiffness;
+    Point direction;
+  };
+  struct FacePart {
+    const Region* region;
+    EdgeSpan span;
+  };
+
+  bool is_of_material(const Region& region) const {
+    return region.lattice_grid().has_value() && region.elasticity() == axes_.elasticity;
+  }
+  std::vector<char> bonds_of_material() const;
+  void collect_faces();
+  TipPolar polar(const Point& place, const Point& centre) const;
+  View::Dual dual_at(const Point& centre, double power, std::complex<double> factor) const;
+  Eigen::VectorXd face_forces(const CrackTipField& dual, const Point& centre) const;
+
+  const BondedBody& body_;
+  TipAxes axes_;
+  double radius_;
+  std::vector<int> nodes_;  // of the scene
+  std::vector<LocalBond> bonds_;
+  std::vector<FacePart> faces_;
+};
+
+}  // namespace bempd::regions

@@ -1,0 +1,209 @@
+#include "regions/tips/tip_search.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+#include <utility>
+
+#include "geometry/segment.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+using Cell = std::pair<int, int>;
+
+// The cells of a lattice and the bonds of nearest neighbours between them that are gone.
+class BrokenFaces {
+ public:
+  BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid) {
+    const std::vector<Point>& positions = body.discretization.positions;
+    std::vector<char> is_cut(body.bonds.size(), 0);
+    for (const int bond : body.cut) is_cut[bond] = 1;
+    for (std::size_t b = 0; b < body.bonds.size(); ++b) {
+      if (body.intact[b] || body.bonds.is_wide(b)) continue;
+      if (std::abs(body.bonds.length[b] - grid.spacing) > 0.01 * grid.spacing) continue;
+      const Point middle = 0.5 * (positions[body.bonds.first[b]] + positions[body.bonds.second[b]]);
+      middles_.push_back(middle);
+      if (is_cut[b]) continue;
+      const Point across = 0.5 * grid.spacing * Point(-body.bonds.sine[b], body.bonds.cosine[b]);
+      broken_.insert(cell_at(middle + across)), broken_.insert(cell_at(middle - across));
+    }
+  }
+
+  const std::vector<Point>& middles() const { return middles_; }
+  Cell cell_at(const Point& p) const {
+    const Point at = (p - grid_.origin) / grid_.spacing;
+    return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+  }
+  Point middle_of(const Cell& cell) const {
+    return grid_.origin + grid_.spacing * Point(cell.first + 0.5, cell.second + 0.5);
+  }
+
+  struct Way {
+    std::vector<Point> cells;  // to the farthest one, empty if there is none
+    std::vector<Point> all;    // that can be reached
+  };
+  // From the cells around an end. Cells that meet at a corner follow each other, too: bonds along a crack that runs
+  // aslant are broken later or never.
+  Way way_from(const Point& end) const {
+    std::map<Cell, Cell> came_from;
+    std::queue<Cell> next;
+    const Cell own = cell_at(end);
+    for (const Cell& cell : broken_around(own)) came_from.emplace(cell, cell), next.push(cell);
+    Way way;
+    Cell last = own;
+    while (!next.empty()) {
+      last = next.front();
+      next.pop();
+      way.all.push_back(middle_of(last));
+      for (const Cell& cell : broken_around(last))
+        if (came_from.emplace(cell, last).second) next.push(cell);
+    }
+    if (way.all.empty()) return way;
+    for (Cell cell = last;; cell = came_from.at(cell)) {
+      way.cells.push_back(middle_of(cell));
+      if (came_from.at(cell) == cell) break;
+    }
+    std::reverse(way.cells.begin(), way.cells.end());
+    return way;
+  }
+
+ private:
+  std::vector<Cell> broken_around(const Cell& own) const {
+    std::vector<Cell> found;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        if (const Cell cell{own.first + x, own.second + y}; broken_.count(cell) > 0) found.push_back(cell);
+    return found;
+  }
+
+  LatticeGrid grid_;
+  std::vector<Point> middles_;
+  std::set<Cell> broken_;  // cells with a side that has broken
+};
+
+bool is_in(const scene::Scene& scene, const Discretization& d, const Point& place, bool lattices_only) {
+  return std::any_of(d.regions.begin(), d.regions.end(), [&](const auto& region) {
+    return (!lattices_only || region->lattice_grid()) &&
+           locate(scene.region(region->id()).outline(), place, d.tolerance) != Location::outside;
+  });
+}
+
+double distance_to(const std::vector<Point>& path, const Point& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    least = std::min(least, distance(Segment{path[i], path[i + 1]}, place));
+  return least;
+}
+
+// The line that lies best through the last part of a path becomes its end.
+void fit_end(TipAxes& axes, double part) {
+  const Point end = axes.path.back();
+  Point middle = Point::Zero();
+  std::vector<Point> last;
+  for (const Point& p : axes.path)
+    if ((p - end).norm() <= part) last.push_back(p), middle += p;
+  middle /= static_cast<double>(last.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Point& p : last) spread += (p - middle) * (p - middle).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(spread);
+  Point along = modes.eigenvectors().col(1);
+  if (along.dot(end - last.front()) < 0) along = -along;
+  axes.direction = along;
+  axes.place = middle + along.dot(end - middle) * along;
+}
+
+// How far the crack runs straight behind its tip.
+double straight_length(const TipAxes& axes) {
+  double reached = 0;
+  for (std::size_t i = axes.path.size() - 1; i > 0; --i) {
+    const Segment piece{axes.path[i], axes.path[i - 1]};
+    const int parts = std::max(1, static_cast<int>(std::ceil(2 * piece.length() / axes.spacing)));
+    for (int k = 1; k <= parts; ++k) {
+      const Point local = axes.into(piece.at(static_cast<double>(k) / parts) - axes.place);
+      if (std::abs(local.y()) > axes.spacing || local.x() > axes.spacing) return reached;
+      reached = std::max(reached, local.norm());
+    }
+  }
+  return reached;
+}
+
+double clear_radius(const LatticeTip& tip, const std::vector<Point>& broken) {
+  double radius = straight_length(tip.axes);
+  const double beside = std::max(1.5 * tip.axes.spacing, 0.5 * tip.horizon);
+  for (const Point& middle : broken) {
+    const double from_tip = (middle - tip.axes.place).norm();
+    if (from_tip - tip.axes.spacing >= radius || distance_to(tip.axes.path, middle) <= beside) continue;
+    radius = std::max(0.0, from_tip - tip.axes.spacing);
+  }
+  return radius;
+}
+
+class TipSearch {
+ public:
+  explicit TipSearch(const BondedBody& body) : body_(body) {}
+
+  // Adds the tip at an end of a crack, if it has one.
+  void add(int crack, int end, std::vector<Point> path, std::vector<LatticeTip>& tips) {
+    const Region* region = region_at(path.back());
+    if (!region) return;
+    const LatticeGrid grid = *region->lattice_grid();
+    const Point ahead = (path.back() - path[path.size() - 2]).normalized();
+    if (!is_in(body_.scene, body_.discretization, path.back() + 1e-3 * grid.spacing * ahead, false)) return;
+    LatticeTip tip{crack,        end, region->id(), {path.back(), ahead, path, grid.spacing, region->elasticity()},
+                   grid.horizon, 0,   false,        false};
+    const BrokenFaces& faces = faces_of(*region, grid);
+    const BrokenFaces::Way way = faces.way_from(path.back());
+    if (way.cells.size() > 1) {
+      tip.grown = true;
+      for (const Point& cell : way.cells)
+        if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
+      // What has broken through to an edge has no tip any more.
+      if (!std::all_of(way.all.begin(), way.all.end(),
+                       [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
+        return;
+      fit_end(tip.axes, 2 * tip.horizon);
+      tip.branched = std::any_of(way.all.begin(), way.all.end(),
+                                 [&](const Point& cell) { return distance_to(tip.axes.path, cell) > tip.horizon; });
+    }
+    if (is_in(body_.scene, body_.discretization, tip.axes.place, true)) tip.clear = clear_radius(tip, faces.middles());
+    tips.push_back(std::move(tip));
+  }
+
+ private:
+  const Region* region_at(const Point& place) const {
+    for (const auto& region : body_.discretization.regions)
+      if (region->lattice_grid() && locate(body_.scene.region(region->id()).outline(), place,
+                                           body_.discretization.tolerance) != Location::outside)
+        return region.get();
+    return nullptr;
+  }
+  const BrokenFaces& faces_of(const Region& region, const LatticeGrid& grid) {
+    return faces_.try_emplace(region.id(), body_, grid).first->second;
+  }
+
+  const BondedBody& body_;
+  std::map<int, BrokenFaces> faces_;  // by region
+};
+
+}  // namespace
+
+std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
+  std::vector<LatticeTip> tips;
+  TipSearch search(body);
+  for (std::size_t c = 0; c < body.scene.cracks().size(); ++c) {
+    std::vector<Point> points = body.scene.cracks()[c].points;
+    if (body.discretization.crack_regions[c] > 0 || points.size() < 2) continue;
+    const std::vector<Point> reversed(points.rbegin(), points.rend());
+    search.add(static_cast<int>(c) + 1, 0, reversed, tips);
+    search.add(static_cast<int>(c) + 1, 1, points, tips);
+  }
+  return tips;
+}
+
+}  // namespace bempd::regions

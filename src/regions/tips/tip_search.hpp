@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "regions/tips/tip_rings.hpp"
+
+namespace bempd::regions {
+
+// The tip of a crack among bonds.
+struct LatticeTip {
+  int crack, end;  // id; 1: at the crack's last point, 0: at its first
+  int region;      // id of the lattice that the crack ends in
+  TipAxes axes;
+  double horizon;
+  double clear;  // radius within which there is nothing but this tip and the straight crack behind it
+  bool grown;
+  bool branched;  // other ways lead on from the crack, too
+};
+
+// One for each end of a crack among bonds that lies inside the body.
+//
+// A crack passes from cell to cell of the lattice through the bonds of nearest neighbours that it breaks. An end has
+// grown if such cells join on to it, side by side or at corners; the tip is the middle of the one that is farthest
+// along them, and its direction that of the line that lies best through the last two horizons of the way. Until then it
+// is the end as described.
+std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
+
+}  // namespace bempd::regions

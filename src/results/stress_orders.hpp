@@ -1,0 +1,28 @@
+#pragma once
+
+#include "geometry/box_tree.hpp"
+#include "regions/singular_places.hpp"
+
+namespace bempd::results {
+
+// Finds out at which places stress is unbounded, and of which order.
+class StressOrders {
+ public:
+  // `places` stay with the caller; what is closer than some `tolerance` is the same place.
+  StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance);
+
+  // One entry a node: 0 where stress is bounded; else it goes as r to the power of minus this.
+  regions::FieldValues at_nodes(const regions::FieldValues& positions) const;
+
+  // Throws Error (argument) for places where stress is unbounded.
+  void require_bounded(const std::vector<Point>& asked) const;
+
+ private:
+  const regions::SingularPlace* at(const Point& place) const;
+
+  const std::vector<regions::SingularPlace>& places_;
+  double reach_;
+  BoxTree tree_;
+};
+
+}  // namespace bempd::results

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+#include "regions/region.hpp"
+
+namespace bempd::results {
+
+// A tip at an event, or (event 0) at the end of a step.
+struct TipRecord {
+  std::int64_t event, total_broken_bonds;
+  double load_factor;
+  regions::TipValues tip;
+};
+
+}  // namespace bempd::results
