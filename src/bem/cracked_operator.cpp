@@ -1,5 +1,6 @@
 #include "bem/cracked_operator.hpp"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 
@@ -47,6 +48,30 @@ Eigen::MatrixXd congruent(const Eigen::MatrixXd& symmetric, const Eigen::SparseM
   return result;
 }
 
+// Of every node of the unknowns, the one before that stands for the same displacements and openings; -1 if none does.
+std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::SparseMatrix<double>& map,
+                               const Eigen::SparseMatrix<double>& map_before) {
+  using Meaning = std::vector<std::pair<int, double>>;
+  const auto meaning = [](const Eigen::SparseMatrix<double>& from, Eigen::Index node) {
+    Meaning entries;
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(from, 2 * node); entry; ++entry)
+      entries.emplace_back(static_cast<int>(entry.row() / 2), entry.value());
+    return entries;
+  };
+  std::map<Meaning, int> before;
+  for (Eigen::Index node = 0; 2 * node < map_before.cols(); ++node)
+    before.emplace(meaning(map_before, node), static_cast<int>(node));
+  std::vector<int> kept;
+  for (Eigen::Index node = 0; 2 * node < map.cols(); ++node) {
+    Meaning entries = meaning(map, node);
+    for (auto& [raw, value] : entries) raw = kept_nodes[raw];
+    std::sort(entries.begin(), entries.end());
+    const auto found = before.find(entries);
+    kept.push_back(found == before.end() ? -1 : found->second);
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
@@ -91,18 +116,12 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
   if (before && (before->boundary_.centre != boundary_.centre || before->boundary_.length != boundary_.length ||
                  before->elasticity_ != elasticity))
     before = nullptr;
-  build(before);
-  full_ *= elasticity.thickness * elasticity.shear_modulus();
-  eliminate_openings();
-}
-
-void CrackedOperator::build(const CrackedOperator* before) {
   const int on_boundary = static_cast<int>(mesh_.nodes.size());
   const int nodes = on_boundary + static_cast<int>(cracks_.nodes.size()), tractions = mesh_.traction_node_count;
   KeptNodes kept;
   if (before) kept = kept_nodes(before->elements_, elements_, on_boundary, nodes, tractions);
   const KnownBlocks known{kept, before ? before->matrices_ : matrices_};
-  matrices_ = assemble_galerkin(elements_, nodes, tractions, elasticity_.effective_poisson_ratio(), options_,
+  matrices_ = assemble_galerkin(elements_, nodes, tractions, elasticity.effective_poisson_ratio(), options,
                                 before ? &known : nullptr);
   kernel_evaluations_ = matrices_.kernel_evaluations;
   copy_lower_to_upper(matrices_.hypersingular);
@@ -114,13 +133,18 @@ void CrackedOperator::build(const CrackedOperator* before) {
     require_positive(*single_layer);
     single_layer_ = std::move(single_layer);
   }
-  const Eigen::SparseMatrix<double> map = from_unknowns(mesh_, cracks_);
-  if (!before) {
+  const Eigen::SparseMatrix<double> map = from_unknowns(mesh, cracks);
+  std::vector<int> unknowns;
+  if (before) {
+    take_from(*before, kept);
+    full_ = congruent(raw_, map);
+    unknowns = kept_unknowns(kept.nodes, map, from_unknowns(before->mesh_, before->cracks_));
+  } else {
     full_ = stiffness_of(matrices_, *single_layer_, map);
-    return;
   }
-  take_from(*before, kept);
-  full_ = congruent(raw_, map);
+  full_ *= elasticity.thickness * elasticity.shear_modulus();
+  of_openings_.compute(full_, 2 * static_cast<Eigen::Index>(on_boundary),
+                       kept.whole_boundary ? &before->of_openings_ : nullptr, unknowns);
 }
 
 // Y = L^-1 B and D + Y^T Y, of which only the columns of new nodes are computed.
@@ -132,12 +156,13 @@ void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& 
     if (!knows || kept.nodes[static_cast<std::size_t>(n)] < 0) fresh.insert(fresh.end(), {2 * n, 2 * n + 1});
   reduced_.resize(matrices_.single_layer.rows(), size);
   if (knows) copy_kept_columns(kept.nodes, before.reduced_, reduced_);
+  raw_.resize(size, size);
+  if (knows) copy_kept_blocks(kept.nodes, before.raw_, raw_);
+  if (fresh.empty()) return;
   Eigen::MatrixXd columns = matrices_.double_layer(fresh, Eigen::all).transpose();
   linalg::solve_lower(single_layer_->lower(), columns);
   for (std::size_t k = 0; k < fresh.size(); ++k) reduced_.col(fresh[k]) = columns.col(static_cast<Eigen::Index>(k));
   const Eigen::MatrixXd products = reduced_.transpose() * columns;
-  raw_.resize(size, size);
-  if (knows) copy_kept_blocks(kept.nodes, before.raw_, raw_);
   for (std::size_t k = 0; k < fresh.size(); ++k) {
     raw_.col(fresh[k]) = matrices_.hypersingular.col(fresh[k]) + products.col(static_cast<Eigen::Index>(k));
     raw_.row(fresh[k]) = raw_.col(fresh[k]).transpose();
@@ -155,32 +180,16 @@ Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::Den
   return stiffness;
 }
 
-void CrackedOperator::eliminate_openings() {
-  const Eigen::Index u = 2 * static_cast<Eigen::Index>(mesh_.nodes.size()), w = full_.rows() - u;
-  of_openings_.compute(full_.bottomRightCorner(w, w));
-  // A motion of the piece needs no force; its pivot is rounding.
-  constexpr double least_pivot = 1e-12;
-  const Eigen::ArrayXd pivots = of_openings_.matrixLLT().diagonal().array().square();
-  require(of_openings_.info() == Eigen::Success &&
-              (pivots > least_pivot * full_.bottomRightCorner(w, w).diagonal().array()).all(),
-          "cracks cut a piece out of a body that nothing holds; leave a ligament or end one of them earlier");
-  Eigen::MatrixXd half = full_.bottomLeftCorner(w, u);
-  linalg::solve_lower(of_openings_.lower(), half);
-  stiffness_ = full_.topLeftCorner(u, u);
-  linalg::add_square(stiffness_, half.transpose(), -1);
-  copy_lower_to_upper(stiffness_);
-}
-
 Eigen::MatrixXd CrackedOperator::forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const {
   const Eigen::MatrixXd forces = cracks_.constraint.transpose() * opening_forces;
-  const Eigen::Index u = stiffness_.rows(), w = full_.rows() - u;
+  const Eigen::Index u = stiffness().rows(), w = full_.rows() - u;
   return forces.topRows(u) - full_.topRightCorner(u, w) * of_openings_.solve(forces.bottomRows(w));
 }
 
 Eigen::MatrixXd CrackedOperator::openings(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                                           const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const {
   const Eigen::MatrixXd forces = cracks_.constraint.transpose() * opening_forces;
-  const Eigen::Index u = stiffness_.rows(), w = full_.rows() - u;
+  const Eigen::Index u = stiffness().rows(), w = full_.rows() - u;
   Eigen::MatrixXd unknowns(full_.rows(), displacements.cols());
   unknowns.topRows(u) = displacements;
   unknowns.bottomRows(w) = of_openings_.solve(forces.bottomRows(w) - full_.bottomLeftCorner(w, u) * displacements);
@@ -195,7 +204,7 @@ Eigen::MatrixXd CrackedOperator::tractions(const Eigen::Ref<const Eigen::MatrixX
 Eigen::MatrixXd CrackedOperator::tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                                            const Eigen::Ref<const Eigen::MatrixXd>& openings) const {
   const auto& rows = matrices_.double_layer;
-  const Eigen::Index u = stiffness_.rows();
+  const Eigen::Index u = stiffness().rows();
   const Eigen::MatrixXd right =
       rows.topRows(u).transpose() * displacements + rows.bottomRows(rows.rows() - u).transpose() * openings;
   return elasticity_.shear_modulus() / boundary_.length * single_layer_->solve(right);

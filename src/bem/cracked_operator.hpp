@@ -9,6 +9,7 @@
 #include "bem/crack_mesh.hpp"
 #include "bem/galerkin_assembly.hpp"
 #include "bem/kept_blocks.hpp"
+#include "bem/opening_elimination.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "linalg/dense_parts.hpp"
@@ -29,7 +30,7 @@ class CrackedOperator final : public BoundaryOperator {
                   const AssemblyOptions& options = {}, const CrackedOperator* before = nullptr);
 
   // Symmetric positive semidefinite, of the boundary's nodes.
-  const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
+  const Eigen::MatrixXd& stiffness() const override { return of_openings_.stiffness(); }
   // With faces free of traction.
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
@@ -57,9 +58,7 @@ class CrackedOperator final : public BoundaryOperator {
   const AssemblyOptions& options() const { return options_; }
 
  private:
-  void build(const CrackedOperator* before);
   void take_from(const CrackedOperator& before, const KeptNodes& kept);
-  void eliminate_openings();
 
   BoundaryMesh mesh_;
   CrackMesh cracks_;
@@ -71,8 +70,8 @@ class CrackedOperator final : public BoundaryOperator {
   std::shared_ptr<const linalg::DenseCholesky> single_layer_;
   // Of all displacements and openings, L L^T being V: L^-1 B, and D + B^T V^-1 B. Empty unless cracks have grown.
   Eigen::MatrixXd reduced_, raw_;
-  Eigen::MatrixXd full_, stiffness_;
-  linalg::DenseCholesky of_openings_;
+  Eigen::MatrixXd full_;
+  OpeningElimination of_openings_;
   std::int64_t kernel_evaluations_ = 0;
 };
 

@@ -51,6 +51,9 @@ TEST(KeptBlocks, know_nodes_by_place_whatever_their_numbers) {
   const bem::CrackedOperator from_other(one.mesh, one.cracks, steel, {}, other.op.get());
   EXPECT_LE(difference(from_other.full_stiffness(), one.op->full_stiffness()), 1e-13);
   EXPECT_EQ(from_other.kernel_evaluations(), 0);
+  const bem::CrackedOperator again(one.mesh, one.cracks, steel, {}, &from_other);
+  EXPECT_LE(difference(again.full_stiffness(), one.op->full_stiffness()), 1e-13);
+  EXPECT_LE(difference(again.stiffness(), one.op->stiffness()), 1e-13);
 }
 
 TEST(KeptBlocks, are_not_taken_from_a_body_of_another_material_or_size) {

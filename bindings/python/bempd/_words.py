@@ -58,6 +58,8 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_PLANE_STRAIN": '"strain"',
     "BEMPD_PRESSURE": '"pressure"',
     "BEMPD_SHEAR": '"shear"',
+    "BEMPD_CRACK_START": "TipEnd.START",
+    "BEMPD_CRACK_END": "TipEnd.END",
     "BEMPD_COUNTER_CLOCKWISE": '"counter-clockwise"',
     "BEMPD_CLOCKWISE": '"clockwise"',
     "BEMPD_FACE_LEFT": '"left"',

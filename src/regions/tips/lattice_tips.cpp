@@ -44,9 +44,8 @@ double felt_ahead(const TipRings& rings, double radius, double horizon, const Ei
 
 TipValues without_contours(const LatticeTip& tip) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  TipValues values{
-      tip.crack, tip.end, tip.axes.place, tip.axes.direction, {unknown, unknown}, unknown, unknown, unknown, unknown,
-      unknown};
+  TipValues values{tip.crack, tip.end, tip.axes.place, tip.axes.direction, {unknown, unknown}, unknown, unknown,
+                   unknown,   unknown, unknown};
   values.method = TipMethod::contours;
   values.grown = tip.grown, values.branched = tip.branched;
   return values;
