@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bem/coarse_level.hpp"
+#include "elasticity/kinked_tip.hpp"
 #include "physics/cracked_bodies.hpp"
 
 // Stress intensity factors against closed forms and published values.
