@@ -65,8 +65,7 @@ void OpeningElimination::compute(const Eigen::MatrixXd& full, Eigen::Index displ
   }
   if (known < size) factorize(full, displacements, known);
   const auto add_square = [&](const Eigen::MatrixXd& half, double sign) {
-    if (half.rows() > known)
-      linalg::add_square(stiffness_, half.bottomRows(half.rows() - known).transpose(), sign);
+    if (half.rows() > known) linalg::add_square(stiffness_, half.bottomRows(half.rows() - known).transpose(), sign);
   };
   stiffness_ = known > 0 ? before->stiffness_ : Eigen::MatrixXd(full.topLeftCorner(displacements, displacements));
   if (known > 0) add_square(before->half_, 1);
