@@ -6,7 +6,6 @@
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
-#include "linalg/blas.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
@@ -17,15 +16,6 @@ namespace bempd::model {
 
 namespace {
 
-// Reciprocal condition that leaves displacements three or four digits.
-constexpr double poor_condition = 1e-12;
-
-// Bent strips of 400 : 1 come to it, with reactions that are off by 1e-5.
-constexpr double poor_residual = 1e-8;
-
-// Systems that take long enough for the rate of the BLAS to matter.
-constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
-
 // Rounding in the ratio of a bond that just reaches its critical stretch.
 constexpr double ratio_rounding = 1e-9;
 
@@ -34,22 +24,6 @@ std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
   const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + ratio_rounding; };
   const auto found = std::find_if(lines.begin(), lines.end(), unstable);
   return found == lines.end() ? 0 : found->event;
-}
-
-// "region 2" or "regions 1 and 3": those that have any of the nodes.
-std::string regions_with(const regions::Discretization& d, const std::vector<int>& nodes) {
-  std::vector<char> member(d.positions.size(), 0);
-  for (int node : nodes) member[node] = 1;
-  std::vector<int> ids;
-  for (const auto& region : d.regions) {
-    const std::vector<int>& own = region->nodes();
-    if (std::any_of(own.begin(), own.end(), [&](int node) { return member[node] != 0; })) ids.push_back(region->id());
-  }
-  std::string names = ids.size() > 1 ? "regions " : "region ";
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    names += (i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ") + std::to_string(ids[i]);
-  }
-  return names;
 }
 
 // What is said of work that is done. A call does not fail for want of words: without memory for them they are left out.
@@ -82,10 +56,6 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   ++generation_;
 }
 
-void Model::log(int level, const std::string& message) const {
-  if (log_) log_(level, message);
-}
-
 void Model::check_mechanism(const PreparedScene& p) const {
   const std::vector<Point>& positions = p.discretization.positions;
   for (const std::vector<int>& nodes : fracture::Connectivity(*p.system).pieces()) {
@@ -96,7 +66,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
     }
     const coupling::RigidMotion motion(positions, nodes, held);
     if (motion.free_count() == 0) continue;
-    fail(Failure::unsolvable, regions_with(p.discretization, nodes), " can ", motion.describe(),
+    fail(Failure::unsolvable, p.discretization.regions_with(nodes), " can ", motion.describe(),
          "; add supports that prevent this, for example with bempd_fix_point()");
   }
 }
@@ -121,13 +91,6 @@ void Model::prepare() {
   prepared_ = build();
   ++generation_;
   say([&] { tell_of_preparation(); });
-}
-
-void Model::tell_of_preparation() const {
-  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
-  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->terms().size(),
-              " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
-  if (log_ && prepared_->system->counters().sparse_unknowns > unknowns_that_need_a_fast_blas) warn_of_blas();
 }
 
 std::unique_ptr<PreparedScene> Model::build() const {
@@ -166,66 +129,6 @@ void Model::ensure_equilibrium() {
     log(1,
         text(evolution.progress().fragments, " pieces are cut off from all supports by initial cracks; they are held"));
   });
-}
-
-void Model::warn_of_blas() const {
-  const linalg::Blas blas = linalg::running_blas();
-  log(3, "matrices are multiplied by " + linalg::describe(blas));
-  if (!linalg::processor_has_avx2() || !linalg::is_before_avx2(blas.core)) return;
-  log(1, text("the BLAS takes the processor for an older one, ", blas.core,
-              ", and computes at half its rate or less; use another BLAS, or name the kind to it (OpenBLAS reads "
-              "OPENBLAS_CORETYPE, for instance Haswell)"));
-}
-
-void Model::warn_of_equilibrium() {
-  warn_of_condition();
-  warn_of_held_parts();
-  warn_of_overlap();
-}
-
-void Model::warn_of_condition() {
-  if (warned_of_condition_) return;
-  const double residual = prepared_->evolution->progress().residual;
-  if (residual > poor_residual) {
-    warned_of_condition_ = true;
-    log(1, text("forces are out of balance by ", residual,
-                " of the largest one: reactions of parts that are very slender or hardly supported lose digits"));
-    return;
-  }
-  const double condition = prepared_->system->counters().reciprocal_condition;
-  if (condition >= poor_condition) return;
-  warned_of_condition_ = true;
-  log(1, text("the equations are badly conditioned: about ", static_cast<int>(std::lround(-std::log10(condition))),
-              " digits of the displacement are lost; look for parts that are very slender or hardly supported"));
-}
-
-void Model::warn_of_held_parts() {
-  constexpr std::size_t most_named = 4;
-  std::vector<int> held = prepared_->evolution->take_held();
-  std::sort(held.begin(), held.end());
-  held.erase(std::unique(held.begin(), held.end()), held.end());
-  if (held.empty()) return;
-  std::string places;
-  for (std::size_t i = 0; i < std::min(held.size(), most_named); ++i) {
-    const Point& place = prepared_->discretization.positions[held[i]];
-    const int crack = scene_.crack_nearest(place);
-    places += text(i == 0 ? "" : ", ", "(", place.x(), ", ", place.y(), ")");
-    if (crack > 0) places += text(" by initial crack ", crack);
-  }
-  if (held.size() > most_named) places += text(" and at ", held.size() - most_named, " places more");
-  log(1, "parts can move freely, cut off or left hanging on a hinge, at " + places + "; they are held where they are");
-}
-
-void Model::warn_of_interface() {
-  if (warned_of_interface_) return;
-  const std::optional<int> node = prepared_->interface_bonds->reached();
-  if (!node) return;
-  warned_of_interface_ = true;
-  const Point& place = prepared_->discretization.positions[*node];
-  log(1, text("bonds have broken where ", regions_with(prepared_->discretization, {*node}), " meet, at (", place.x(),
-              ", ", place.y(),
-              "): a crack cannot go on into a boundary element region and runs along it; give the "
-              "peridynamic region more room there if it should go on"));
 }
 
 void Model::reload() {
@@ -283,22 +186,6 @@ StepResult Model::advance(double target, fracture::Goal goal) {
   result.seconds_search = evolution.seconds_search() - search;
   say([&] { tell_of_step(result, evolution.progress().fragments - fragments); });
   return result;
-}
-
-void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
-  const fracture::CrackEvolution& evolution = *prepared_->evolution;
-  log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,
-              " bonds broken"));
-  if (!warned_of_energies_ && evolution.energies_are_lost()) {
-    warned_of_energies_ = true;
-    log(1,
-        "energies are too large or too small for a number; displacements, stresses and forces are right, energies "
-        "and their balance are not; choose other units");
-  }
-  warn_of_equilibrium();
-  if (result.broken_bonds > 0) warn_of_interface();
-  if (new_fragments > 0)
-    log(1, text(new_fragments, " pieces have come free of all supports; they stay where they are"));
 }
 
 double Model::load_factor() const { return prepared_ ? prepared_->evolution->progress().load_factor : 0.0; }

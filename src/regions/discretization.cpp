@@ -65,6 +65,21 @@ std::vector<coupling::DenseOperator> Discretization::dense_operators() const {
   return operators;
 }
 
+std::string Discretization::regions_with(const std::vector<int>& nodes) const {
+  std::vector<char> member(positions.size(), 0);
+  for (int node : nodes) member[node] = 1;
+  std::vector<int> ids;
+  for (const auto& region : regions) {
+    const std::vector<int>& own = region->nodes();
+    if (std::any_of(own.begin(), own.end(), [&](int node) { return member[node] != 0; })) ids.push_back(region->id());
+  }
+  std::string names = ids.size() > 1 ? "regions " : "region ";
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == ids.size() ? " and " : ", ") + std::to_string(ids[i]);
+  }
+  return names;
+}
+
 RegionStatistics Discretization::statistics() const {
   RegionStatistics sum;
   for (const auto& region : regions) region->add_statistics(sum);

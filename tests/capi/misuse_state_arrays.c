@@ -16,12 +16,13 @@ enum {
   stages,
   springs,
   unloaded,
+  tips,
   history,
   reactions,
   extensions,
   array_count
 };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 96, 8, 89};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 96, 8, 89};
 
 typedef struct bytes {
   uint8_t* data;

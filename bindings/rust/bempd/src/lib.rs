@@ -55,13 +55,16 @@ pub use conditions::{BoundaryValue, Values};
 pub use error::{Error, Result};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
-    BondState, Component, Face, FaceComponent, Field, LogLevel, Plane, SingularityKind, StopReason, TipEnd, TipMethod, Turn,
+    BondState, Component, Face, FaceComponent, Field, LogLevel, Plane, SingularityKind, StopReason, TipEnd, TipMethod,
+    Turn,
 };
 pub use material::Material;
 pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
-pub use reports::{CrackExtension, CrackTip, Growth, HistoryEntry, Progress, Singularity, Statistics, StepReport, TipRecord};
+pub use reports::{
+    CrackExtension, CrackTip, Growth, HistoryEntry, Progress, Singularity, Statistics, StepReport, TipRecord,
+};
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, PointValues};
 
 /// Version of the library as "major.minor.patch".
