@@ -416,7 +416,7 @@ BEMPD_API bempd_status bempd_add_pressure(bempd_model* model, int32_t region, in
 BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* load);
 
-/** @brief What acts on the faces of a crack. @since 0.2 */
+/** @brief What acts on the faces of a crack. @since 0.3 */
 typedef enum bempd_face_component {
   /** Pressure that pushes the faces apart. */
   BEMPD_PRESSURE = 1,
@@ -430,7 +430,7 @@ typedef enum bempd_face_component {
  * @param[in] value_count 1: uniform; 2: linear from the crack's start to its end; n: values at n equally spaced places
  * @param[in] constant shape [value_count], constant part [Pa]; NULL for 0
  * @param[in] proportional shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
- * @param[out] load its id; may be NULL @return status @since 0.2 */
+ * @param[out] load its id; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crack, int32_t component,
                                                 int64_t value_count, const double* constant, const double* proportional,
                                                 int32_t* load);
@@ -786,7 +786,7 @@ BEMPD_API bempd_status bempd_singularity_count(bempd_model* model, int64_t* coun
  * @param[in,out] singularity struct_size in, the rest out @return status @since 0.3 */
 BEMPD_API bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity);
 
-/** @brief End of a crack. @since 0.2 */
+/** @brief End of a crack. @since 0.3 */
 typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
 
 /** @brief What the values of a tip come from. @since 0.3 */
@@ -810,7 +810,7 @@ typedef enum bempd_tip_method { BEMPD_TIP_ELEMENTS = 1, BEMPD_TIP_CONTOURS = 2 }
  * Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has grown:
  * to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end. Cracks that
  * begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells of the
- * latter. @since 0.2 */
+ * latter. @since 0.3 */
 typedef struct bempd_crack_tip {
   int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
   int32_t crack;               /**< id of the crack */
@@ -840,17 +840,17 @@ typedef struct bempd_crack_tip {
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill
  * @param[in] struct_size sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
- * @return status @since 0.2 */
+ * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
 
 /** @brief Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none.
  * Prepares the model. What tips carry is computed when it is asked for.
- * @param[in] model the model @param[out] count number of tips @return status @since 0.2 */
+ * @param[in] model the model @param[out] count number of tips @return status @since 0.3 */
 BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
 
 /** @brief A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the end
  * nearer to its first point first. @param[in] model the model
- * @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.2 */
+ * @param[in] index 0 .. count-1 @param[in,out] tip struct_size in, the rest out @return status @since 0.3 */
 BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_tip* tip);
 
 /** @brief Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th event and
@@ -873,11 +873,11 @@ BEMPD_API bempd_status bempd_get_tip_history(const bempd_model* model, int64_t i
  * @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
  * @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
  * @param[out] normal shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
- * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.2 */
+ * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                            double* normal, double* tangential);
 
-/** @brief What bempd_grow_cracks() did. Fill it with bempd_growth_init(). @since 0.2 */
+/** @brief What bempd_grow_cracks() did. Fill it with bempd_growth_init(). @since 0.3 */
 typedef struct bempd_growth {
   int64_t struct_size; /**< sizeof(bempd_growth), set by bempd_growth_init() */
   int32_t tips;        /**< tips that have grown */
@@ -889,7 +889,7 @@ typedef struct bempd_growth {
 
 /** @brief Set struct_size and zeros. @param[out] growth the struct to fill
  * @param[in] struct_size sizeof(bempd_growth) as the caller was compiled: older programs keep working when it grows
- * @return status @since 0.2 */
+ * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_size);
 
 /** @brief Let the cracks of BEM regions grow by a length.
@@ -909,7 +909,7 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
  * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
  * @param[in,out] growth struct_size in, the rest out; may be NULL
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
- * an argument error and stays as it was @since 0.2 */
+ * an argument error and stays as it was @since 0.3 */
 BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
 
 /** @brief Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.

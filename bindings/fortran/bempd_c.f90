@@ -65,7 +65,7 @@ module bempd_c
 
   !> What acts on the faces of a crack.
   !>
-  !> since: 0.2
+  !> since: 0.3
   integer, parameter :: bempd_face_component = c_int
   !> Pressure that pushes the faces apart.
   integer(c_int), parameter :: BEMPD_PRESSURE = 1
@@ -157,7 +157,7 @@ module bempd_c
 
   !> End of a crack.
   !>
-  !> since: 0.2
+  !> since: 0.3
   integer, parameter :: bempd_tip_end = c_int
   integer(c_int), parameter :: BEMPD_CRACK_START = 1
   integer(c_int), parameter :: BEMPD_CRACK_END = 2
@@ -324,7 +324,7 @@ module bempd_c
   !> Cracks that begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells
   !> of the latter.
   !>
-  !> since: 0.2
+  !> since: 0.3
   type, bind(c) :: bempd_crack_tip
     !> sizeof(bempd_crack_tip), set by bempd_crack_tip_init()
     integer(c_int64_t) :: struct_size
@@ -372,7 +372,7 @@ module bempd_c
 
   !> What bempd_grow_cracks() did. Fill it with bempd_growth_init().
   !>
-  !> since: 0.2
+  !> since: 0.3
   type, bind(c) :: bempd_growth
     !> sizeof(bempd_growth), set by bempd_growth_init()
     integer(c_int64_t) :: struct_size
@@ -1291,7 +1291,7 @@ module bempd_c
     !> proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
     !> load [out]: its id; may be NULL
     !> return: status
-    !> since: 0.2
+    !> since: 0.3
     function bempd_add_crack_traction(model, crack, component, value_count, constant, proportional, load) &
         bind(c, name="bempd_add_crack_traction")
       import :: c_int, c_int32_t, c_int64_t, c_ptr
@@ -1859,7 +1859,7 @@ module bempd_c
     !> tip [out]: the struct to fill
     !> struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working when it grows
     !> return: status
-    !> since: 0.2
+    !> since: 0.3
     function bempd_crack_tip_init(tip, struct_size) bind(c, name="bempd_crack_tip_init")
       import :: bempd_crack_tip, c_int, c_int64_t
       type(bempd_crack_tip), intent(inout) :: tip
@@ -1873,7 +1873,7 @@ module bempd_c
     !> model [in]: the model
     !> count [out]: number of tips
     !> return: status
-    !> since: 0.2
+    !> since: 0.3
     function bempd_tip_count(model, count) bind(c, name="bempd_tip_count")
       import :: c_int, c_int64_t, c_ptr
       type(c_ptr), value :: model
@@ -1888,7 +1888,7 @@ module bempd_c
     !> index [in]: 0 .. count-1
     !> tip [in,out]: struct_size in, the rest out
     !> return: status
-    !> since: 0.2
+    !> since: 0.3
     function bempd_tip(model, index, tip) bind(c, name="bempd_tip")
       import :: bempd_crack_tip, c_int, c_int64_t, c_ptr
       type(c_ptr), value :: model
@@ -1946,7 +1946,7 @@ module bempd_c
     !> normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
     !> tangential [out]: shape [count], along the crack [m]; may be NULL
     !> return: status
-    !> since: 0.2
+    !> since: 0.3
     function bempd_crack_opening(model, crack, count, fractions, normal, tangential) &
         bind(c, name="bempd_crack_opening")
       import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
@@ -1964,7 +1964,7 @@ module bempd_c
     !> growth [out]: the struct to fill
     !> struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older programs keep working when it grows
     !> return: status
-    !> since: 0.2
+    !> since: 0.3
     function bempd_growth_init(growth, struct_size) bind(c, name="bempd_growth_init")
       import :: bempd_growth, c_int, c_int64_t
       type(bempd_growth), intent(inout) :: growth
@@ -1992,7 +1992,7 @@ module bempd_c
     !> growth [in,out]: struct_size in, the rest out; may be NULL
     !> return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two
     !>   is an argument error and stays as it was
-    !> since: 0.2
+    !> since: 0.3
     function bempd_grow_cracks(model, length, growth) bind(c, name="bempd_grow_cracks")
       import :: c_double, c_int, c_ptr
       type(c_ptr), value :: model

@@ -851,7 +851,7 @@ return: status
 since: 0.1""",
     "bempd_face_component": """What acts on the faces of a crack.
 
-since: 0.2""",
+since: 0.3""",
     "BEMPD_PRESSURE": """Pressure that pushes the faces apart.""",
     "BEMPD_SHEAR": """\
 Shear along the crack: it drives the face on the left, seen from the crack's first point, towards
@@ -869,7 +869,7 @@ constant [in]: shape [value_count], constant part [Pa]; NULL for 0
 proportional [in]: shape [value_count], part multiplied by the load factor [Pa]; NULL for 0
 load [out]: its id; may be NULL
 return: status
-since: 0.2""",
+since: 0.3""",
     "bempd_set_load_values": """\
 Give a traction or point force new values, at any time; a prepared model only changes its right-hand
 side.
@@ -1322,7 +1322,7 @@ return: status
 since: 0.3""",
     "bempd_tip_end": """End of a crack.
 
-since: 0.2""",
+since: 0.3""",
     "bempd_tip_method": """What the values of a tip come from.
 
 since: 0.3""",
@@ -1349,7 +1349,7 @@ Then it has grown: to the middle of the lattice cell that lies farthest along th
 bonds join to the end. Cracks that begin away from initial ones, and branches beside the farthest
 one, have no tips here; `branched` tells of the latter.
 
-since: 0.2""",
+since: 0.3""",
     "bempd_crack_tip.struct_size": """sizeof(bempd_crack_tip), set by bempd_crack_tip_init()""",
     "bempd_crack_tip.crack": """id of the crack""",
     "bempd_crack_tip.end": """a bempd_tip_end""",
@@ -1383,7 +1383,7 @@ tip [out]: the struct to fill
 struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep working
   when it grows
 return: status
-since: 0.2""",
+since: 0.3""",
     "bempd_tip_count": """\
 Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are
 none. Prepares the model. What tips carry is computed when it is asked for.
@@ -1391,7 +1391,7 @@ none. Prepares the model. What tips carry is computed when it is asked for.
 model [in]: the model
 count [out]: number of tips
 return: status
-since: 0.2""",
+since: 0.3""",
     "bempd_tip": """\
 A tip: those in BEM regions first, then those in peridynamic ones (since 0.3); each by crack and the
 end nearer to its first point first.
@@ -1400,7 +1400,7 @@ model [in]: the model
 index [in]: 0 .. count-1
 tip [in,out]: struct_size in, the rest out
 return: status
-since: 0.2""",
+since: 0.3""",
     "bempd_tip_history_count": """\
 Number of tips that were recorded: with the option tips.record = n > 0 all there are at every n-th
 event and at the end of every step, also where bempd_grow_cracks() has made one.
@@ -1434,10 +1434,10 @@ fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1
 normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
 tangential [out]: shape [count], along the crack [m]; may be NULL
 return: status
-since: 0.2""",
+since: 0.3""",
     "bempd_growth": """What bempd_grow_cracks() did. Fill it with bempd_growth_init().
 
-since: 0.2""",
+since: 0.3""",
     "bempd_growth.struct_size": """sizeof(bempd_growth), set by bempd_growth_init()""",
     "bempd_growth.tips": """tips that have grown""",
     "bempd_growth.ended": """\
@@ -1452,7 +1452,7 @@ growth [out]: the struct to fill
 struct_size [in]: sizeof(bempd_growth) as the caller was compiled: older programs keep working when
   it grows
 return: status
-since: 0.2""",
+since: 0.3""",
     "bempd_grow_cracks": """\
 Let the cracks of BEM regions grow by a length.
 
@@ -1476,7 +1476,7 @@ length [in]: how far tips grow [m], > 0
 growth [in,out]: struct_size in, the rest out; may be NULL
 return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a
   region in two is an argument error and stays as it was
-since: 0.2""",
+since: 0.3""",
     "bempd_set_tip_frozen": """\
 Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all
 the same.

@@ -812,7 +812,7 @@ pub const BEMPD_PRESSURE: bempd_face_component = 1;
 pub const BEMPD_SHEAR: bempd_face_component = 2;
 /// What acts on the faces of a crack.
 ///
-/// * since: 0.2
+/// * since: 0.3
 pub type bempd_face_component = ::std::os::raw::c_uint;
 extern "C" {
     /// Add a traction on both faces of a crack in a BEM region; give it new values with
@@ -827,7 +827,7 @@ extern "C" {
     /// * proportional \[in\]: shape \[value_count\], part multiplied by the load factor \[Pa\]; NULL for 0
     /// * load \[out\]: its id; may be NULL
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_add_crack_traction(
         model: *mut bempd_model,
         crack: i32,
@@ -1536,7 +1536,7 @@ pub const BEMPD_CRACK_START: bempd_tip_end = 1;
 pub const BEMPD_CRACK_END: bempd_tip_end = 2;
 /// End of a crack.
 ///
-/// * since: 0.2
+/// * since: 0.3
 pub type bempd_tip_end = ::std::os::raw::c_uint;
 pub const BEMPD_TIP_ELEMENTS: bempd_tip_method = 1;
 pub const BEMPD_TIP_CONTOURS: bempd_tip_method = 2;
@@ -1566,7 +1566,7 @@ pub type bempd_tip_method = ::std::os::raw::c_uint;
 /// which such bonds join to the end. Cracks that begin away from initial ones, and branches beside
 /// the farthest one, have no tips here; `branched` tells of the latter.
 ///
-/// * since: 0.2
+/// * since: 0.3
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct bempd_crack_tip {
@@ -1620,7 +1620,7 @@ extern "C" {
     /// * struct_size \[in\]: sizeof(bempd_crack_tip) as the caller was compiled: older programs keep
     ///   working when it grows
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_crack_tip_init(tip: *mut bempd_crack_tip, struct_size: i64) -> bempd_status;
 }
 extern "C" {
@@ -1630,7 +1630,7 @@ extern "C" {
     /// * model \[in\]: the model
     /// * count \[out\]: number of tips
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_tip_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
 }
 extern "C" {
@@ -1641,7 +1641,7 @@ extern "C" {
     /// * index \[in\]: 0 .. count-1
     /// * tip \[in,out\]: struct_size in, the rest out
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_tip(
         model: *mut bempd_model,
         index: i64,
@@ -1693,7 +1693,7 @@ extern "C" {
     ///   be NULL
     /// * tangential \[out\]: shape \[count\], along the crack \[m\]; may be NULL
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_crack_opening(
         model: *mut bempd_model,
         crack: i32,
@@ -1705,7 +1705,7 @@ extern "C" {
 }
 /// What bempd_grow_cracks() did. Fill it with bempd_growth_init().
 ///
-/// * since: 0.2
+/// * since: 0.3
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct bempd_growth {
@@ -1729,7 +1729,7 @@ extern "C" {
     /// * struct_size \[in\]: sizeof(bempd_growth) as the caller was compiled: older programs keep
     ///   working when it grows
     /// * return: status
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_growth_init(growth: *mut bempd_growth, struct_size: i64) -> bempd_status;
 }
 extern "C" {
@@ -1755,7 +1755,7 @@ extern "C" {
     /// * growth \[in,out\]: struct_size in, the rest out; may be NULL
     /// * return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that
     ///   would cut a region in two is an argument error and stays as it was
-    /// * since: 0.2
+    /// * since: 0.3
     pub fn bempd_grow_cracks(
         model: *mut bempd_model,
         length: f64,
