@@ -27,7 +27,8 @@ struct Discretization {
   const Region& region(int id) const;  // one that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;
   RegionStatistics statistics() const;
-  std::string regions_with(const std::vector<int>& nodes) const;  // "region 2", "regions 1 and 3": that have any of them
+  // "region 2", "regions 1 and 3": those that have any of the nodes.
+  std::string regions_with(const std::vector<int>& nodes) const;
 };
 
 // Throws Error (argument) if regions overlap, touch at points only, or do not match at interfaces. `before` is that of
