@@ -31,8 +31,7 @@ Kink largest_hoop_stress(const Point& factors) {
   const double one = factors.x(), two = factors.y();
   double angle = 0;
   if (two != 0) angle = 2 * std::atan((one - std::sqrt(one * one + 8 * two * two)) / (4 * two));
-  const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
-  return {angle, c * c * (one * c - 3 * two * s)};
+  return {angle, hoop_factor(factors, angle)};
 }
 
 Kink largest_energy_release_rate(const Point& factors) {
@@ -56,6 +55,11 @@ Kink largest_energy_release_rate(const Point& factors) {
 }
 
 }  // namespace
+
+double hoop_factor(const Point& factors, double angle) {
+  const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
+  return c * c * (factors.x() * c - 3 * factors.y() * s);
+}
 
 Point kinked_factors(const Point& factors, double angle) {
   const double m = angle / pi, m2 = m * m, p2 = pi * pi, p4 = p2 * p2, p6 = p4 * p2;

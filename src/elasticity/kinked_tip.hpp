@@ -16,6 +16,9 @@ struct Kink {
 // release rate after it has. An equivalent factor <= 0: nothing opens.
 Kink kink_of(const Point& factors, KinkCriterion criterion = KinkCriterion::hoop_stress);
 
+// Hoop stress around the tip in a direction, times sqrt(2 pi r): linear in the factors.
+double hoop_factor(const Point& factors, double angle);
+
 // K_I and K_II of an infinitesimal kink of this angle, |angle| < 2.5, at a tip with these factors (Amestoy and Leblond,
 // Int. J. Solids Struct. 29, 1992, section 4): they depend on nothing else of the body, so that no angle needs a
 // solution of its own.

@@ -15,6 +15,13 @@ struct Event {
   double critical_load_factor = 0;  // at which the term of this ratio just reaches its critical value
   // Of these terms, ascending; not told where the event lies beyond the target.
   std::vector<coupling::StageChange> changes;
+
+  // By one of its terms.
+  void reach(double ratio_of_term, double critical_of_term) {
+    if (ratio_of_term <= ratio) return;
+    ratio = ratio_of_term;
+    critical_load_factor = critical_of_term;
+  }
 };
 
 // What an event did.

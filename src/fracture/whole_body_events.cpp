@@ -68,10 +68,7 @@ void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
   for (int t : chosen) {
     event_.changes.push_back(system_.after_critical(t));
     const auto bond = static_cast<std::size_t>(t);
-    if (const double ratio = ratios.at(bond, f); ratio > event_.ratio) {
-      event_.ratio = ratio;
-      event_.critical_load_factor = ratios.critical_load_factor(bond, f);
-    }
+    event_.reach(ratios.at(bond, f), ratios.critical_load_factor(bond, f));
   }
 }
 

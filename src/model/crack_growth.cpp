@@ -195,9 +195,11 @@ GrowthResult Model::grow_cracks(double length) {
     throw;
   }
   if (records_tips()) record_tips();
-  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
-  log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
-  warn_of_equilibrium();
+  say([&] {
+    for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
+    log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));
+    warn_of_equilibrium();
+  });
   return result;
 }
 

@@ -26,15 +26,6 @@ std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
   return found == lines.end() ? 0 : found->event;
 }
 
-// What is said of work that is done. A call does not fail for want of words: without memory for them they are left out.
-template <class Body>
-void say(const Body& body) noexcept {
-  try {
-    body();
-  } catch (...) {
-  }
-}
-
 }  // namespace
 
 scene::Scene& Model::editable_scene() {

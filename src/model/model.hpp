@@ -182,6 +182,15 @@ class Model {
   static regions::Solution solution_of(const PreparedScene& prepared);
   results::FieldsOfScene fields();
   void log(int level, const std::string& message) const;
+  // What is said of work that is done. A call does not fail for want of words: without memory for them they are left
+  // out.
+  template <class Body>
+  static void say(const Body& body) noexcept {
+    try {
+      body();
+    } catch (...) {
+    }
+  }
   void tell_of_preparation() const;
   void tell_of_step(const StepResult& result, std::int64_t new_fragments);
 

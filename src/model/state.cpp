@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "error.hpp"
 #include "model/fingerprint.hpp"
@@ -7,6 +8,12 @@
 namespace bempd::model {
 
 namespace {
+
+bool is_sound(const fracture::GrowingTip& tip) {
+  const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
+  return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 &&
+         std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
+}
 
 // A state whose numbers go together may still have been made for another body.
 void require_fit(const fracture::EvolutionState& state, const PreparedScene& scene) {
@@ -19,8 +26,7 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
        state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
   const std::vector<fracture::GrowingTip>& tips = scene.evolution->progress().tips;
   fits(state.tips.size() == tips.size());
-  for (std::size_t k = 0; k < tips.size(); ++k)
-    fits(state.tips[k].law == tips[k].law && state.tips[k].place.allFinite() && state.tips[k].direction.allFinite());
+  for (std::size_t k = 0; k < tips.size(); ++k) fits(state.tips[k].law == tips[k].law && is_sound(state.tips[k]));
   const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "elasticity/kinked_tip.hpp"
+
 namespace bempd::fracture {
 
 namespace {
@@ -26,9 +28,8 @@ double correction(const GrowingTip& tip) {
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
 }
 
-double turn(const Point& a, const Point& b, const Point& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
+// Positive where c lies to the left of the way from a to b.
+double side(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
 
 Point turned(const Point& direction, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -51,7 +52,7 @@ std::vector<int> LineEvents::across(const Point& from, const Point& to, double h
       const auto b = static_cast<std::size_t>(bond);
       if (terms.first[b] != static_cast<int>(node)) return;
       const Point &p = positions[node], &q = positions[static_cast<std::size_t>(terms.second[b])];
-      if ((turn(from, to, p) > 0) != (turn(from, to, q) > 0) && (turn(p, q, from) > 0) != (turn(p, q, to) > 0))
+      if ((side(from, to, p) > 0) != (side(from, to, q) > 0) && (side(p, q, from) > 0) != (side(p, q, to) > 0))
         found.push_back(bond);
     });
   }
@@ -70,10 +71,10 @@ std::optional<LineEvents::Step> LineEvents::step_of(std::size_t number) const {
   double load_factor = proportional || state.load_factor <= 0 ? 1 : state.load_factor;
   for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
     const Eigen::Vector2d at(1, load_factor);
-    const double kink = hoop_angle(intensity.near.one.dot(at), intensity.near.two.dot(at));
-    const double fitted = hoop_angle(intensity.fitted.one.dot(at), intensity.fitted.two.dot(at));
+    const double kink = kink_of({intensity.near.one.dot(at), intensity.near.two.dot(at)}).angle;
+    const double fitted = kink_of({intensity.fitted.one.dot(at), intensity.fitted.two.dot(at)}).angle;
     const auto share = [&](int part) {
-      return hoop_intensity(intensity.fitted.one[part], intensity.fitted.two[part], fitted) * correction(tip) /
+      return hoop_factor({intensity.fitted.one[part], intensity.fitted.two[part]}, fitted) * correction(tip) /
              law.toughness;
     };
     step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, kink);
@@ -109,10 +110,7 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
        body_.ratios().most_stretched(intact, load_factor, options.tie_band, options.max_breaks_per_solve)) {
     event_.changes.push_back(body_.system().after_critical(t));
     const auto bond = static_cast<std::size_t>(t);
-    if (const double ratio = body_.ratios().at(bond, load_factor); ratio > event_.ratio) {
-      event_.ratio = ratio;
-      event_.critical_load_factor = body_.ratios().critical_load_factor(bond, load_factor);
-    }
+    event_.reach(body_.ratios().at(bond, load_factor), body_.ratios().critical_load_factor(bond, load_factor));
   }
   return &event_;
 }
@@ -120,7 +118,8 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
 const Event* LineEvents::next(double target, const SteppingOptions& options) {
   step_.reset();
   const BodyState& state = body_.state();
-  if (target < state.load_factor && options.control != Control::path) return nullptr;
+  if (target < state.load_factor) return nullptr;
+  const bool path = options.control == Control::path;
   std::vector<char> growing(state.tips.size(), 0);
   for (std::size_t k = 0; k < state.tips.size(); ++k) {
     std::optional<Step> step = step_of(k);
@@ -129,10 +128,10 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   }
   const double infinity = std::numeric_limits<double>::infinity();
   double at = infinity;
-  if (step_)
-    at = options.control == Control::path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
+  if (step_) at = path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
   const std::vector<char> intact = intact_away_from_tips(growing);
-  const std::optional<double> bonds = body_.ratios().next_break(intact, state.load_factor, infinity);
+  const std::optional<double> bonds = path ? body_.ratios().admissible(intact).next(true)
+                                           : body_.ratios().next_break(intact, state.load_factor, infinity);
   if (bonds && *bonds < at) {
     step_.reset();
     return tell_bonds(intact, *bonds, options);

@@ -35,21 +35,14 @@ Eigen::Matrix<double, 3, 6> williams_stress(double r, double t) {
 }  // namespace
 
 TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
-    : system_(system), positions_(positions), start_(positions.size() + 1, 0) {
-  const coupling::Terms& terms = system.terms();
-  const auto ends = [&](const auto& visit) {
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      if (terms.is_wide(t)) continue;
-      visit(terms.first[t], static_cast<int>(t));
-      visit(terms.second[t], static_cast<int>(t));
-    }
-  };
-  ends([&](int node, int) { ++start_[static_cast<std::size_t>(node) + 1]; });
-  for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
-  bonds_.resize(static_cast<std::size_t>(start_.back()));
-  std::vector<int> next(start_.begin(), start_.end() - 1);
-  ends([&](int node, int bond) { bonds_[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = bond; });
-}
+    : system_(system), positions_(positions), bonds_at_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
+        const coupling::Terms& terms = system.terms();
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+          if (terms.is_wide(t)) continue;
+          add(terms.first[t], static_cast<int>(t));
+          add(terms.second[t], static_cast<int>(t));
+        }
+      })) {}
 
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
@@ -58,7 +51,7 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
   for_each_bond(node, [&](int bond) {
     const auto b = static_cast<std::size_t>(bond);
     const Point e(terms.cosine[b], terms.sine[b]);
-    const double along = e.dot(direction), across = direction.x() * e.y() - direction.y() * e.x();
+    const double along = e.dot(direction), across = cross(direction, e);
     const Eigen::Vector3d dyad(along * along, across * across, along * across);
     for (int part = 0; part < 2; ++part) {
       const double force =
@@ -78,7 +71,7 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
   for (std::size_t node = 0; node < positions_.size(); ++node) {
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm(), ahead = step.dot(tip.direction);
-    if (r >= outer_reach || ahead < fitted_cosine * r || start_[node] == start_[node + 1]) continue;
+    if (r >= outer_reach || ahead < fitted_cosine * r || bonds_at_.of(static_cast<int>(node)).empty()) continue;
     const Stress s = stress(static_cast<int>(node), tip.direction, law, displacement);
     if (r < near_reach && ahead >= near_cosine * r) {
       const double bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
@@ -87,7 +80,7 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
       total += weight;
     }
     if (r < inner_reach) continue;
-    const double across = tip.direction.x() * step.y() - tip.direction.y() * step.x();
+    const double across = cross(tip.direction, step);
     const Eigen::Matrix<double, 3, 6> terms = williams_stress(r, std::atan2(across, ahead));
     normal += r * terms.transpose() * terms;
     right += r * terms.transpose() * s;
@@ -102,17 +95,6 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
   const double root = std::sqrt(2 * std::numbers::pi * law.horizon);
   found.fitted = {amplitudes.row(0) * root, -amplitudes.row(1) * root};
   return found;
-}
-
-double hoop_angle(double one, double two) {
-  if (two == 0) return 0;
-  const double ratio = one / two;
-  return 2 * std::atan((ratio - std::copysign(std::sqrt(ratio * ratio + 8), two)) / 4);
-}
-
-double hoop_intensity(double one, double two, double angle) {
-  const double c = std::cos(angle / 2);
-  return c * (one * c * c - 1.5 * two * std::sin(angle));
 }
 
 }  // namespace bempd::fracture

@@ -5,6 +5,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/line/growing_tip.hpp"
+#include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"
 
 namespace bempd::fracture {
@@ -31,9 +32,8 @@ class TipStress {
   // Bonds that are left at a node.
   template <class Visit>
   void for_each_bond(int node, const Visit& visit) const {
-    for (int k = start_[static_cast<std::size_t>(node)]; k < start_[static_cast<std::size_t>(node) + 1]; ++k)
-      if (system_.intact()[static_cast<std::size_t>(bonds_[static_cast<std::size_t>(k)])])
-        visit(bonds_[static_cast<std::size_t>(k)]);
+    for (const int bond : bonds_at_.of(node))
+      if (system_.intact()[static_cast<std::size_t>(bond)]) visit(bond);
   }
 
  private:
@@ -43,12 +43,7 @@ class TipStress {
 
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
-  std::vector<int> start_, bonds_;  // of nodes
+  linalg::Adjacency bonds_at_;  // nodes
 };
-
-// Kink towards the largest hoop stress, and the intensity factor that is compared with the toughness there (Erdogan and
-// Sih, J. Basic Eng. 85, 1963).
-double hoop_angle(double one, double two);
-double hoop_intensity(double one, double two, double angle);
 
 }  // namespace bempd::fracture

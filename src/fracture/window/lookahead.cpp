@@ -154,10 +154,7 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     foreseen.event.changes.push_back(system_.after_critical(term));
     foreseen.back.push_back({term, system_.stages()[term]});
     const auto bond = static_cast<std::size_t>(place);
-    if (const double ratio = ratios.at(bond, *next); ratio > foreseen.event.ratio) {
-      foreseen.event.ratio = ratio;
-      foreseen.event.critical_load_factor = ratios.critical_load_factor(bond, *next);
-    }
+    foreseen.event.reach(ratios.at(bond, *next), ratios.critical_load_factor(bond, *next));
   }
   if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.largest_force = events_.empty() ? largest_force_before(*next, start) : events_.back().largest_force;

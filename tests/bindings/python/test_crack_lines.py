@@ -47,6 +47,14 @@ def middles(model: bempd.Model, body: int) -> np.ndarray:
     return (points[broken[:, 0]] + points[broken[:, 1]]) / 2
 
 
+def test_a_line_does_not_grow_while_the_load_is_taken_back() -> None:
+    model, _ = plate(30, "line")
+    reached = model.step_to_next_event(1e6)
+    back = model.step(reached.load_factor / 2)
+    assert back.load_factor == reached.load_factor / 2
+    assert back.total_broken_bonds == reached.total_broken_bonds
+
+
 @pytest.mark.parametrize("incline", [30, 60])
 def test_a_line_follows_the_path_of_boundary_elements(incline: float) -> None:
     reference = boundary_path(incline)
