@@ -160,11 +160,7 @@ extern "C" {
     /// * value \[in\]: within the option's range
     /// * return: status; an unknown name is an argument error that lists the near ones
     /// * since: 0.1
-    pub fn bempd_set_option(
-        model: *mut bempd_model,
-        name: *const ::std::os::raw::c_char,
-        value: f64,
-    ) -> bempd_status;
+    pub fn bempd_set_option(model: *mut bempd_model, name: *const ::std::os::raw::c_char, value: f64) -> bempd_status;
 }
 extern "C" {
     /// Value of a number option.
@@ -269,11 +265,7 @@ extern "C" {
     /// * id \[out\]: its id; may be NULL
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_add_material(
-        model: *mut bempd_model,
-        material: *const bempd_material,
-        id: *mut i32,
-    ) -> bempd_status;
+    pub fn bempd_add_material(model: *mut bempd_model, material: *const bempd_material, id: *mut i32) -> bempd_status;
 }
 extern "C" {
     /// Add a region treated by boundary elements: a polygon, its edges straight at first.
@@ -406,13 +398,7 @@ extern "C" {
     /// * y \[in\]: \[m\]
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_set_edge_arc(
-        model: *mut bempd_model,
-        region: i32,
-        edge: i32,
-        x: f64,
-        y: f64,
-    ) -> bempd_status;
+    pub fn bempd_set_edge_arc(model: *mut bempd_model, region: i32, edge: i32, x: f64, y: f64) -> bempd_status;
 }
 pub const BEMPD_COUNTER_CLOCKWISE: bempd_turn = 1;
 pub const BEMPD_CLOCKWISE: bempd_turn = 2;
@@ -556,11 +542,7 @@ extern "C" {
     /// * count \[out\]: number of edges
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_edge_count(
-        model: *const bempd_model,
-        region: i32,
-        count: *mut i32,
-    ) -> bempd_status;
+    pub fn bempd_edge_count(model: *const bempd_model, region: i32, count: *mut i32) -> bempd_status;
 }
 pub const BEMPD_X: bempd_component = 1;
 pub const BEMPD_Y: bempd_component = 2;
@@ -617,13 +599,7 @@ extern "C" {
     /// * support \[out\]: its id; may be NULL
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_fix_point(
-        model: *mut bempd_model,
-        x: f64,
-        y: f64,
-        component: i32,
-        support: *mut i32,
-    ) -> bempd_status;
+    pub fn bempd_fix_point(model: *mut bempd_model, x: f64, y: f64, component: i32, support: *mut i32) -> bempd_status;
 }
 extern "C" {
     /// Prescribe the displacement of an edge or a part of it.
@@ -906,12 +882,7 @@ extern "C" {
 /// * return: 0 to go on; else the step is cancelled and returns to its start
 /// * since: 0.1
 pub type bempd_progress_function = ::std::option::Option<
-    unsafe extern "C" fn(
-        load_factor: f64,
-        events: i64,
-        broken_bonds: i64,
-        user: *mut ::std::os::raw::c_void,
-    ) -> i32,
+    unsafe extern "C" fn(load_factor: f64, events: i64, broken_bonds: i64, user: *mut ::std::os::raw::c_void) -> i32,
 >;
 /// A line of the log.
 ///
@@ -920,11 +891,7 @@ pub type bempd_progress_function = ::std::option::Option<
 /// * user \[in\]: the pointer given with the function
 /// * since: 0.1
 pub type bempd_log_function = ::std::option::Option<
-    unsafe extern "C" fn(
-        level: i32,
-        message: *const ::std::os::raw::c_char,
-        user: *mut ::std::os::raw::c_void,
-    ),
+    unsafe extern "C" fn(level: i32, message: *const ::std::os::raw::c_char, user: *mut ::std::os::raw::c_void),
 >;
 extern "C" {
     /// Ask to be told of progress.
@@ -937,6 +904,42 @@ extern "C" {
     pub fn bempd_set_progress(
         model: *mut bempd_model,
         function: bempd_progress_function,
+        user: *mut ::std::os::raw::c_void,
+    ) -> bempd_status;
+}
+/// How far a long part of a call is, while a scene is prepared, a step factorizes, and the like.
+///
+/// It is called by the thread that makes the call, ten times a second at most; parts that take less
+/// may go untold, and the last call for a part need not say 1.
+///
+/// * phase \[in\]: what is done, such as "boundary integrals" or "sparse factorization"; valid during
+///   the call
+/// * share \[in\]: of it that is done, 0 to 1
+/// * seconds \[in\]: that it has taken so far \[s\]
+/// * expected \[in\]: seconds that it will take in all by this share \[s\]; 0 if nothing is known yet
+/// * user \[in\]: the pointer given with the function
+/// * return: 0 to go on; else the call is cancelled and leaves the model as it was
+/// * since: 0.3
+pub type bempd_phase_function = ::std::option::Option<
+    unsafe extern "C" fn(
+        phase: *const ::std::os::raw::c_char,
+        share: f64,
+        seconds: f64,
+        expected: f64,
+        user: *mut ::std::os::raw::c_void,
+    ) -> i32,
+>;
+extern "C" {
+    /// Ask to be told of progress inside long parts of calls.
+    ///
+    /// * model \[in\]: the model
+    /// * function \[in\]: NULL for none
+    /// * user \[in\]: handed to the function; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_phase_progress(
+        model: *mut bempd_model,
+        function: bempd_phase_function,
         user: *mut ::std::os::raw::c_void,
     ) -> bempd_status;
 }
@@ -959,14 +962,24 @@ extern "C" {
     /// cancelled and leaves the model as it was before. A request made while no call runs is
     /// forgotten.
     ///
-    /// The request is heard within 0.3 s, but for single factorizations of the sparse system
-    /// (CHOLMOD, UMFPACK) and of dense matrices (of a boundary element region, of a window): these
-    /// cannot be interrupted, and the call ends after the one that runs.
+    /// The request is heard within 0.3 s, but for the ordering of the sparse system, a whole
+    /// factorization in a library built with Eigen's sparse solver, and one by UMFPACK in scheme
+    /// paper: these end first (docs/reliability.md has the times).
     ///
     /// * model \[in\]: the model
     /// * return: status
     /// * since: 0.1
     pub fn bempd_request_cancel(model: *mut bempd_model) -> bempd_status;
+}
+extern "C" {
+    /// Ask the step that runs in another thread, or calls back, to end after the event that it is
+    /// at, and to keep what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not
+    /// steps do not hear it. A request made while no call runs is forgotten.
+    ///
+    /// * model \[in\]: the model
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_request_stop(model: *mut bempd_model) -> bempd_status;
 }
 /// The load factor asked for was reached.
 pub const BEMPD_STOP_LOAD_FACTOR: bempd_stop_reason = 1;
@@ -988,6 +1001,10 @@ pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
+/// bempd_request_stop() asked for the end of the step, which keeps the events before.
+///
+/// * since: 0.3
+pub const BEMPD_STOP_REQUESTED: bempd_stop_reason = 7;
 /// Why a step ended.
 ///
 /// * since: 0.1
@@ -1055,8 +1072,7 @@ extern "C" {
     ///   working
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_step_report_init(report: *mut bempd_step_report, struct_size: i64)
-        -> bempd_status;
+    pub fn bempd_step_report_init(report: *mut bempd_step_report, struct_size: i64) -> bempd_status;
 }
 extern "C" {
     /// Check the scene and build its operators. The first step or result does it if you do not.
@@ -1094,11 +1110,7 @@ extern "C" {
     /// * report \[in,out\]: struct_size in, the rest out; may be NULL
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_step(
-        model: *mut bempd_model,
-        load_factor: f64,
-        report: *mut bempd_step_report,
-    ) -> bempd_status;
+    pub fn bempd_step(model: *mut bempd_model, load_factor: f64, report: *mut bempd_step_report) -> bempd_status;
 }
 extern "C" {
     /// Go to the next event and perform it: one batch of bonds. While bonds exceed their critical
@@ -1190,11 +1202,7 @@ extern "C" {
     /// * highest \[out\]: \[-\]
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_admissible_load_factors(
-        model: *mut bempd_model,
-        lowest: *mut f64,
-        highest: *mut f64,
-    ) -> bempd_status;
+    pub fn bempd_admissible_load_factors(model: *mut bempd_model, lowest: *mut f64, highest: *mut f64) -> bempd_status;
 }
 extern "C" {
     /// Number that changes whenever the model's fields may have changed.
@@ -1223,11 +1231,7 @@ extern "C" {
     /// * count \[out\]: number
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_element_count(
-        model: *mut bempd_model,
-        region: i32,
-        count: *mut i64,
-    ) -> bempd_status;
+    pub fn bempd_element_count(model: *mut bempd_model, region: i32, count: *mut i64) -> bempd_status;
 }
 extern "C" {
     /// Nodes of the boundary elements (start, mid, end) or of the lattice cells
@@ -1239,12 +1243,7 @@ extern "C" {
     /// * nodes \[out\]: shape \[elements\]\[3\] for BEM, \[cells\]\[4\] for PD; indices from 0
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_copy_elements(
-        model: *mut bempd_model,
-        region: i32,
-        capacity: i64,
-        nodes: *mut i32,
-    ) -> bempd_status;
+    pub fn bempd_copy_elements(model: *mut bempd_model, region: i32, capacity: i64, nodes: *mut i32) -> bempd_status;
 }
 extern "C" {
     /// Size of a field. Prepares the model.
@@ -1503,10 +1502,7 @@ extern "C" {
     ///   working when it grows
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_singularity_init(
-        singularity: *mut bempd_singularity,
-        struct_size: i64,
-    ) -> bempd_status;
+    pub fn bempd_singularity_init(singularity: *mut bempd_singularity, struct_size: i64) -> bempd_status;
 }
 extern "C" {
     /// Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER
@@ -1642,11 +1638,7 @@ extern "C" {
     /// * tip \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_tip(
-        model: *mut bempd_model,
-        index: i64,
-        tip: *mut bempd_crack_tip,
-    ) -> bempd_status;
+    pub fn bempd_tip(model: *mut bempd_model, index: i64, tip: *mut bempd_crack_tip) -> bempd_status;
 }
 extern "C" {
     /// Number of tips that were recorded: with the option tips.record = n \> 0 all there are at
@@ -1756,11 +1748,7 @@ extern "C" {
     /// * return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that
     ///   would cut a region in two is an argument error and stays as it was
     /// * since: 0.3
-    pub fn bempd_grow_cracks(
-        model: *mut bempd_model,
-        length: f64,
-        growth: *mut bempd_growth,
-    ) -> bempd_status;
+    pub fn bempd_grow_cracks(model: *mut bempd_model, length: f64, growth: *mut bempd_growth) -> bempd_status;
 }
 extern "C" {
     /// Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of
@@ -1772,12 +1760,7 @@ extern "C" {
     /// * frozen \[in\]: 1: it does not grow; 0: it does
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_set_tip_frozen(
-        model: *mut bempd_model,
-        crack: i32,
-        end: i32,
-        frozen: i32,
-    ) -> bempd_status;
+    pub fn bempd_set_tip_frozen(model: *mut bempd_model, crack: i32, end: i32, frozen: i32) -> bempd_status;
 }
 /// What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
 ///
@@ -1825,10 +1808,7 @@ extern "C" {
     ///   keep working when it grows
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_crack_extension_init(
-        extension: *mut bempd_crack_extension,
-        struct_size: i64,
-    ) -> bempd_status;
+    pub fn bempd_crack_extension_init(extension: *mut bempd_crack_extension, struct_size: i64) -> bempd_status;
 }
 extern "C" {
     /// Number of extensions of all cracks so far.
@@ -1915,10 +1895,7 @@ extern "C" {
     ///   working
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_statistics_init(
-        statistics: *mut bempd_statistics,
-        struct_size: i64,
-    ) -> bempd_status;
+    pub fn bempd_statistics_init(statistics: *mut bempd_statistics, struct_size: i64) -> bempd_status;
 }
 extern "C" {
     /// Sizes, counters and times so far.
@@ -1927,10 +1904,7 @@ extern "C" {
     /// * statistics \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_get_statistics(
-        model: *const bempd_model,
-        statistics: *mut bempd_statistics,
-    ) -> bempd_status;
+    pub fn bempd_get_statistics(model: *const bempd_model, statistics: *mut bempd_statistics) -> bempd_status;
 }
 /// One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
 /// call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
@@ -1976,10 +1950,7 @@ extern "C" {
     ///   keep working
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_history_entry_init(
-        entry: *mut bempd_history_entry,
-        struct_size: i64,
-    ) -> bempd_status;
+    pub fn bempd_history_entry_init(entry: *mut bempd_history_entry, struct_size: i64) -> bempd_status;
 }
 extern "C" {
     /// Number of lines of the history: one per event and per end of a step.
@@ -2013,11 +1984,7 @@ extern "C" {
     /// * entry \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_history(
-        model: *const bempd_model,
-        index: i64,
-        entry: *mut bempd_history_entry,
-    ) -> bempd_status;
+    pub fn bempd_history(model: *const bempd_model, index: i64, entry: *mut bempd_history_entry) -> bempd_status;
 }
 extern "C" {
     /// Save the state of a prepared model in memory, so that a host can repeat a step.
@@ -2076,11 +2043,7 @@ extern "C" {
     /// * state \[out\]: the state; free it with bempd_state_free()
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_state_from_bytes(
-        size: i64,
-        bytes: *const u8,
-        state: *mut *mut bempd_state,
-    ) -> bempd_status;
+    pub fn bempd_state_from_bytes(size: i64, bytes: *const u8, state: *mut *mut bempd_state) -> bempd_status;
 }
 extern "C" {
     /// Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu
@@ -2097,10 +2060,7 @@ extern "C" {
     /// * prefix \[in\]: path without ending, UTF-8; the folder must exist
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_write_snapshot(
-        model: *mut bempd_model,
-        prefix: *const ::std::os::raw::c_char,
-    ) -> bempd_status;
+    pub fn bempd_write_snapshot(model: *mut bempd_model, prefix: *const ::std::os::raw::c_char) -> bempd_status;
 }
 extern "C" {
     /// Write the history with the reactions of all supports as comma-separated values.
@@ -2109,10 +2069,7 @@ extern "C" {
     /// * path \[in\]: file name, UTF-8
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_write_history(
-        model: *const bempd_model,
-        path: *const ::std::os::raw::c_char,
-    ) -> bempd_status;
+    pub fn bempd_write_history(model: *const bempd_model, path: *const ::std::os::raw::c_char) -> bempd_status;
 }
 extern "C" {
     /// Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for
@@ -2123,8 +2080,5 @@ extern "C" {
     /// * path \[in\]: file name, UTF-8
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_write_tips(
-        model: *const bempd_model,
-        path: *const ::std::os::raw::c_char,
-    ) -> bempd_status;
+    pub fn bempd_write_tips(model: *const bempd_model, path: *const ::std::os::raw::c_char) -> bempd_status;
 }
