@@ -1,15 +1,15 @@
-"""What each number in src/fracture/window/window_settings.hpp is worth: instructions of whole crack runs with the number
-halved and doubled, over those of the same runs as it is, and whether the same bonds broke. Writes the table into docs/windows.md.
+"""What each number in src/fracture/window/window_settings.hpp is worth: processor seconds of whole crack runs with the
+number halved and doubled, over those of the same runs as it is, and whether the same bonds broke. Writes the table into
+docs/windows.md.
 
-    benchmarks/run.sh windows [--only NAME,...] [--scenes NAME,...] [--write]
+    benchmarks/run.sh windows [--only NAME,...] [--write]
 
-Instructions are counted by valgrind: times of one run differ by more than most of these numbers change. The library is
-built with a copy of the header in which the environment variable BEMPD_VARIED names a setting and its value."""
+The library is built with a copy of the header in which the environment variable BEMPD_VARIED names a setting and its
+value."""
 
 from __future__ import annotations
 
 import argparse
-import csv
 import dataclasses
 import json
 import os
@@ -17,8 +17,10 @@ import pathlib
 import re
 import subprocess
 import sys
+from typing import Any
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 HEADER = "fracture/window/window_settings.hpp"
 BUILD = ROOT / "build" / "windows"
 OUT = pathlib.Path(os.environ["BEMPD_OUTPUT"])
@@ -31,10 +33,11 @@ ROUNDING = ("smallest_pivot", "most_growth", "certificate_margin", "energy_round
             "acceptable_residual", "least_class_width")
 
 SCENES = {
-    "plate of 60 x 60": {"scene": "plate", "arguments": {"n": 60}},
-    "two edge cracks, 50 x 50": {"scene": "plate", "arguments": {"n": 50, "cracks": "two"}},
-    "the paper's crack": {"scene": "paper_crack", "arguments": {}},
+    "plate of 60 x 60": ["plate", {"n": 60}],
+    "two edge cracks, 50 x 50": ["plate", {"n": 50, "cracks": "two"}],
+    "the paper's crack": ["paper_crack", {}],
 }
+REPEATS = 5
 
 VARIED = """
 #include <cstdlib>
@@ -107,74 +110,67 @@ def build(compiled: dict[str, float]) -> None:
                    stdout=subprocess.DEVNULL)
 
 
-def count(scene: str, varied: str, until: str = "separation") -> tuple[int, str]:
-    """Instructions of a run, and a digest of which bonds broke."""
-    task = SCENES[scene] | {"options": {"threads": 1}, "until": until}
-    # The newest kernels of the BLAS have instructions that valgrind does not know.
-    environment = os.environ | {"BEMPD_LIBRARY": str(BUILD / "src/capi/libbempd.so"), "OPENBLAS_CORETYPE": "Haswell",
-                                "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "BEMPD_VARIED": varied}
-    command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", sys.executable,
-               str(ROOT / "benchmarks/windows/worker.py"), json.dumps(task)]
+def measure(scenes: list[str], varied: str) -> list[dict[str, Any]]:
+    """Of each scene processor seconds of some runs and a digest of which bonds broke."""
+    environment = os.environ | {"BEMPD_LIBRARY": str(BUILD / "src/capi/libbempd.so"), "OMP_NUM_THREADS": "1",
+                                "OPENBLAS_NUM_THREADS": "1", "BEMPD_VARIED": varied}
+    command = [sys.executable, str(HERE / "worker.py"), json.dumps([SCENES[scene] for scene in scenes]), str(REPEATS)]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-    counted = re.search(r"I\s+refs:\s+([\d,]+)", done.stderr)
-    if done.returncode or not counted:
-        raise SystemExit(f"{scene}, {varied}: {done.stderr}")
-    return int(counted.group(1).replace(",", "")), done.stdout.strip()
+    if done.returncode:
+        raise SystemExit(f"{varied}: {done.stderr}")
+    return list(json.loads(done.stdout))
 
 
-class Runs:
-    """The scenes as they are, to compare with; what the interpreter and the scene take is counted once and left out."""
-
-    def __init__(self, scenes: list[str]) -> None:
-        self.scenes = scenes
-        self.idle = {scene: count(scene, "", "nothing")[0] for scene in scenes}
-        self.plain = {scene: count(scene, "") for scene in scenes}
-
-    def ratios(self, varied: str) -> list[str]:
-        result = []
-        for scene in self.scenes:
-            instructions, digest = count(scene, varied)
-            ratio = (instructions - self.idle[scene]) / (self.plain[scene][0] - self.idle[scene])
-            result.append(f"{ratio:.3f}" + ("" if digest == self.plain[scene][1] else " OTHER BONDS"))
-        return result
+def ratios(scenes: list[str], varied: str) -> list[str]:
+    """Least seconds with a setting over least seconds without, which are measured before and after it."""
+    before, changed, after = (measure(scenes, words) for words in ("", varied, ""))
+    result = []
+    for k, one in enumerate(changed):
+        plain = min(before[k]["seconds"] + after[k]["seconds"])
+        ratio = f"{min(one['seconds']) / plain:.2f}"
+        result.append(ratio if one["digest"] == before[k]["digest"] else ratio + " OTHER BONDS")
+    return result
 
 
 def table(chosen: list[Setting], scenes: list[str]) -> list[str]:
-    build({})
-    runs = Runs(scenes)
-    for scene in scenes:
-        print(f"{scene}: {(runs.plain[scene][0] - runs.idle[scene]) / 1e9:.2f} thousand million instructions", flush=True)
+    if any(setting.name not in COMPILED for setting in chosen):
+        build({})
     lines = ["| setting | its value | with | " + " | ".join(scenes) + " |", "|---|---|---|" + "---|" * len(scenes)]
     print("\n".join(lines), flush=True)
-    with (OUT / "settings.csv").open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(["setting", "value", "with", *scenes])
-        for setting in chosen:
-            for value in setting.variants():
-                if setting.name in COMPILED:
-                    build({setting.name: value})
-                ratios = runs.ratios(f"{setting.name}={value:.17g}")
-                if setting.name in COMPILED:
-                    build({})
-                row = [setting.name, f"{setting.value:g}", f"{value:g}", *ratios]
-                writer.writerow(row)
-                file.flush()
-                lines.append("| " + " | ".join(row) + " |")
-                print(lines[-1], flush=True)
+
+    def add(name: str, value: str, changed: str, seconds: list[str]) -> None:
+        lines.append("| " + " | ".join([name, value, changed, *seconds]) + " |")
+        print(lines[-1], flush=True)
+
+    add("none", "", "the same once more", ratios(scenes, "nothing=0"))
+    for setting in sorted(chosen, key=lambda one: one.name in COMPILED):
+        for value in setting.variants():
+            varied = f"{setting.name}={value:.17g}"
+            add(setting.name, f"{setting.value:g}", f"{value:g}",
+                ratios_of_compiled(scenes, setting.name, value) if setting.name in COMPILED else ratios(scenes, varied))
+    (OUT / "settings.md").write_text("\n".join(lines) + "\n")
     return lines
+
+
+def ratios_of_compiled(scenes: list[str], name: str, value: float) -> list[str]:
+    build({})
+    plain = measure(scenes, "")
+    build({name: value})
+    changed = measure(scenes, "")
+    return [f"{min(one['seconds']) / min(first['seconds']):.2f}" +
+            ("" if one["digest"] == first["digest"] else " OTHER BONDS") for one, first in zip(changed, plain)]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--only", help="settings, with commas between")
-    parser.add_argument("--scenes", help="scenes, with commas between")
     parser.add_argument("--write", action="store_true", help="put the table into docs/windows.md")
     arguments = parser.parse_args()
     OUT.mkdir(parents=True, exist_ok=True)
     chosen = [s for s in settings() if s.name not in ROUNDING]
     if arguments.only:
         chosen = [s for s in chosen if s.name in arguments.only.split(",")]
-    lines = table(chosen, arguments.scenes.split(";") if arguments.scenes else list(SCENES))
+    lines = table(chosen, list(SCENES))
     if arguments.write:
         text = DOCUMENT.read_text()
         before, rest = text.split("<!-- table: benchmarks/run.sh windows --write -->\n", 1)

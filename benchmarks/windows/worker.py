@@ -1,4 +1,6 @@
-"""Runs one scene of the speed benchmark once and prints a digest of its events; for counting its instructions."""
+"""Runs scenes of the speed benchmark to separation, each so often, and prints processor seconds and digests of what broke.
+
+    worker.py SCENES REPEATS    SCENES as JSON: [[scene, arguments], ...]"""
 
 from __future__ import annotations
 
@@ -6,6 +8,8 @@ import hashlib
 import json
 import pathlib
 import sys
+import time
+from typing import Any
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "speed"))
 
@@ -13,22 +17,28 @@ import bempd  # noqa: E402
 from scenes import SCENES  # noqa: E402
 
 
-def main() -> None:
-    task = json.loads(sys.argv[1])
-    model = bempd.Model(options=task["options"])
-    SCENES[task["scene"]](model, **task["arguments"])
-    if task["until"] == "nothing":
-        return
-    model.run_to_separation(1e9)
-    digest = hashlib.sha256()
-    history = model.history()
-    digest.update(history["total_broken_bonds"].tobytes())
+def digest(model: bempd.Model) -> str:
+    found = hashlib.sha256(model.history()["total_broken_bonds"].tobytes())
     for region in range(1, model.region_count + 1):
         try:
-            digest.update(model.bonds(region).states.tobytes())
+            found.update(model.bonds(region).states.tobytes())
         except bempd.ArgumentError:  # a region of boundary elements
             continue
-    print(digest.hexdigest())
+    return found.hexdigest()
+
+
+def run(scene: str, arguments: dict[str, Any]) -> tuple[float, str]:
+    start = time.process_time()
+    model = bempd.Model(options={"threads": 1})
+    SCENES[scene](model, **arguments)
+    model.run_to_separation(1e9)
+    return time.process_time() - start, digest(model)
+
+
+def main() -> None:
+    scenes, repeats = json.loads(sys.argv[1]), int(sys.argv[2])
+    runs = [[run(scene, arguments) for scene, arguments in scenes] for _ in range(repeats)]
+    print(json.dumps([{"seconds": [one[k][0] for one in runs], "digest": runs[0][k][1]} for k in range(len(scenes))]))
 
 
 if __name__ == "__main__":
