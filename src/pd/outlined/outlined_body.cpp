@@ -19,10 +19,24 @@ using Eigen::Vector4d;
 
 constexpr double smallest_ratio = 0.02;  // bound on a stiffness over that of the kernel
 
-// Gaps in the order in which they are tried; short families have their best networks at smaller ones.
-std::vector<double> gaps_for(int horizon_ratio) {
-  if (horizon_ratio == 3) return {0.65, 0.75, 0.55, 0.85, 0.95};
-  return {0.85, 0.75, 0.95, 0.65};
+struct Attempt {
+  double gap, free_depth, shift;  // of the lattice along both of its axes
+};
+
+// In the order in which they are tried. Short families have their best networks at smaller gaps and need all of the
+// layer; with longer ones less of it gives smaller errors in thin bodies.
+std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move) {
+  const bool is_short = horizon_ratio == 3;
+  const double whole = horizon_ratio, less = is_short ? whole : 0.75 * horizon_ratio;
+  const std::vector<double> gaps =
+      is_short ? std::vector{0.65, 0.75, 0.55, 0.85, 0.95} : std::vector{0.85, 0.75, 0.95, 0.65};
+  std::vector<Attempt> attempts;
+  if (!is_short) attempts.push_back({gaps.front(), less, 0});
+  for (const double shift : {0.0, 0.5}) {
+    if (shift > 0 && !may_move) break;
+    for (const double gap : gaps) attempts.push_back({gap, whole, shift});
+  }
+  return attempts;
 }
 
 // Free bonds by sets that share no point.
@@ -108,14 +122,16 @@ Network finish(const std::vector<Point>& surface, OutlinedBonds bonds, const Pla
   return network;
 }
 
-OutlinedBody with_gap(const Chords& chords, const LatticePlace& place, double gap, int horizon_ratio,
-                      const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
-  const OutlinedPoints points(chords, place, gap, horizon_ratio);
-  OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords), {}, gap};
+OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace place, int horizon_ratio,
+                     const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
+  place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
+  const OutlinedPoints points(chords, place, attempt.gap, horizon_ratio);
+  OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords), {}, {}};
+  body.place = place;
   body.areas = areas_of_points(body.points, body.cells);
   std::vector<Point> surface(body.points.size(), Point::Zero());
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
-  OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
+  OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, attempt.free_depth, kernel);
   share_by_area(body.areas, bonds);
   balance(surface, threads, bonds);
   body.network = finish(surface, std::move(bonds), elasticity);
@@ -129,8 +145,8 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   assert(std::abs(elasticity.c12() * 3 - elasticity.c11()) < 1e-9 * elasticity.c11());
   std::optional<OutlinedBody> best;
-  for (const double gap : gaps_for(horizon_ratio)) {
-    OutlinedBody body = with_gap(chords, place, gap, horizon_ratio, elasticity, threads, kernel);
+  for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed)) {
+    OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, kernel);
     if (body.is_exact()) return body;
     if (!best || body.network.max_residual < best->network.max_residual) best = std::move(body);
   }

@@ -15,7 +15,7 @@ struct OutlinedBody {
   std::vector<double> areas;    // of the points
   std::vector<double> factors;  // of the surface vectors of the outline's nodes, close to 1
   Network network;
-  double gap = 0;  // between the outline and the points inside
+  LatticePlace place;
 
   // Whether the bonds are positive and reproduce every linear displacement field.
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
@@ -24,7 +24,8 @@ struct OutlinedBody {
 // Bonds between all points closer than the horizon that see each other. Far from the outline they have the lattice's own
 // stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the area of
 // each point suggest, so that forces balance the tractions of constant stress on the chords of the outline. Where that
-// does not succeed other gaps are tried; the result is that of the best one. 3 <= horizon_ratio <= 8.
+// does not succeed other gaps between the outline and the points inside are tried, and other places of these; the
+// result is that of the best try. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  const BondKernel& kernel = quartic_kernel());

@@ -24,8 +24,9 @@ BondOffset offset_along(const Point& step, double bulk_stiffness) {
 
 class Drafting {
  public:
-  Drafting(const Chords& chords, const OutlinedPoints& points, int horizon_ratio, const BondKernel& kernel)
-      : points_(points), search_(chords), horizon_(horizon_ratio), kernel_(kernel) {
+  Drafting(const Chords& chords, const OutlinedPoints& points, int horizon_ratio, double free_depth,
+           const BondKernel& kernel)
+      : points_(points), search_(chords), horizon_(horizon_ratio), free_depth_(free_depth), kernel_(kernel) {
     for (const BondOffset& offset : bond_family(horizon_ratio, kernel)) {
       steps_.emplace_back(offset.step.cast<int>());
       made_.offsets.push_back(offset_along(points.turn() * offset.step, offset.bulk_stiffness));
@@ -55,7 +56,7 @@ class Drafting {
       if (j < 0) continue;
       const double clear = std::max(points_.depth(i), points_.depth(j));
       if (clear < made_.offsets[o].length && !search_.in_sight(points_.points()[i], points_.points()[j])) continue;
-      const bool free = points_.depth(i) < horizon_ || points_.depth(j) < horizon_;
+      const bool free = points_.depth(i) < free_depth_ || points_.depth(j) < free_depth_;
       made_.bonds.push_back({i, j, static_cast<int>(o), made_.offsets[o].bulk_stiffness, free});
     }
   }
@@ -86,7 +87,7 @@ class Drafting {
 
   const OutlinedPoints& points_;
   ChordSearch search_;
-  double horizon_;
+  double horizon_, free_depth_;
   const BondKernel& kernel_;
   std::vector<Vector2i> steps_;
   Buckets near_;
@@ -96,8 +97,8 @@ class Drafting {
 }  // namespace
 
 OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
-                                   const BondKernel& kernel) {
-  return Drafting(chords, points, horizon_ratio, kernel).draft();
+                                   double free_depth, const BondKernel& kernel) {
+  return Drafting(chords, points, horizon_ratio, free_depth, kernel).draft();
 }
 
 void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds) {

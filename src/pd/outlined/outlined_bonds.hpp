@@ -21,9 +21,9 @@ struct OutlinedBonds {
 };
 
 // All pairs closer than the horizon that see each other, with the stiffness of the bulk or, on the outline, of the
-// kernel at their length.
+// kernel at their length. Those with an end less deep than `free_depth` are free.
 OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
-                                   const BondKernel& kernel);
+                                   double free_depth, const BondKernel& kernel);
 
 // Multiplies the free ones by factors of their ends, so that every point resists a change of volume as its area asks
 // for: half of the sum of k L^2 is 8/3 C1111 times the area.

@@ -10,7 +10,8 @@ namespace bempd::pd {
 // A square lattice by one of its points and the direction of its rows.
 struct LatticePlace {
   Point origin = Point::Zero();
-  double angle = 0;  // [rad]
+  double angle = 0;    // [rad]
+  bool fixed = false;  // or it may be moved where no network is found
 };
 
 // The material points of a body with any outline, in units of the spacing: first the nodes of its chords, then the

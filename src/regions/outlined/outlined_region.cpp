@@ -87,7 +87,6 @@ void OutlinedRegion::divide_outline(const Preparation& preparation) {
 // Its lower left corner is one of the lattice's points, unless the lattice keeps farther from the cracks elsewhere.
 pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation) const {
   constexpr int steps = 8;
-  const pd::LatticePlace plain{Point::Zero(), choice_.angle};
   const Eigen::Matrix2d turn(Eigen::Rotation2Dd(choice_.angle));
   std::vector<Segment> segments;  // in coordinates of the lattice
   for (const scene::Crack& crack : preparation.scene.cracks())
@@ -109,7 +108,7 @@ pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation
     }
     if (least > best + 1e-9) best = least, best_shift = shift;
   }
-  return {turn * best_shift, plain.angle};
+  return {turn * best_shift, choice_.angle, !segments.empty()};
 }
 
 void OutlinedRegion::require_possible_corners() const {
