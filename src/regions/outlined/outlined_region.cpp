@@ -143,6 +143,12 @@ void OutlinedRegion::build(const Preparation& preparation, Contributions& contri
   add_own_bonds(preparation, contributions);
 }
 
+// Tips are looked for along rows that are parallel to the axes.
+std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
+  if (choice_.angle != 0) return std::nullopt;
+  return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing()};
+}
+
 double OutlinedRegion::fraction(const pd::Chord& chord, double part) const {
   const Piece& piece = pieces_[chord.piece];
   return piece.from + (chord.from + part * (chord.to - chord.from)) * (piece.to - piece.from);
@@ -170,7 +176,9 @@ std::vector<PlacedNode> OutlinedRegion::nodes_on(const EdgeSpan& span, double to
   return found;
 }
 
-// f_i = (1 + a_i) integral of phi_i t ds with linear hats phi_i along the edge, a_i being what balances its chords.
+// f_i = (1 + a_i) integral of phi_i t ds, a_i being what balances the chords of the outline. phi_i are linear hats along
+// straight edges. Along a round one constant stress has a traction that turns with the normal, and its integral over an
+// arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of second order too.
 void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                                   Eigen::Ref<Eigen::VectorXd> force) const {
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * point_count());
@@ -179,8 +187,9 @@ void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Poin
     const double begin = fraction(chord, 0), end = fraction(chord, 1);
     const double from = std::max(span.from, begin), to = std::min(span.to, end);
     if (from >= to) return;
+    const bool halves = !pieces_[chord.piece].arc.straight() && from == begin && to == end;
     for (int g = 0; g < 4; ++g) {
-      const double at = from + abscissa[g] * (to - from), part = (at - begin) / (end - begin);
+      const double at = from + abscissa[g] * (to - from), part = halves ? 0.5 : (at - begin) / (end - begin);
       const Point f = weight[g] * (to - from) * length * traction(span.geometry.at(at));
       nodal.segment<2>(2 * chord.first) += (1 - part) * body_.factors[chord.first] * f;
       nodal.segment<2>(2 * chord.second) += part * body_.factors[chord.second] * f;

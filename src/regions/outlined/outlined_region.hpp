@@ -22,6 +22,8 @@ class OutlinedRegion final : public BondedRegion {
   void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                     Eigen::Ref<Eigen::VectorXd> force) const override;
 
+  std::optional<LatticeGrid> lattice_grid() const override;
+
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(body_.cells.size()); }
   Cells cells() const override;
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
