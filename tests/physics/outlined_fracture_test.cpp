@@ -79,6 +79,28 @@ TEST(OutlinedFracture, state_is_returned_to) {
   EXPECT_EQ(other.model.displacements(), displacement);
 }
 
+// A crack from an edge, its tip far from it: what the tip carries does not depend on where the points of the edge lie.
+TEST(OutlinedFracture, tips_are_those_of_a_region_on_lattice_rows) {
+  const auto tip_with = [](const char* points) {
+    Model model;
+    model.set_text("pd.outline_points", points);
+    const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
+    const int32_t region = model.pd(id, rectangle(0, 0, 30, 30), 1, 3);
+    model.fix(region, 1, BEMPD_BOTH);
+    model.prescribe(region, 3, BEMPD_Y, 0, 0.005);
+    model.crack({{0, 15.5}, {12.5, 15.5}});
+    model.step(1);
+    bempd_crack_tip tip;
+    bempd_crack_tip_init(&tip, sizeof tip);
+    model.check(bempd_tip(model.get(), 1, &tip));
+    return tip;
+  };
+  const bempd_crack_tip on_rows = tip_with("slanted"), on_outline = tip_with("always");
+  EXPECT_GT(on_outline.contours, 0);
+  const double value = on_outline.stress_intensity_1, reference = on_rows.stress_intensity_1;
+  EXPECT_LT(std::abs(report("stress intensity factor", value, reference, "on lattice rows")), 1e-3 * reference);
+}
+
 // A square plate, side 10 radii, pulled along y.
 struct Plate {
   static constexpr double radius = 5, side = 50;
