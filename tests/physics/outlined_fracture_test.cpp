@@ -92,7 +92,7 @@ TEST(OutlinedFracture, tips_are_those_of_a_region_on_lattice_rows) {
     model.step(1);
     bempd_crack_tip tip;
     bempd_crack_tip_init(&tip, sizeof tip);
-    model.check(bempd_tip(model.get(), 1, &tip));
+    model.check(bempd_tip(model.get(), 0, &tip));
     return tip;
   };
   const bempd_crack_tip on_rows = tip_with("slanted"), on_outline = tip_with("always");
