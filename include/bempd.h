@@ -219,9 +219,9 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
 /** @brief Add a region treated by peridynamics: a polygon, its edges straight at first.
  *
  * If all edges are parallel to the axes it is filled with square lattice cells, and material points lie on their
- * corners, also on the boundary; the spacing must divide all edges. Such regions that touch along edges act as one, with
- * bonds across, if spacing, horizon and the numbers of the material are the same (not in scheme "paper"); others only
- * share the points of the common edge.
+ * corners, also on the boundary; the spacing must divide all edges. Such regions that touch along edges act as one,
+ * with bonds across, if spacing, horizon and the numbers of the material are the same (not in scheme "paper"); others
+ * only share the points of the common edge.
  *
  * With slanted or round edges, round holes, an option pd.lattice_angle other than 0 or pd.outline_points "always" (not
  * in scheme "paper"), edges are divided into equal parts about a spacing long, with material points between them, and

@@ -40,7 +40,8 @@ static void nearest_neighbours_are_too_few(void) {
   const double vertices[] = {0, 0, 10, 0, 12, 8, 2, 8};
   bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "at least 3", bempd_add_pd_region(model, material, 4, vertices, 1.0, 2, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "at least 3",
+              bempd_add_pd_region(model, material, 4, vertices, 1.0, 2, NULL));
   add_pd_rectangle(model, material, 0.0, 0.0, 10.0, 8.0, 1.0);
   bempd_model_free(model);
   model = new_model();
@@ -89,7 +90,8 @@ static void loads_on_round_edges_add_up(void) {
   CHECK_OK(model, bempd_step(model, 1.0, NULL));
   CHECK_OK(model, bempd_node_count(model, 1, &nodes));
   CHECK_OK(model, bempd_copy_field(model, 1, BEMPD_POSITION, 400, positions));
-  for (k = 0; k < nodes; ++k) on_circle += fabs(hypot(positions[2 * k] - 4.4, positions[2 * k + 1] - 4.0) - 2.0) < 1e-13;
+  for (k = 0; k < nodes; ++k)
+    on_circle += fabs(hypot(positions[2 * k] - 4.4, positions[2 * k + 1] - 4.0) - 2.0) < 1e-13;
   CHECK(on_circle == 12);
   CHECK_OK(model, bempd_reaction(model, clamp, force));
   CHECK(fabs(force[0]) < 1e-9 * whole && fabs(force[1] + whole) < 1e-9 * whole);

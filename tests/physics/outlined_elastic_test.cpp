@@ -1,5 +1,5 @@
-// Peridynamic regions with slanted and round edges: constant stress is exact, a plate with a hole and a cantilever at any
-// angle converge with second order. References: G. Kirsch 1898, and S. P. Timoshenko and J. N. Goodier, Theory of
+// Peridynamic regions with slanted and round edges: constant stress is exact, a plate with a hole and a cantilever at
+// any angle converge with second order. References: G. Kirsch 1898, and S. P. Timoshenko and J. N. Goodier, Theory of
 // Elasticity, 3rd ed., arts. 21 and 35.
 #include <gtest/gtest.h>
 
@@ -59,8 +59,8 @@ void expect_uniform(Model& model, int32_t region, const Outline& places, double 
     const Vector e = Uniform::displacement(x[i][0], x[i][1]);
     scale = largest({scale, std::hypot(e[0], e[1])});
     displacement = largest({displacement, std::hypot(u[i][0] - e[0], u[i][1] - e[1])});
-    stresses = largest({stresses, stress[3 * i] - Uniform::xx, stress[3 * i + 1] - Uniform::yy,
-                        stress[3 * i + 2] - Uniform::xy});
+    stresses = largest(
+        {stresses, stress[3 * i] - Uniform::xx, stress[3 * i + 1] - Uniform::yy, stress[3 * i + 2] - Uniform::xy});
   }
   EXPECT_LT(report("displacement, error over the largest", displacement / scale, 0, "linear"), 1e-11);
   EXPECT_LT(report("stress at points, error over the largest", stresses / Uniform::xx, 0, "constant"), 1e-9);
@@ -104,8 +104,8 @@ TEST(OutlinedRegion, carries_constant_stress_around_round_holes) {
       });
   }
   // Inside, on the hole's edge, and between it and the nearest chord.
-  expect_uniform(model, region, {{1, 1}, {0.6, 1.0}, {0.9, 0.7}, {0.6 + 0.3 * std::cos(0.1), 0.7 + 0.3 * std::sin(0.1)}},
-                 0.05);
+  expect_uniform(model, region,
+                 {{1, 1}, {0.6, 1.0}, {0.9, 0.7}, {0.6 + 0.3 * std::cos(0.1), 0.7 + 0.3 * std::sin(0.1)}}, 0.05);
 }
 
 // --- Plate with a hole
@@ -183,8 +183,7 @@ double cantilever_error(int spacings_over_height, double angle) {
   using namespace cantilever;
   Model model;
   const int32_t id = model.add(material(young, poisson));
-  const int32_t region =
-      model.pd(id, turned(rectangle(0, 0, length, height), angle), height / spacings_over_height, 4);
+  const int32_t region = model.pd(id, turned(rectangle(0, 0, length, height), angle), height / spacings_over_height, 4);
   model.prescribe(region, 4, 0, 1, [angle](double x, double y) {
     const Vector p = turned(Vector{x, y}, -angle);
     return turned(cantilever::exact(p[0], p[1]), angle);

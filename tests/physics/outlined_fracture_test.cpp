@@ -143,7 +143,8 @@ TEST(OutlinedFracture, hole_breaks_where_and_when_its_edge_is_stressed_most) {
     const auto x = model.vectors(region, BEMPD_POSITION);
     for (std::size_t b = 0; b < bonds.states.size(); ++b) {
       if (bonds.states[b] == BEMPD_BOND_INTACT) continue;
-      const Vector p = x[static_cast<std::size_t>(bonds.points[b][0])], q = x[static_cast<std::size_t>(bonds.points[b][1])];
+      const Vector p = x[static_cast<std::size_t>(bonds.points[b][0])],
+                   q = x[static_cast<std::size_t>(bonds.points[b][1])];
       EXPECT_NEAR(std::abs(0.5 * (p[0] + q[0]) - Plate::centre[0]), Plate::radius, 0.5);
       EXPECT_LT(std::abs(0.5 * (p[1] + q[1]) - Plate::centre[1]), 2);
     }

@@ -73,7 +73,8 @@ TEST(OutlinedNetwork, is_exact_at_re_entrant_corners) {
     outlines.push_back({named("corner of", angle), {polygon(notched(angle * degree))}});
   outlines.push_back(
       {"turned L",
-       {polygon(turned(std::vector<Point>{{0, 0}, {17.2, 0}, {17.2, 8.4}, {7.3, 8.4}, {7.3, 19}, {0, 19}}, 31 * degree))}});
+       {polygon(
+           turned(std::vector<Point>{{0, 0}, {17.2, 0}, {17.2, 8.4}, {7.3, 8.4}, {7.3, 19}, {0, 19}}, 31 * degree))}});
   expect_exact(outlines, {3, 4});
 }
 
@@ -88,8 +89,8 @@ TEST(OutlinedNetwork, is_exact_in_smooth_curves) {
 }
 
 TEST(OutlinedNetwork, has_three_rigid_modes_and_resists_all_others) {
-  const OutlinedBody body = body_of({polygon(turned(box(9.3, 6.2), 0.4)), circle(turned(Point(4.4, 3), 0.4), 1.2, true)},
-                                    {{0.3, 0.1}, 0.2}, 4);
+  const OutlinedBody body = body_of(
+      {polygon(turned(box(9.3, 6.2), 0.4)), circle(turned(Point(4.4, 3), 0.4), 1.2, true)}, {{0.3, 0.1}, 0.2}, 4);
   const auto n = 2 * static_cast<Eigen::Index>(body.points.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (const Bond& bond : body.network.bonds) {
@@ -132,7 +133,8 @@ TEST(OutlinedNetwork, cells_fill_the_polygon_without_overlap) {
                              Loops{polygon(notched(350 * degree))}, Loops{circle({0, 0}, 5.5, false)}}) {
     const OutlinedBody body = body_of(loops, {{0.2, 0.6}, 0.5}, 4);
     double whole = 0, filled = 0, shared = 0;
-    for (const Chord& c : body.chords.chords) whole += 0.5 * cross(body.chords.nodes[c.first], body.chords.nodes[c.second]);
+    for (const Chord& c : body.chords.chords)
+      whole += 0.5 * cross(body.chords.nodes[c.first], body.chords.nodes[c.second]);
     for (const auto& cell : body.cells) {
       const Point &a = body.points[cell[0]], &b = body.points[cell[1]], &c = body.points[cell[2]];
       const double half = 0.5 * cross(b - a, c - a);
@@ -161,7 +163,8 @@ TEST(SurfaceBalance, changes_surface_vectors_little_and_keeps_forces_and_moments
   EXPECT_LT(force.norm(), 1e-12);
   EXPECT_LT(moments.norm(), 1e-11);
   // Equal chords need none.
-  for (const double factor : balancing_factors(make_chords({circle({1, 2}, 7.3, false)}))) EXPECT_NEAR(factor, 1, 1e-12);
+  for (const double factor : balancing_factors(make_chords({circle({1, 2}, 7.3, false)})))
+    EXPECT_NEAR(factor, 1, 1e-12);
 }
 
 TEST(SurfaceBalance, keeps_the_load_of_every_edge) {
@@ -178,7 +181,9 @@ TEST(SurfaceBalance, keeps_the_load_of_every_edge) {
 }
 
 TEST(ImpossibleCorner, is_one_below_60_degrees_or_with_unlike_chords) {
-  const auto corner_of = [](double angle) { return find_impossible_corner(make_chords({polygon(wedge(angle * degree, 12))})); };
+  const auto corner_of = [](double angle) {
+    return find_impossible_corner(make_chords({polygon(wedge(angle * degree, 12))}));
+  };
   ASSERT_TRUE(corner_of(59));
   EXPECT_NEAR(corner_of(59)->angle, 59 * degree, 1e-12);
   EXPECT_EQ(corner_of(59)->node, 0);

@@ -19,7 +19,8 @@ inline constexpr double degree = std::numbers::pi / 180;
 
 inline std::vector<Arc> polygon(const std::vector<Point>& vertices) {
   std::vector<Arc> loop;
-  for (std::size_t k = 0; k < vertices.size(); ++k) loop.push_back({vertices[k], vertices[(k + 1) % vertices.size()], 0});
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    loop.push_back({vertices[k], vertices[(k + 1) % vertices.size()], 0});
   return loop;
 }
 
@@ -65,7 +66,8 @@ inline std::vector<Point> wedge(double alpha, double length) {
 inline std::vector<Point> notched(double alpha) {
   const double half = 0.5 * (2 * std::numbers::pi - alpha), depth = 9;
   const double opening = depth * std::tan(std::min(half, 80 * degree));
-  return {{-opening - 8, 0}, {-opening - 8, -20}, {opening + 8, -20}, {opening + 8, 0}, {opening, 0}, {0, -depth}, {-opening, 0}};
+  return {{-opening - 8, 0}, {-opening - 8, -20}, {opening + 8, -20}, {opening + 8, 0},
+          {opening, 0},      {0, -depth},         {-opening, 0}};
 }
 
 struct NamedOutline {

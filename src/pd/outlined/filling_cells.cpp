@@ -21,7 +21,8 @@ using Side = std::pair<int, int>;  // directed
 // on one circle tie; what is there already decides then.
 class Front {
  public:
-  Front(const std::vector<Point>& points, const Box& box) : points_(points), near_points_(box, 2), near_sides_(box, 2) {}
+  Front(const std::vector<Point>& points, const Box& box)
+      : points_(points), near_points_(box, 2), near_sides_(box, 2) {}
 
   void add_point(int i) { near_points_.add(Box(points_[i]), i); }
   // What is on its right is filled or outside.

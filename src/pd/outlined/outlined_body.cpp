@@ -115,8 +115,7 @@ Network finish(const std::vector<Point>& surface, OutlinedBonds bonds, const Pla
   for (const OutlinedBond& b : bonds.bonds) {
     network.bonds.push_back({b.first, b.second, unit * b.stiffness});
     network.offset_of.push_back(static_cast<std::uint32_t>(b.offset));
-    network.min_weight_ratio =
-        std::min(network.min_weight_ratio, b.stiffness / bonds.offsets[b.offset].bulk_stiffness);
+    network.min_weight_ratio = std::min(network.min_weight_ratio, b.stiffness / bonds.offsets[b.offset].bulk_stiffness);
   }
   network.offsets = std::move(bonds.offsets);
   return network;

@@ -21,11 +21,11 @@ struct OutlinedBody {
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
 };
 
-// Bonds between all points closer than the horizon that see each other. Far from the outline they have the lattice's own
-// stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the area of
-// each point suggest, so that forces balance the tractions of constant stress on the chords of the outline. Where that
-// does not succeed other gaps between the outline and the points inside are tried, and other places of these; the
-// result is that of the best try. 3 <= horizon_ratio <= 8.
+// Bonds between all points closer than the horizon that see each other. Far from the outline they have the lattice's
+// own stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the
+// area of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline.
+// Where that does not succeed other gaps between the outline and the points inside are tried, and other places of
+// these; the result is that of the best try. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  const BondKernel& kernel = quartic_kernel());

@@ -17,7 +17,10 @@ constexpr double half_diagonal = 0.7072;
 }  // namespace
 
 OutlinedPoints::OutlinedPoints(const Chords& chords, const LatticePlace& place, double gap, double deepest)
-    : outline_count_(chords.count()), origin_(place.origin), turn_(Eigen::Rotation2Dd(place.angle)), points_(chords.nodes) {
+    : outline_count_(chords.count()),
+      origin_(place.origin),
+      turn_(Eigen::Rotation2Dd(place.angle)),
+      points_(chords.nodes) {
   std::vector<Point> nodes;  // in coordinates of the lattice
   Box box;
   for (const Point& p : chords.nodes) {

@@ -24,7 +24,9 @@ class OutlinedPoints {
   int outline_count() const { return outline_count_; }
   const std::vector<Point>& points() const { return points_; }
   bool on_lattice(int i) const { return i >= outline_count_; }
-  const Eigen::Vector2i& lattice_point(int i) const { return lattice_points_[static_cast<std::size_t>(i) - outline_count_]; }
+  const Eigen::Vector2i& lattice_point(int i) const {
+    return lattice_points_[static_cast<std::size_t>(i) - outline_count_];
+  }
   int find_point(const Eigen::Vector2i& at) const;
   // Distance from the outline, at most `deepest`.
   double depth(int i) const { return depth_[i]; }
@@ -58,7 +60,7 @@ class OutlinedPoints {
   std::vector<Point> points_;
   std::vector<Eigen::Vector2i> lattice_points_;
   std::vector<double> depth_;
-  std::vector<int> point_at_;      // of the box, -1 where there is none
+  std::vector<int> point_at_;  // of the box, -1 where there is none
   std::vector<char> clear_cell_;
 };
 

@@ -12,13 +12,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double negligible = 1e-15;   // number over the perimeter's fourth power
+constexpr double negligible = 1e-15;  // number over the perimeter's fourth power
 constexpr double largest_change = 0.02;
 
 // Trace of the symmetric product of three vectors, times 3.
-Point trace_of(const Point& u, const Point& v, const Point& w) {
-  return u * v.dot(w) + v * u.dot(w) + w * u.dot(v);
-}
+Point trace_of(const Point& u, const Point& v, const Point& w) { return u * v.dot(w) + v * u.dot(w) + w * u.dot(v); }
 
 class LoopBalance {
  public:
@@ -51,7 +49,8 @@ class LoopBalance {
       equations.col(i).head<9>() << n.x(), n.y(), n.x() * x.x(), n.x() * x.y(), n.y() * x.x(), n.y() * x.y(), three[0],
           three[1], three[2];
     }
-    for (std::size_t p = 0; p < pieces.size(); ++p) add_piece(pieces[p], 9 + p * moments_a_piece, moments_a_piece, equations);
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      add_piece(pieces[p], 9 + p * moments_a_piece, moments_a_piece, equations);
     VectorXd wanted = VectorXd::Zero(rows);
     wanted.segment<3>(6) = -sums(factors);
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;

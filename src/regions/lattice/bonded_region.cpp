@@ -40,7 +40,7 @@ void BondedRegion::add_own_bonds(const Preparation& preparation, const Contribut
 
 // The edge's part of the force that the stress at the node makes on all of it.
 std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
-                                                 const FieldsOfRegion& fields) const {
+                                                const FieldsOfRegion& fields) const {
   const std::vector<double>& stress = fields(Field::stress).values;
   const auto normal_at = [&](const Point& p) {
     const Edge& edge = span.geometry;
@@ -69,7 +69,7 @@ void BondedRegion::add_body_force(const Point& body_force, Eigen::Ref<Eigen::Vec
 }
 
 void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
-                        std::vector<std::string>& warnings) const {
+                       std::vector<std::string>& warnings) const {
   std::vector<Point> polyline;
   for (const Point& p : crack.points) polyline.push_back(to_grid(p));
   const std::vector<int> touched = pd::points_on(points_, polyline);

@@ -72,7 +72,7 @@ class BondedRegion : public Region {
   Point to_grid(const Point& p) const { return (p - origin_) / spacing(); }
   Point from_grid(const Point& p) const { return origin_ + spacing() * p; }
 
-  std::vector<Point> points_;      // all material points, in grid coordinates
+  std::vector<Point> points_;     // all material points, in grid coordinates
   Point origin_ = Point::Zero();  // place of (0, 0) [m]
   RegionBonds bonds_;
 

@@ -11,7 +11,8 @@
 namespace bempd::regions {
 
 LatticeRegion::LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material)
-    : BondedRegion(id, material, described.lattice().spacing, described.horizon_ratio()), outline_(described.lattice()) {
+    : BondedRegion(id, material, described.lattice().spacing, described.horizon_ratio()),
+      outline_(described.lattice()) {
   use_grid(pd::CellLattice(outline_.loops), outline_.origin);
 }
 
@@ -80,8 +81,8 @@ bool LatticeRegion::acts_as_one_with(const LatticeRegion& other) const {
 }
 
 bool LatticeRegion::is_alike(const LatticeRegion& other) const {
-  return outline_.loops == other.outline_.loops && points_ == other.points_ && horizon_ratio() == other.horizon_ratio() &&
-         elasticity() == other.elasticity();
+  return outline_.loops == other.outline_.loops && points_ == other.points_ &&
+         horizon_ratio() == other.horizon_ratio() && elasticity() == other.elasticity();
 }
 
 pd::Network LatticeRegion::make_network(const pd::CellLattice& cells, int threads) const {

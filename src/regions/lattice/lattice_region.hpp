@@ -68,6 +68,7 @@ class LatticeRegion : public BondedRegion {
   const LatticeOutline& outline() const { return outline_; }
   // Points on an edge or a part of it between corners of cells, ends included; only where the corners are the points.
   std::vector<int> points_along(const Point& start, const Point& end) const;
+
  private:
   class LatticeEvaluator;
 
@@ -76,7 +77,7 @@ class LatticeRegion : public BondedRegion {
 
   LatticeOutline outline_;                 // of the cells
   std::unique_ptr<pd::CellLattice> grid_;  // points of the grid and the cells between them
-  std::shared_ptr<LatticeGroup> group_;  // null if it is alone, and when bonds are there
+  std::shared_ptr<LatticeGroup> group_;    // null if it is alone, and when bonds are there
 };
 
 }  // namespace bempd::regions

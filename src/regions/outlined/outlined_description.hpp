@@ -12,8 +12,8 @@ struct PointChoice {
   bool is_plain() const { return !on_outline && angle == 0; }
 };
 
-// A peridynamic region as described, with any outline: on the rows of a lattice where all edges are parallel to the axes,
-// else with points on its outline.
+// A peridynamic region as described, with any outline: on the rows of a lattice where all edges are parallel to the
+// axes, else with points on its outline.
 class OutlinedDescription final : public LatticeDescription {
  public:
   OutlinedDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,

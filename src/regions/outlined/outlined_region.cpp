@@ -28,8 +28,8 @@ OutlinedRegion::OutlinedRegion(int id, const OutlinedDescription& described, con
 
 void OutlinedRegion::mesh(const Preparation& preparation) {
   for (const Contact& contact : preparation.arrangement.contacts) {
-    require(contact.region != id() - 1, "peridynamic region ", id(),
-            " has slanted or round edges, and region ", contact.other_region + 1, " touches its edge ", contact.edge + 1,
+    require(contact.region != id() - 1, "peridynamic region ", id(), " has slanted or round edges, and region ",
+            contact.other_region + 1, " touches its edge ", contact.edge + 1,
             "; a peridynamic region on whose outline points lie cannot share edges with others: give it "
             "edges parallel to the axes that the spacing divides, or keep the regions apart");
   }
@@ -91,7 +91,8 @@ pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation
   std::vector<Segment> segments;  // in coordinates of the lattice
   for (const scene::Crack& crack : preparation.scene.cracks())
     for (std::size_t k = 0; k + 1 < crack.points.size(); ++k)
-      segments.push_back({turn.transpose() * to_grid(crack.points[k]), turn.transpose() * to_grid(crack.points[k + 1])});
+      segments.push_back(
+          {turn.transpose() * to_grid(crack.points[k]), turn.transpose() * to_grid(crack.points[k + 1])});
   // Only along rows and columns can all points keep away.
   double best = -1;
   Point best_shift = Point::Zero();
@@ -122,7 +123,8 @@ void OutlinedRegion::require_possible_corners() const {
           2 * spacing(), "), or round it");
   require(false, "region ", id(), " has a corner of ", degrees(corner->angle), " degrees at (", where.x(), ", ",
           where.y(), "), where edge ", edge, " begins, between points ", corner->before * spacing(), " and ",
-          corner->behind * spacing(), " from it; there the two lengths have to be more alike: choose a spacing that "
+          corner->behind * spacing(),
+          " from it; there the two lengths have to be more alike: choose a spacing that "
           "divides the edges of the corner, or longer edges");
 }
 
@@ -176,9 +178,10 @@ std::vector<PlacedNode> OutlinedRegion::nodes_on(const EdgeSpan& span, double to
   return found;
 }
 
-// f_i = (1 + a_i) integral of phi_i t ds, a_i being what balances the chords of the outline. phi_i are linear hats along
-// straight edges. Along a round one constant stress has a traction that turns with the normal, and its integral over an
-// arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of second order too.
+// f_i = (1 + a_i) integral of phi_i t ds, a_i being what balances the chords of the outline. phi_i are linear hats
+// along straight edges. Along a round one constant stress has a traction that turns with the normal, and its integral
+// over an arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of second order
+// too.
 void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                                   Eigen::Ref<Eigen::VectorXd> force) const {
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * point_count());

@@ -37,8 +37,8 @@ Cells OutlinedRegion::cells() const {
   return cells;
 }
 
-// Bilinear in cells of the lattice and linear in the triangles around them; between a round edge and its chord as in the
-// triangle at the chord.
+// Bilinear in cells of the lattice and linear in the triangles around them; between a round edge and its chord as in
+// the triangle at the chord.
 class OutlinedRegion::CellEvaluator final : public Evaluator {
  public:
   CellEvaluator(const OutlinedRegion& region, const FieldsOfRegion& fields, bool with_stress)
