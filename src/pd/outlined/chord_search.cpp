@@ -7,9 +7,9 @@ namespace bempd::pd {
 
 namespace {
 
-constexpr double tolerance = 1e-9;
+constexpr double sight_tolerance = 1e-9;
 
-Box box_of(const Point& a, const Point& b, double margin) {
+Box box_around(const Point& a, const Point& b, double margin) {
   const Point pad = Point::Constant(margin);
   return {a.cwiseMin(b) - pad, a.cwiseMax(b) + pad};
 }
@@ -42,7 +42,7 @@ ChordSearch::ChordSearch(const Chords& chords) : chords_(chords) {
   rows_.resize(1 + static_cast<std::size_t>(all.sizes().y()));
   for (std::size_t c = 0; c < chords.chords.size(); ++c) {
     const Point &a = chords.nodes[chords.chords[c].first], &b = chords.nodes[chords.chords[c].second];
-    buckets_.add(box_of(a, b, tolerance), static_cast<int>(c));
+    buckets_.add(box_around(a, b, sight_tolerance), static_cast<int>(c));
     const auto first = static_cast<std::size_t>(std::min(a.y(), b.y()) - low_);
     const auto last = static_cast<std::size_t>(std::max(a.y(), b.y()) - low_);
     for (std::size_t row = first; row <= last; ++row) rows_[row].push_back(static_cast<int>(c));
@@ -50,9 +50,9 @@ ChordSearch::ChordSearch(const Chords& chords) : chords_(chords) {
 }
 
 bool ChordSearch::on_chord(const Point& p) const {
-  return buckets_.any_near(box_of(p, p, tolerance), [&](int c) {
+  return buckets_.any_near(box_around(p, p, sight_tolerance), [&](int c) {
     return distance(Segment{chords_.nodes[chords_.chords[c].first], chords_.nodes[chords_.chords[c].second]}, p) <=
-           tolerance;
+           sight_tolerance;
   });
 }
 
@@ -72,19 +72,19 @@ bool ChordSearch::inside(const Point& p) const {
 // Fractions between the ends where the segment meets chords.
 std::vector<double> ChordSearch::meetings(const Point& from, const Point& to) const {
   const Point d = to - from;
-  const double length = d.norm(), slack = tolerance / length;
+  const double length = d.norm(), slack = sight_tolerance / length;
   std::vector<double> found;
   const auto add = [&](double t) {
     if (t > slack && t < 1 - slack) found.push_back(t);
   };
-  buckets_.any_near(box_of(from, to, tolerance), [&](int c) {
+  buckets_.any_near(box_around(from, to, sight_tolerance), [&](int c) {
     const Point& a = chords_.nodes[chords_.chords[c].first];
     const Point e = chords_.along(c);
     const double slope = cross(d, e), reach = e.norm();
     if (std::abs(slope) > 1e-12 * length * reach) {
       const double s = cross(a - from, d) / slope;
-      if (s >= -tolerance / reach && s <= 1 + tolerance / reach) add(cross(a - from, e) / slope);
-    } else if (std::abs(cross(a - from, d)) <= tolerance * length) {
+      if (s >= -sight_tolerance / reach && s <= 1 + sight_tolerance / reach) add(cross(a - from, e) / slope);
+    } else if (std::abs(cross(a - from, d)) <= sight_tolerance * length) {
       add((a - from).dot(d) / (length * length));
       add((a + e - from).dot(d) / (length * length));
     }
@@ -99,7 +99,7 @@ bool ChordSearch::in_sight(const Point& from, const Point& to) const {
   std::vector<double> stations = meetings(from, to);
   stations.insert(stations.begin(), 0.0);
   stations.push_back(1.0);
-  const double slack = tolerance / (to - from).norm();
+  const double slack = sight_tolerance / (to - from).norm();
   for (std::size_t k = 0; k + 1 < stations.size(); ++k) {
     if (stations[k + 1] - stations[k] <= slack) continue;
     if (!inside(from + 0.5 * (stations[k] + stations[k + 1]) * (to - from))) return false;

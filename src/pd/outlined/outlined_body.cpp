@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector4d;
 
-constexpr double smallest_ratio = 0.02;  // bound on a stiffness over that of the kernel
+constexpr double smallest_outlined_ratio = 0.02;  // bound on a stiffness over that of the kernel
 
 struct Attempt {
   double gap, free_depth, shift;  // of the lattice along both of its axes
@@ -40,7 +40,7 @@ std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move) {
 }
 
 // Free bonds by sets that share no point.
-std::vector<std::vector<int>> clusters_of(const OutlinedBonds& bonds, int point_count) {
+std::vector<std::vector<int>> free_clusters(const OutlinedBonds& bonds, int point_count) {
   linalg::DisjointSets sets(point_count);
   for (const OutlinedBond& b : bonds.bonds)
     if (b.free) sets.join(b.first, b.second);
@@ -58,8 +58,8 @@ std::vector<std::vector<int>> clusters_of(const OutlinedBonds& bonds, int point_
   return clusters;
 }
 
-linalg::LeastChange problem_of(const OutlinedBonds& all, const std::vector<Vector4d>& missing,
-                               const std::vector<int>& cluster) {
+linalg::LeastChange outlined_problem(const OutlinedBonds& all, const std::vector<Vector4d>& missing,
+                                     const std::vector<int>& cluster) {
   std::vector<int> points;
   for (const int b : cluster) points.insert(points.end(), {all.bonds[b].first, all.bonds[b].second});
   std::sort(points.begin(), points.end());
@@ -69,7 +69,7 @@ linalg::LeastChange problem_of(const OutlinedBonds& all, const std::vector<Vecto
   };
   const int count = static_cast<int>(cluster.size());
   linalg::LeastChange problem;
-  problem.lower = smallest_ratio;
+  problem.lower = smallest_outlined_ratio;
   problem.start.resize(count);
   problem.scale.resize(count);
   problem.target.resize(4 * static_cast<Eigen::Index>(points.size()));
@@ -95,18 +95,18 @@ linalg::LeastChange problem_of(const OutlinedBonds& all, const std::vector<Vecto
   return problem;
 }
 
-void balance(const std::vector<Point>& surface, int threads, OutlinedBonds& bonds) {
+void balance_outlined(const std::vector<Point>& surface, int threads, OutlinedBonds& bonds) {
   const std::vector<Vector4d> missing = missing_moments(surface, bonds);
-  const std::vector<std::vector<int>> clusters = clusters_of(bonds, static_cast<int>(surface.size()));
+  const std::vector<std::vector<int>> clusters = free_clusters(bonds, static_cast<int>(surface.size()));
   std::vector<linalg::LeastChangeResult> results(clusters.size());
   parallel_for(clusters.size(), threads,
-               [&](std::size_t c) { results[c] = solve_least_change(problem_of(bonds, missing, clusters[c])); });
+               [&](std::size_t c) { results[c] = solve_least_change(outlined_problem(bonds, missing, clusters[c])); });
   for (std::size_t c = 0; c < clusters.size(); ++c)
     for (std::size_t k = 0; k < clusters[c].size(); ++k)
       bonds.bonds[clusters[c][k]].stiffness = results[c].values[static_cast<Eigen::Index>(k)];
 }
 
-Network finish(const std::vector<Point>& surface, OutlinedBonds bonds, const PlaneElasticity& elasticity) {
+Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, const PlaneElasticity& elasticity) {
   Network network;
   for (const Vector4d& r : missing_moments(surface, bonds))
     network.max_residual = std::max(network.max_residual, r.lpNorm<Eigen::Infinity>());
@@ -132,8 +132,8 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
   OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, attempt.free_depth, kernel);
   share_by_area(body.areas, bonds);
-  balance(surface, threads, bonds);
-  body.network = finish(surface, std::move(bonds), elasticity);
+  balance_outlined(surface, threads, bonds);
+  body.network = finish_outlined(surface, std::move(bonds), elasticity);
   return body;
 }
 

@@ -12,8 +12,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double negligible = 1e-15;  // number over the perimeter's fourth power
-constexpr double largest_change = 0.02;
+constexpr double negligible_number = 1e-15;  // number over the perimeter's fourth power
+constexpr double largest_factor_change = 0.02;
 
 // Trace of the symmetric product of three vectors, times 3.
 Point trace_of(const Point& u, const Point& v, const Point& w) { return u * v.dot(w) + v * u.dot(w) + w * u.dot(v); }
@@ -58,7 +58,8 @@ class LoopBalance {
     solver.compute(equations);
     VectorXd a = solver.solve(wanted);
     a += solver.solve(VectorXd(wanted - equations * a));
-    if ((equations * a - wanted).lpNorm<Eigen::Infinity>() > 1e-14 || a.lpNorm<Eigen::Infinity>() > largest_change)
+    if ((equations * a - wanted).lpNorm<Eigen::Infinity>() > 1e-14 ||
+        a.lpNorm<Eigen::Infinity>() > largest_factor_change)
       return false;
     for (int i = 0; i < count_; ++i) factors[first_ + i] += a[i];
     return true;
@@ -100,7 +101,7 @@ std::vector<double> balancing_factors(const Chords& chords) {
   std::vector<double> factors(chords.nodes.size(), 1.0);
   for (int loop = 0; loop < chords.loop_count(); ++loop) {
     const LoopBalance balance(chords, loop);
-    if (balance.sums(factors).lpNorm<Eigen::Infinity>() <= negligible) continue;
+    if (balance.sums(factors).lpNorm<Eigen::Infinity>() <= negligible_number) continue;
     for (int moments = 2; moments >= 0; --moments)
       if (balance.change(moments, factors)) break;
   }

@@ -11,7 +11,7 @@ scene::OptionDescription in_radians(scene::OptionDescription option) {
   return option;
 }
 
-const scene::OptionGroup group(scene::OptionPlace::lattices, [] {
+const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
                            2, 8, true),
