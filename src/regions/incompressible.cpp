@@ -46,7 +46,8 @@ double condition_of_held_pressure(const scene::Scene& scene, const Discretizatio
       continue;
     const std::vector<int>& nodes = region->nodes();
     const bool is_held = std::all_of(nodes.begin(), nodes.end(), [&](int node) {
-      return prescribed[static_cast<std::size_t>(2 * node)] && prescribed[static_cast<std::size_t>(2 * node + 1)];
+      const std::size_t first = 2 * static_cast<std::size_t>(node);
+      return prescribed[first] && prescribed[first + 1];
     });
     if (!is_held) continue;
     const double share = 1 - 2 * elasticity.poisson_ratio;

@@ -64,10 +64,9 @@ FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
     case Field::element_stress:
       return element_stress(solution);
     case Field::damage:
-    case Field::bond_stretch:
-      break;  // refused by field_size()
-    case Field::stress_order:
-      break;  // a matter of the whole scene
+    case Field::bond_stretch:  // refused by field_size()
+    case Field::stress_order:  // a matter of the whole scene
+      break;
   }
   return {};
 }

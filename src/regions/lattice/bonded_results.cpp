@@ -38,10 +38,9 @@ FieldValues BondedRegion::field(Field field, const Solution& solution) const {
     case Field::bond_stretch:
       return bond_stretch(solution);
     case Field::traction:
-    case Field::element_stress:
-      break;  // refused by field_size()
-    case Field::stress_order:
-      break;  // a matter of the whole scene
+    case Field::element_stress:  // refused by field_size()
+    case Field::stress_order:    // a matter of the whole scene
+      break;
   }
   return {};
 }

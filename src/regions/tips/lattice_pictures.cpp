@@ -32,10 +32,8 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     const Point opening = displacement.segment<2>(2 * high) - displacement.segment<2>(2 * low);
     const int crack = body.scene.crack_nearest(middle);
     CrackPicture& picture = pictures.try_emplace(crack, CrackPicture{crack, {}, {}}).first->second;
-    for (const double part : {-1.0, 0.0, 1.0}) {
-      picture.places.emplace_back(middle + part * half);
-      picture.openings.push_back(opening);
-    }
+    picture.places.insert(picture.places.end(), {middle - half, middle, middle + half});
+    picture.openings.insert(picture.openings.end(), 3, opening);
   }
   std::vector<CrackPicture> all;
   for (auto& [crack, picture] : pictures) all.push_back(std::move(picture));
