@@ -32,6 +32,7 @@ Kink kink_at(const regions::TipValues& tip, double load_factor, KinkCriterion cr
 Growing growing_tips(const std::vector<regions::TipValues>& tips, double length, const scene::Options& options) {
   const KinkCriterion criterion = criterion_of(options);
   std::vector<double> load_factors;
+  load_factors.reserve(tips.size());
   for (const regions::TipValues& tip : tips)
     load_factors.push_back(
         growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion));

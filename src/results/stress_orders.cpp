@@ -20,6 +20,7 @@ const scene::OptionGroup stress_group(scene::OptionPlace::results, [] {
 StressOrders::StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance)
     : places_(places), reach_(10 * tolerance) {
   std::vector<Box> boxes;
+  boxes.reserve(places.size());
   for (const regions::SingularPlace& singular : places)
     boxes.emplace_back(singular.place - Point::Constant(reach_), singular.place + Point::Constant(reach_));
   tree_ = BoxTree(boxes);
