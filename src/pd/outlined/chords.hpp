@@ -16,6 +16,7 @@ struct Chord {
 // The outline of a body as equal chords on every piece of it, in units of the spacing. Node k is where chord k starts.
 struct Chords {
   std::vector<Point> nodes;  // exactly on the outline
+  std::vector<char> kept{};  // nodes whose surface vectors others rely on; empty for none
   std::vector<Chord> chords;
   std::vector<int> loop_start;   // of the nodes, and the end of the last loop
   std::vector<int> piece_start;  // of the chords, and the end of the last piece
