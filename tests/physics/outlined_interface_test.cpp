@@ -125,4 +125,56 @@ TEST(RoundInterfaces, pass_constant_stress) {
   }
 }
 
+// A slanted block of material points that elements surround, its edges no multiples of the spacing.
+TEST(SurroundedRegion, passes_constant_stress) {
+  Model model;
+  const int32_t id = model.add(material(Uniform::young, Uniform::poisson));
+  const Outline outline = rectangle(-2, -2, 2, 2), block{{-0.63, -0.4}, {0.5, -0.71}, {0.83, 0.44}, {-0.3, 0.8}};
+  const int32_t plate = model.bem(id, outline, 0.5);
+  model.hole(plate, {block[0], block[3], block[2], block[1]});
+  model.pd(id, block, 0.1, 4);
+  pull(model, plate, outline, {1, 2, 3, 4});
+  const Vector u = Uniform::displacement(-2, -2), v = Uniform::displacement(2, -2);
+  model.prescribe_point({-2, -2}, BEMPD_X, u[0]);
+  model.prescribe_point({-2, -2}, BEMPD_Y, u[1]);
+  model.prescribe_point({2, -2}, BEMPD_Y, v[1]);
+  expect_uniform(model, {{1.5, 1}, {0.1, 0.2}, {-1.2, 0.4}});
+}
+
+// Material points along a piece of a hole's edge only, the rest of a wide plate in elements.
+TEST(PatchAtAHole, tells_the_largest_stress) {
+  constexpr double spacing = 1.0 / 16, side = 12, open = 0.35, reach = 0.55;
+  Model model;
+  const int32_t id = model.add(material(1, 1.0 / 3));
+  const Vector low{std::cos(open), -std::sin(open)}, high{std::cos(open), std::sin(open)},
+      out{std::cos(open) + reach, 0};
+  const int32_t plate = model.bem(id, rectangle(-side, -side, side, side), 2);
+  const int32_t first = model.hole(plate, {low, {0, -1}, {-1, 0}, {0, 1}, high, out});
+  const int32_t patch = model.pd(id, {low, out, high}, spacing, 4);
+  const auto arc = [&](int32_t region, int32_t edge, Vector centre, double radius, int32_t turn) {
+    model.check(bempd_set_edge_arc_about(model.get(), region, edge, centre[0], centre[1], radius, turn));
+  };
+  for (int32_t k = first; k < first + 4; ++k) arc(plate, k, {0, 0}, 1, BEMPD_CLOCKWISE);
+  // The circle through the patch's ends on the hole and its outermost place.
+  const double h = std::sin(open), radius = (h * h + reach * reach) / (2 * reach);
+  const Vector centre{out[0] - radius, 0};
+  for (int32_t k = 0; k < 2; ++k) {
+    arc(plate, first + 4 + k, centre, radius, BEMPD_CLOCKWISE);
+    arc(patch, 1 + k, centre, radius, BEMPD_COUNTER_CLOCKWISE);
+  }
+  arc(patch, 3, {0, 0}, 1, BEMPD_CLOCKWISE);
+  model.traction(plate, 1, 0, 1, BEMPD_Y, 0, -1);
+  model.traction(plate, 3, 0, 1, BEMPD_Y, 0, 1);
+  model.fix_point({-side, -side}, BEMPD_BOTH);
+  model.fix_point({side, -side}, BEMPD_Y);
+  model.step(1);
+  const auto x = model.vectors(patch, BEMPD_POSITION);
+  const auto stress = model.field(patch, BEMPD_STRESS);
+  double largest_stress = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (std::abs(std::hypot(x[i][0], x[i][1]) - 1) < 1e-9) largest_stress = std::max(largest_stress, stress[3 * i + 1]);
+  std::printf("%zu material points\n", x.size());
+  EXPECT_LT(std::abs(report("largest stress at the hole", largest_stress, 3, "Kirsch")), 0.12);
+}
+
 }  // namespace

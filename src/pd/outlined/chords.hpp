@@ -34,7 +34,9 @@ struct Chords {
   double angle(int node) const;
 };
 
-// Pieces of loops that have the body on their left. Every piece gets as many chords as it is spacings long.
-Chords make_chords(const std::vector<std::vector<Arc>>& loops);
+// Pieces of loops that have the body on their left. Every piece gets as many chords as it is spacings long. They are
+// equal, but for pieces that `may_vary` (by number): where a loop can be balanced as it is (surface_balance.hpp) by
+// chords of different lengths within some of these they have such.
+Chords make_chords(const std::vector<std::vector<Arc>>& loops, const std::vector<char>& may_vary = {});
 
 }  // namespace bempd::pd

@@ -185,7 +185,8 @@ void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource sou
   const std::size_t count = points.size() - 1;
   if (piece.straight()) {
     std::vector<double> stations;
-    for (std::size_t k = 0; k <= count; ++k) stations.push_back(static_cast<double>(k) / static_cast<double>(count));
+    for (const Point& at : points) stations.push_back((at - piece.start).norm() / piece.length());
+    stations.back() = 1;
     return add({piece.start, piece.end, stations, 0});
   }
   const double from = source.from, step = (source.to - from) / static_cast<double>(count);

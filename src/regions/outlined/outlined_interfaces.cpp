@@ -31,12 +31,36 @@ std::vector<Point> OutlinedRegion::points_on(const Preparation& preparation, con
   std::vector<Point> found{edge.at(interface.from)};
   for (const Piece& piece : pieces_) {
     const double middle = 0.5 * (piece.from + piece.to);
+    const auto p = static_cast<std::size_t>(&piece - pieces_.data());
     if (piece.edge != interface.edge + 1 || middle < interface.from || middle > interface.to) continue;
-    const pd::Chords chords = pd::make_chords({{piece.arc}});
-    for (int k = 1; k < chords.count(); ++k) found.push_back(from_grid(chords.nodes[k]));
+    for (int node = body_.chords.piece_start[p] + 1; node < body_.chords.piece_start[p + 1]; ++node)
+      found.push_back(from_grid(body_.chords.nodes[node]));
     found.push_back(edge.at(piece.to));
   }
   return found;
+}
+
+// Chords differ only where a loop has points that others rely on, and there where elements follow them or nobody does.
+std::vector<char> OutlinedRegion::pieces_that_may_vary(const Preparation& preparation) const {
+  std::vector<char> may_vary(pieces_.size(), 0);
+  std::size_t first = 0;
+  for (const std::vector<Arc>& loop : loops_) {
+    bool has_interfaces = false;
+    std::vector<char> fixed(loop.size(), 0);
+    for (std::size_t a = 0; a < loop.size(); ++a) {
+      const Piece& piece = pieces_[first + a];
+      const double middle = 0.5 * (piece.from + piece.to);
+      for (const Contact& c : preparation.arrangement.contacts) {
+        if (c.region != id() - 1 || c.edge != piece.edge - 1 || middle < c.from || middle > c.to) continue;
+        const scene::Region& other = preparation.scene.region(c.other_region + 1);
+        has_interfaces = true;
+        fixed[a] = !other.has_elements() || other.has_own_mesh(c.other_edge + 1);
+      }
+    }
+    for (std::size_t a = 0; a < loop.size(); ++a) may_vary[first + a] = has_interfaces && !fixed[a];
+    first += loop.size();
+  }
+  return may_vary;
 }
 
 std::vector<char> OutlinedRegion::shared_points(const Preparation& preparation) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "error.hpp"
+#include "pd/outlined/surface_balance.hpp"
 
 namespace bempd::regions {
 
@@ -86,6 +87,11 @@ void OutlinedRegion::divide_outline(const Preparation& preparation) {
       }
     }
   }
+  body_.chords = pd::make_chords(loops_);
+  shared_points(preparation);
+  // Points that others rely on leave too few that can balance the rest.
+  if (pd::imbalance(body_.chords, pd::balancing_factors(body_.chords)) > 1e-13)
+    body_.chords = pd::make_chords(loops_, pieces_that_may_vary(preparation));
 }
 
 // Its lower left corner is one of the lattice's points, unless the lattice keeps farther from the cracks elsewhere.
@@ -133,18 +139,16 @@ void OutlinedRegion::require_possible_corners() const {
 }
 
 void OutlinedRegion::build(const Preparation& preparation, Contributions& contributions) {
-  body_.chords = pd::make_chords(loops_);
   require_possible_corners();
   const std::vector<char> is_shared = shared_points(preparation);
   const pd::Chords chords = body_.chords;
   const int threads = preparation.options.whole_number("threads");
   body_ = pd::build_outlined_body(chords, place_of_lattice(preparation), horizon_ratio(), elasticity(), threads);
-  require(
-      body_.is_exact(), "region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
-      horizon_ratio(), " and spacing ", spacing(),
-      " was found: corners below 65 degrees, parts less than three spacings wide and edges shorter than a spacing "
-      "may have none; try a smaller spacing or the horizon ratio 4. Where all edges are interfaces the spacing has to "
-      "divide them alike");
+  require(body_.is_exact(), "region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
+          horizon_ratio(), " and spacing ", spacing(),
+          " was found: corners below 65 degrees, parts less than three spacings wide and edges shorter than a spacing "
+          "may have none; try a smaller spacing or the horizon ratio 4. Edges in common with "
+          "others need chords of like lengths");
   points_ = body_.points;
   nodes_.clear();
   for (int i = 0; i < point_count(); ++i) {

@@ -47,6 +47,7 @@ class OutlinedRegion final : public BondedRegion {
 
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   void divide_outline(const Preparation& preparation);
+  std::vector<char> pieces_that_may_vary(const Preparation& preparation) const;
   // Marks the points that are nodes of other regions too: all on interfaces that match, the ends of others; and keeps
   // the surface vectors of all of them.
   std::vector<char> shared_points(const Preparation& preparation);
