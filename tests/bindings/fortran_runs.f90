@@ -76,6 +76,7 @@ program fortran_runs
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
   call the_path_of_equilibrium_costs_what_bonds_take()
+  call snapshots_of_another_run_are_kept()
   call models_are_freed_and_created_again()
   call finish_checks()
 
@@ -257,6 +258,26 @@ contains
     word = bempd_build()
     call check(index(word, "bempd " // bempd_version()) == 1, "the build tells the version")
   end subroutine options_are_set_listed_and_read_back
+
+  subroutine snapshots_of_another_run_are_kept()
+    type(bempd_model) :: first, second
+    character(300) :: message
+    integer :: stat
+    logical :: there
+
+    call make_strip(first)
+    call first%set_option("snapshots.existing", "replace")
+    call first%write_snapshot("fortran_snapshot")
+    call make_strip(second)
+    call second%write_snapshot("fortran_snapshot", stat, message)
+    call check_error(stat, BEMPD_ERROR_IO, message, "of another run")
+    call second%set_option("snapshots.existing", "continue")
+    call second%write_snapshot("fortran_snapshot")
+    inquire (file="fortran_snapshot_0001_inside.vtu", exist=there)
+    call check(there, "a continued series has the inside of boundary element regions")
+    call first%free()
+    call second%free()
+  end subroutine snapshots_of_another_run_are_kept
 
   subroutine indices_count_from_one()
     type(bempd_model) :: model

@@ -315,7 +315,11 @@ class Results:
         return rows(entries, "bempd_history_entry")[:count]
 
     def write_snapshot(self, prefix: Union[str, "os.PathLike[str]"]) -> None:
-        """Write the present state for ParaView: PREFIX_NNNN_*.vtu and the series PREFIX.pvd; the folder must exist."""
+        """Write the present state for ParaView, which opens PREFIX.pvd, the series of all snapshots.
+
+        The folder must exist. Files of another run with this prefix raise FileError, unless the option
+        "snapshots.existing" is "continue" or "replace".
+        """
         self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
 
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:

@@ -61,6 +61,7 @@ class LatticeRegion : public Region {
   std::int64_t cell_count() const override { return grid_->cell_count(); }
   Cells cells() const override;
   SnapshotBlock snapshot_block() const override;
+  RegionPicture picture(const Solution& solution) const override;
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                        bool with_stress) const override;
   int rank_at_interfaces() const override { return 2; }

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include "error.hpp"
@@ -115,6 +116,23 @@ Cells LatticeRegion::cells() const {
     cells.nodes.insert(cells.nodes.end(), {corners[0], corners[1], corners[3], corners[2]});
   }
   return cells;
+}
+
+// Split along the bonds between neighbours that are gone.
+RegionPicture LatticeRegion::picture(const Solution& solution) const {
+  const std::vector<std::uint8_t> broken = broken_bonds(solution.intact);
+  std::vector<std::array<int, 2>> parted;
+  for (std::size_t b = 0; b < broken.size(); ++b) {
+    const pd::Bond& bond = network()->bonds[b];
+    if (broken[b] && bond.first < point_count() && bond.second < point_count())
+      parted.push_back({bond.first, bond.second});
+  }
+  const Cells whole = cells();
+  if (parted.empty()) return {{}, whole};
+  std::vector<Point> places;
+  for (int i = 0; i < point_count(); ++i) places.push_back(position(i));
+  SplitCells split = split_cells(places, whole.nodes, parted);
+  return {std::move(split.added), {whole.nodes_per_cell, std::move(split.nodes)}};
 }
 
 SnapshotBlock LatticeRegion::snapshot_block() const {

@@ -29,12 +29,13 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     const Point middle = 0.5 * (body.discretization.positions[low] + body.discretization.positions[high]);
     // The second point lies on the left of the line that leads from here to there.
     const Point half = 0.5 * length * Point(body.bonds.sine[b], -body.bonds.cosine[b]);
-    const Point opening = displacement.segment<2>(2 * high) - displacement.segment<2>(2 * low);
+    const Point of_low = displacement.segment<2>(2 * low), of_high = displacement.segment<2>(2 * high);
     const int crack = body.scene.crack_nearest(middle);
-    CrackPicture& picture = pictures.try_emplace(crack, CrackPicture{crack, {}, {}}).first->second;
+    CrackPicture& picture = pictures.try_emplace(crack, CrackPicture{crack, {}, {}, {}}).first->second;
     for (const double part : {-1.0, 0.0, 1.0}) {
       picture.places.emplace_back(middle + part * half);
-      picture.openings.push_back(opening);
+      picture.openings.emplace_back(of_high - of_low);
+      picture.displacements.emplace_back(0.5 * (of_low + of_high));
     }
   }
   std::vector<CrackPicture> all;

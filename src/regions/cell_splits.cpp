@@ -1,0 +1,108 @@
+#include "regions/cell_splits.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "linalg/disjoint_sets.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+using Pair = std::array<int, 2>;
+
+Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+class CellSplitter {
+ public:
+  CellSplitter(std::span<const Point> nodes, std::span<const std::int32_t> cells, std::span<const Pair> parted)
+      : nodes_(nodes), cells_(cells) {
+    for (const Pair& pair : parted) parted_.insert(ordered(pair[0], pair[1]));
+    open_steps();
+  }
+
+  SplitCells split() {
+    for (std::size_t c = 0; c < cells_.size() / 4; ++c) {
+      if (parted_sides(c) == 0)
+        result_.nodes.insert(result_.nodes.end(), {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3)});
+      else
+        quarter(c);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  int corner(std::size_t cell, std::size_t k) const { return cells_[4 * cell + k % 4]; }
+  Pair side(std::size_t cell, std::size_t k) const { return ordered(corner(cell, k), corner(cell, k + 1)); }
+  bool is_parted(std::size_t cell, std::size_t k) const { return parted_.contains(side(cell, k)); }
+  int parted_sides(std::size_t cell) const {
+    int count = 0;
+    for (std::size_t k = 0; k < 4; ++k) count += is_parted(cell, k) ? 1 : 0;
+    return count;
+  }
+
+  void open_steps();
+  void quarter(std::size_t cell);
+  int add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes);
+
+  std::span<const Point> nodes_;
+  std::span<const std::int32_t> cells_;
+  std::set<Pair> parted_;
+  std::map<std::vector<int>, int> made_;
+  SplitCells result_;
+};
+
+// Neighbours with one parted side each, at which the common side is not parted and lies next to both.
+void CellSplitter::open_steps() {
+  std::map<Pair, int> ends;  // sides next to the parted one of such a cell
+  for (std::size_t c = 0; c < cells_.size() / 4; ++c) {
+    if (parted_sides(c) != 1) continue;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (is_parted(c, k + 1) || is_parted(c, k + 3)) ++ends[side(c, k)];
+  }
+  for (const auto& [pair, count] : ends)
+    if (count == 2) parted_.insert(pair);
+}
+
+// The key tells copies of a place apart.
+int CellSplitter::add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes) {
+  const auto [found, is_new] = made_.try_emplace(key, static_cast<int>(nodes_.size() + result_.added.size()));
+  if (is_new) result_.added.push_back({at, nodes});
+  return found->second;
+}
+
+void CellSplitter::quarter(std::size_t cell) {
+  const auto place = [&](std::size_t k) { return nodes_[static_cast<std::size_t>(corner(cell, k))]; };
+  linalg::DisjointSets together(4);
+  for (int k = 0; k < 4; ++k)
+    if (!is_parted(cell, static_cast<std::size_t>(k))) together.join(k, (k + 1) % 4);
+  const Point centre = 0.25 * (place(0) + place(1) + place(2) + place(3));
+  // The middle of a side as seen from one of its ends.
+  const auto middle = [&](std::size_t k, std::size_t seen_from) {
+    const Pair ends = side(cell, k);
+    const Point at = 0.5 * (place(k) + place(k + 1));
+    if (!is_parted(cell, k)) return add({ends[0], ends[1]}, at, {ends[0], ends[1]});
+    const int own = corner(cell, seen_from);
+    return add({ends[0], ends[1], own}, at, {own});
+  };
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<int> group;
+    for (int other = 0; other < 4; ++other)
+      if (together.find(other) == together.find(static_cast<int>(k)))
+        group.push_back(corner(cell, static_cast<std::size_t>(other)));
+    std::vector<int> key{-1, static_cast<int>(cell)};
+    key.insert(key.end(), group.begin(), group.end());
+    const int inner = add(key, centre, group);
+    result_.nodes.insert(result_.nodes.end(), {corner(cell, k), middle(k, k), inner, middle(k + 3, k)});
+  }
+}
+
+}  // namespace
+
+SplitCells split_cells(std::span<const Point> nodes, std::span<const std::int32_t> cells,
+                       std::span<const Pair> parted) {
+  return CellSplitter(nodes, cells, parted).split();
+}
+
+}  // namespace bempd::regions
