@@ -11,7 +11,7 @@ namespace bempd::output {
 struct PvdEntry {
   double time = 0;
   int part = 0;
-  std::string file;  // relative to the collection's folder, with forward slashes
+  std::string file;    // relative to the collection's folder, with forward slashes
   std::string name{};  // of the part
 };
 

@@ -144,8 +144,7 @@ std::vector<PicturePart> pictures(const scene::Scene& scene, const regions::Disc
   }
   if (may_have_cracks(scene, d))
     parts.emplace(number_of_cracks, PicturePart{number_of_cracks, "cracks", grid_of(cracks.faces)});
-  if (!cracks.tips.empty())
-    parts.emplace(number_of_tips, PicturePart{number_of_tips, "tips", grid_of(cracks.tips)});
+  if (!cracks.tips.empty()) parts.emplace(number_of_tips, PicturePart{number_of_tips, "tips", grid_of(cracks.tips)});
   std::vector<PicturePart> all;
   for (auto& [number, shown] : parts) all.push_back(std::move(shown));
   return all;

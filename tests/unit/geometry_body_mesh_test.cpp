@@ -1,11 +1,10 @@
-#include "geometry/body_mesh.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numbers>
 #include <random>
 
+#include "geometry/body_mesh.hpp"
 #include "geometry/delaunay.hpp"
 #include "geometry/outline.hpp"
 
@@ -25,7 +24,8 @@ double smallest_angle(const BodyMesh& mesh) {
   double smallest = 180;
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      const Point a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]], b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
+      const Point a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]],
+                  b = mesh.points[t[(k + 2) % 3]] - mesh.points[t[k]];
       smallest = std::min(smallest, std::atan2(cross(a, b), a.dot(b)) * 180 / std::numbers::pi);
     }
   return smallest;
@@ -57,7 +57,8 @@ TEST(Delaunay, circles_through_triangles_hold_no_other_point) {
     ++triangles;
     const Point a = points[t.points[0]], b = points[t.points[1]] - a, c = points[t.points[2]] - a;
     const Point centre = a + Point(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
-                                   b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) / (2 * cross(b, c));
+                                   b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) /
+                                 (2 * cross(b, c));
     const double radius = (centre - a).norm();
     EXPECT_GT(cross(b, c), 0);
     for (const Point& p : points) EXPECT_GT((p - centre).norm(), radius - 1e-5 * (1 + radius * radius));
@@ -97,7 +98,8 @@ TEST(BodyMesh, follows_arcs) {
 TEST(BodyMesh, has_cracks_as_sides) {
   const std::vector<Edge> edges = edges_of(square_with_hole);
   // From the edge, inside, and another one that meets it.
-  const CrackLines cracks = crack_lines({{1, {{3, 0}, {3.1, 1.5}, {2.6, 3}}}, {2, {{3.05, 0.75}, {3.8, 0.9}}}}, edges, 1e-9);
+  const CrackLines cracks =
+      crack_lines({{1, {{3, 0}, {3.1, 1.5}, {2.6, 3}}}, {2, {{3.05, 0.75}, {3.8, 0.9}}}}, edges, 1e-9);
   const BodyMesh mesh = mesh_body(edges, cracks, 0.3);
   EXPECT_NEAR(area_of(mesh), 15, 1e-9);
   const auto sides = sides_of(mesh);

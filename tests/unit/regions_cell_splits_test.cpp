@@ -1,8 +1,7 @@
-#include "regions/cell_splits.hpp"
-
 #include <gtest/gtest.h>
 
 #include "linalg/disjoint_sets.hpp"
+#include "regions/cell_splits.hpp"
 
 namespace {
 
