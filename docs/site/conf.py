@@ -24,8 +24,40 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_default_options = {"members": True, "inherited-members": True, "show-inheritance": False}
 
-# Formulas are drawn without the network: Debian's MathJax, which the build copies.
-mathjax_path = "mathjax/tex-chtml.js"
+add_module_names = False
+
+
+def as_rest(paragraph: list[str]) -> list[str]:
+    """A paragraph of a docstring, which is plain text: code and columns as they stand, the rest with its signs kept."""
+    if paragraph[0].lstrip().startswith(">>>"):
+        return paragraph
+    if any(re.search(r"\S {2,}\S", line) or line.startswith("    ") for line in paragraph):
+        return ["::", "", *("    " + line for line in paragraph)]
+    text = "\n".join(paragraph)
+    parts = re.split(r"(`[^`]+`)", text)
+    kept = [f"``{part[1:-1]}``" if part.startswith("`") and part.endswith("`") and len(part) > 2
+            else re.sub(r"([*|]|_(?=\W|$)|`)", r"\\\1", part) for part in parts]
+    return "".join(kept).split("\n")
+
+
+def docstring(app, what, name, thing, options, lines):
+    """Docstrings are written to be read in a terminal."""
+    result, paragraph = [], []
+    for line in [*lines, ""]:
+        if line.strip():
+            paragraph.append(line)
+        elif paragraph:
+            result += [*as_rest(paragraph), ""]
+            paragraph = []
+    lines[:] = result
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", docstring)
+
+
+# Formulas are drawn without the network, by Debian's MathJax 2, which stage.py copies.
+mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
 
 html_theme = "furo"
 html_title = f"bempd {release}"

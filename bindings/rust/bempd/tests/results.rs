@@ -292,7 +292,7 @@ fn files_are_written() {
     for name in ["run.pvd", "run_0000_lattice.vtu", "run_0000_boundary.vtu", "history.csv"] {
         assert!(std::fs::metadata(folder.join(name)).unwrap().len() > 0, "{name}");
     }
-    let mut restarted = plate().model;
+    let mut restarted = common::plate().model;
     restarted.step(0.01).unwrap();
     assert!(restarted.write_snapshot(folder.join("run")).unwrap_err().message.contains("of another run"));
     restarted.set_option_text("snapshots.existing", "continue").unwrap();
