@@ -27,7 +27,7 @@ fails when it is not what the library says.
 |---|---|---|
 | C | `bempd_set_option(model, "pd.horizon_ratio", 5)`, `bempd_set_option_text(model, "accuracy", "fine")` | `bempd_get_option()`, `bempd_option_describe()` |
 | Fortran | `call model%set_option("pd.horizon_ratio", 5._dp)`, `call model%set_option("accuracy", "fine")` | `call model%get_option(...)`, `call bempd_get_options(options)` |
-| Python | `model.options["accuracy"] = "fine"`, `bempd.Model(accuracy="fine")` | `model.options["accuracy"]`, `model.options.describe("accuracy")` |
+| Python | `model.options["accuracy"] = "fine"`, `bempd.Model(options={"accuracy": "fine"})` | `model.options["accuracy"]`, `model.options.describe("accuracy")` |
 | Rust | `model.set_option("pd.horizon_ratio", 5.0)?`, `model.set_option_text("accuracy", "fine")?` | `model.option(...)`, `bempd::options()` |
 
 An unknown name is an error that lists the near ones. What a prepared model has built already keeps the old value.

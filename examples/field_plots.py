@@ -92,7 +92,7 @@ def line_figure(folder, name, component, references):
 def add_bar(axes, mapped, label):
     """A colour bar as high as the axes, so that panels of a row are of one height."""
     place = axes.inset_axes([1.03, 0, 0.03, 1])
-    bar = axes.figure.colorbar(mapped, cax=place, label=label)
+    bar = axes.figure.colorbar(mapped, cax=place, label=label, ticks=MaxNLocator(5))
     bar.outline.set_linewidth(0.5)
 
 
@@ -161,7 +161,7 @@ def contour_figure(folder, name, panels, *, length_unit=1.0, length_name="m"):
     if not found:
         return None
     first = found[0][1]
-    height = 0.7 + 4.0 * np.ptp(first["y"]) / np.ptp(first["x"])
+    height = 0.45 + 4.0 * np.ptp(first["y"]) / np.ptp(first["x"])
     with plt.rc_context(STYLE):
         figure, rows = plt.subplots(len(found), 2, figsize=(10, height * len(found) + 0.3), squeeze=False,
                                     layout="constrained", sharex=True, sharey=True)

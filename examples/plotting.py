@@ -48,7 +48,12 @@ class Snapshot:
     files: dict  # part ("lattice", "boundary") -> path
 
     def mesh(self, part):
-        return meshio.read(self.files[part]) if part in self.files else None
+        if part not in self.files:
+            return None
+        try:
+            return meshio.read(self.files[part])
+        except IndexError:  # what meshio makes of a file without cells, such as that of cracks while there are none
+            return None
 
     def damage(self):
         mesh = self.mesh("lattice")

@@ -4,8 +4,6 @@
 #include <map>
 #include <set>
 
-#include "linalg/disjoint_sets.hpp"
-
 namespace bempd::regions {
 
 namespace {
@@ -27,7 +25,7 @@ class CellSplitter {
       if (parted_sides(c) == 0)
         result_.nodes.insert(result_.nodes.end(), {corner(c, 0), corner(c, 1), corner(c, 2), corner(c, 3)});
       else
-        quarter(c);
+        split(c);
     }
     return std::move(result_);
   }
@@ -43,7 +41,10 @@ class CellSplitter {
   }
 
   void open_steps();
-  void quarter(std::size_t cell);
+  Point place(std::size_t cell, std::size_t k) const { return nodes_[static_cast<std::size_t>(corner(cell, k))]; }
+  void split(std::size_t cell);
+  int middle(std::size_t cell, std::size_t k, std::size_t seen_from);
+  int centre(std::size_t cell, std::size_t first, std::size_t count);
   int add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes);
 
   std::span<const Point> nodes_;
@@ -72,29 +73,50 @@ int CellSplitter::add(const std::vector<int>& key, const Point& at, const std::v
   return found->second;
 }
 
-void CellSplitter::quarter(std::size_t cell) {
-  const auto place = [&](std::size_t k) { return nodes_[static_cast<std::size_t>(corner(cell, k))]; };
-  linalg::DisjointSets together(4);
-  for (int k = 0; k < 4; ++k)
-    if (!is_parted(cell, static_cast<std::size_t>(k))) together.join(k, (k + 1) % 4);
-  const Point centre = 0.25 * (place(0) + place(1) + place(2) + place(3));
-  // The middle of a side as seen from one of its ends.
-  const auto middle = [&](std::size_t k, std::size_t seen_from) {
-    const Pair ends = side(cell, k);
-    const Point at = 0.5 * (place(k) + place(k + 1));
-    if (!is_parted(cell, k)) return add({ends[0], ends[1]}, at, {ends[0], ends[1]});
-    const int own = corner(cell, seen_from);
-    return add({ends[0], ends[1], own}, at, {own});
+// The middle of a side as one of its ends sees it.
+int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from) {
+  const Pair ends = side(cell, k);
+  const Point at = 0.5 * (place(cell, k) + place(cell, k + 1));
+  if (!is_parted(cell, k)) return add({ends[0], ends[1]}, at, {ends[0], ends[1]});
+  const int own = corner(cell, seen_from);
+  return add({ends[0], ends[1], own}, at, {own});
+}
+
+// The centre as some corners see it that follow each other from the first one on.
+int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count) {
+  std::vector<int> group, key{-1, static_cast<int>(cell)};
+  for (std::size_t k = first; k < first + count; ++k) group.push_back(corner(cell, k));
+  key.insert(key.end(), group.begin(), group.end());
+  return add(key, 0.25 * (place(cell, 0) + place(cell, 1) + place(cell, 2) + place(cell, 3)), group);
+}
+
+// Sides that are left get no points in between, so that the pieces fit the cells beside; but where a crack ends.
+void CellSplitter::split(std::size_t cell) {
+  const auto piece = [&](int a, int b, int c, int d) {
+    result_.nodes.insert(result_.nodes.end(), {a, b, c, d});
   };
+  const auto at = [&](std::size_t k) { return corner(cell, k); };
+  if (parted_sides(cell) == 1) {
+    for (std::size_t k = 0; k < 4; ++k)
+      piece(at(k), middle(cell, k, k), centre(cell, 0, 4), middle(cell, k + 3, k));
+    return;
+  }
   for (std::size_t k = 0; k < 4; ++k) {
-    std::vector<int> group;
-    for (int other = 0; other < 4; ++other)
-      if (together.find(other) == together.find(static_cast<int>(k)))
-        group.push_back(corner(cell, static_cast<std::size_t>(other)));
-    std::vector<int> key{-1, static_cast<int>(cell)};
-    key.insert(key.end(), group.begin(), group.end());
-    const int inner = add(key, centre, group);
-    result_.nodes.insert(result_.nodes.end(), {corner(cell, k), middle(k, k), inner, middle(k + 3, k)});
+    if (!is_parted(cell, k + 3)) continue;  // hangs together with the corner before
+    std::size_t count = 1;
+    while (!is_parted(cell, k + count - 1)) ++count;
+    const int before = middle(cell, k + 3, k), behind = middle(cell, k + count - 1, k + count - 1);
+    if (count == 2) {
+      piece(at(k), at(k + 1), behind, before);
+      continue;
+    }
+    const int inner = centre(cell, k, count);
+    if (count == 1) {
+      piece(at(k), behind, inner, before);
+    } else {
+      piece(at(k), at(k + 1), inner, before);
+      piece(at(k + 1), at(k + 2), behind, inner);
+    }
   }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "linalg/disjoint_sets.hpp"
 #include "regions/cell_splits.hpp"
 
@@ -74,7 +76,7 @@ TEST(CellSplits, crack_that_ends_inside_leaves_one_part) {
   const SplitCells split = regions::split_cells(grid.nodes, grid.cells, parted);
   EXPECT_EQ(grid.parts(split), 1);
   EXPECT_DOUBLE_EQ(grid.area(split), 16);
-  EXPECT_EQ(split.nodes.size(), 4u * (16 - 2 + 8));
+  EXPECT_EQ(split.nodes.size(), 4u * (16 - 2 + 2 + 4));
 }
 
 TEST(CellSplits, crack_opens_where_it_steps_sideways) {
@@ -86,6 +88,31 @@ TEST(CellSplits, crack_opens_where_it_steps_sideways) {
                                                {grid.at(2, 3), grid.at(3, 3)},
                                                {grid.at(2, 4), grid.at(3, 4)}};
   EXPECT_EQ(grid.parts(regions::split_cells(grid.nodes, grid.cells, parted)), 2);
+}
+
+TEST(CellSplits, pieces_fit_the_cells_beside) {
+  const Grid grid(4);
+  std::vector<std::array<int, 2>> parted;
+  for (int j = 0; j <= 4; ++j) parted.push_back({grid.at(1, j), grid.at(2, j)});
+  parted.push_back({grid.at(2, 2), grid.at(2, 3)});
+  parted.push_back({grid.at(3, 2), grid.at(3, 3)});
+  parted.push_back({grid.at(4, 2), grid.at(4, 3)});
+  const SplitCells split = regions::split_cells(grid.nodes, grid.cells, parted);
+  EXPECT_EQ(grid.parts(split), 3);
+  EXPECT_DOUBLE_EQ(grid.area(split), 16);
+  // Sides of one piece only lie on the outline or on the crack.
+  std::map<std::pair<int, int>, int> sides;
+  for (std::size_t c = 0; c < split.nodes.size(); c += 4)
+    for (std::size_t k = 0; k < 4; ++k) ++sides[std::minmax(split.nodes[c + k], split.nodes[c + (k + 1) % 4])];
+  const auto place = [&](int k) {
+    return k < static_cast<int>(grid.nodes.size()) ? grid.nodes[k] : split.added[k - grid.nodes.size()].place;
+  };
+  for (const auto& [side, count] : sides) {
+    if (count == 2) continue;
+    const Point middle = 0.5 * (place(side.first) + place(side.second));
+    const bool outline = middle.minCoeff() == 0 || middle.maxCoeff() == 4;
+    EXPECT_TRUE(outline || middle.x() == 1.5 || middle.y() == 2.5) << middle.transpose();
+  }
 }
 
 TEST(CellSplits, node_without_bonds_comes_loose) {
