@@ -14,19 +14,19 @@ namespace {
 
 constexpr double largest_turn = std::numbers::pi / 18;  // of the outline along one side
 
-double turning(const Edge& edge) {
+double turning_of(const Edge& edge) {
   double sum = 0;
   for (int k = 0; k < edge.piece_count(); ++k) sum += std::abs(edge.piece(k).sweep);
   return sum;
 }
 
 // Fractions at which sides end: the places asked for, and as many between as the size wants.
-std::vector<double> stations(const Edge& edge, const std::vector<Point>& places, double size, double tolerance) {
+std::vector<double> side_ends(const Edge& edge, const std::vector<Point>& places, double size, double tolerance) {
   std::vector<double> fixed{0, 1};
   for (const Point& place : places)
     if (distance(edge, place) <= tolerance) fixed.push_back(closest_fraction(edge, place));
   std::sort(fixed.begin(), fixed.end());
-  const double wanted = std::max(edge.length() / size, turning(edge) / largest_turn);
+  const double wanted = std::max(edge.length() / size, turning_of(edge) / largest_turn);
   std::vector<double> all;
   for (std::size_t k = 0; k + 1 < fixed.size(); ++k) {
     const double part = fixed[k + 1] - fixed[k];
@@ -100,7 +100,7 @@ int BodyMesher::insert(const Point& p) {
 
 void BodyMesher::add_line(const Edge& line, const Edge* edge, const std::vector<Point>& places) {
   int before = -1;
-  for (const double fraction : stations(line, places, size_, 10 * geometric_tolerance(box_))) {
+  for (const double fraction : side_ends(line, places, size_, 10 * geometric_tolerance(box_))) {
     const int at = insert(line.at(fraction));
     if (before >= 0 && at != before) sides_.push_back({before, at, edge});
     before = at;

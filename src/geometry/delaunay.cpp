@@ -8,7 +8,7 @@ namespace bempd {
 
 namespace {
 
-constexpr std::int64_t reach = std::int64_t{1} << 23;
+constexpr std::int64_t grid_reach = std::int64_t{1} << 23;
 
 // Products of four differences of places have up to 2^119.
 __extension__ using Wide = __int128;
@@ -17,8 +17,8 @@ __extension__ using Wide = __int128;
 
 Delaunay::Delaunay(const Box& box) : centre_(box.center()) {
   const double half = 0.5 * box.sizes().maxCoeff();
-  scale_ = half > 0 ? static_cast<double>(reach) / half : 1;
-  places_ = {{-32 * reach, -32 * reach}, {32 * reach, -32 * reach}, {0, 32 * reach}};
+  scale_ = half > 0 ? static_cast<double>(grid_reach) / half : 1;
+  places_ = {{-32 * grid_reach, -32 * grid_reach}, {32 * grid_reach, -32 * grid_reach}, {0, 32 * grid_reach}};
   triangles_.push_back({{-3, -2, -1}, {-1, -1, -1}});
 }
 

@@ -16,15 +16,15 @@ namespace bempd::results {
 
 namespace {
 
-using Side = std::array<int, 2>;
+using PointPair = std::array<int, 2>;
 
-Side ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+PointPair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 // A body's triangles with a copy of each point on a crack for each side of it.
 class OpenedMesh {
  public:
   explicit OpenedMesh(BodyMesh mesh) : mesh_(std::move(mesh)) {
-    for (const Side& side : mesh_.crack_sides) {
+    for (const PointPair& side : mesh_.crack_sides) {
       cracks_.insert(ordered(side[0], side[1]));
       triangles_at_.try_emplace(side[0]);
       triangles_at_.try_emplace(side[1]);
@@ -81,7 +81,7 @@ class OpenedMesh {
   }
 
   BodyMesh mesh_;
-  std::set<Side> cracks_;
+  std::set<PointPair> cracks_;
   std::map<int, std::vector<int>> triangles_at_;  // by points on cracks
   std::set<int> on_cracks_;
 };

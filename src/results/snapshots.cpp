@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using output::PvdEntry;
 
-const scene::OptionGroup group(scene::OptionPlace::results, [] {
+const scene::OptionGroup snapshot_group(scene::OptionPlace::results, [] {
   return std::vector<scene::OptionDescription>{
       scene::text_option("snapshots.existing",
                          "What the first snapshot of a model with some prefix does with files of another run that have "
