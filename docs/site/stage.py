@@ -39,7 +39,7 @@ CHAPTERS = {
     "Look up": ["docs/reference/index", "docs/options", "bindings/fortran/README", "bindings/python/README",
                 "docs/python_reference", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
-    "What is measured": ["docs/accuracy", "docs/verification", "docs/paper", "docs/directions", "docs/scaling",
+    "What is measured": ["docs/accuracy", "docs/verification", "docs/paper", "docs/directions", "docs/scaling", "docs/windows",
                          "docs/reliability", "benchmarks/*/README"],
     "The project": ["README", "docs/architecture", "CONTRIBUTING", "CHANGELOG", "docs/citing"],
 }
