@@ -10,7 +10,7 @@ cd "$root"
 
 # Debian's own tools before others of the same name.
 export PATH="/usr/bin:/bin:$PATH"
-packages=(gcc python3 python3-sphinx python3-myst-parser furo python3-sphinx-copybutton libjs-mathjax python3-pycparser python3-cffi
+packages=(gcc python3 python3-sphinx python3-myst-parser furo python3-sphinx-copybutton libjs-mathjax node-normalize.css python3-pycparser python3-cffi
   python3-numpy python3-matplotlib cargo rustc)
 if [ "${1:-}" = look ]; then packages+=(chromium python3-pil); fi
 .ci/require_packages.sh "${packages[@]}"
@@ -32,6 +32,9 @@ python3 docs/site/stage.py . out/site/source
 python3 docs/site/reference.py . out/site/source/docs/reference
 rm -rf out/site/html
 PYTHONPATH="$root/bindings/python" python3 -m sphinx -q -W --keep-going -b html out/site/source out/site/html
+# Debian's theme takes this style from the web server; the site is to stand alone.
+cp /usr/share/javascript/normalize.css/normalize.css out/site/html/_static/styles/
+sed -i 's|/javascript/normalize.css/normalize.css|normalize.css|' out/site/html/_static/styles/*.css
 printf '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url=docs/index.html"><title>bempd</title>\n' \
   >out/site/html/index.html
 # rustdoc writes the crate's own pages; it needs no library.

@@ -58,6 +58,8 @@ def setup(app):
 
 # Formulas are drawn without the network, by Debian's MathJax 2, which stage.py copies.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
+mathjax2_config = {"messageStyle": "none", "showMathMenu": False}
+myst_update_mathjax = False  # what it writes is for version 3
 
 html_theme = "furo"
 html_title = f"bempd {release}"

@@ -246,7 +246,8 @@ def main(target: pathlib.Path) -> None:
         pages.append(name)
     index = heading("The interface", "=") + introduction(text) + textwrap.dedent("""\
         Each function stands with its calls in Fortran (module ``bempd``), Python (package ``bempd``, ``model`` is a
-        ``bempd.Model``) and Rust (crate ``bempd``). Arguments in brackets may be left out.
+        ``bempd.Model``) and Rust (crate ``bempd``). Arguments in brackets may be left out. Rust's own pages are in
+        `rust/bempd <../../rust/bempd/index.html>`__, those of Python in :doc:`/docs/python_reference`.
 
         .. toctree::
            :maxdepth: 1
