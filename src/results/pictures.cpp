@@ -1,5 +1,6 @@
 #include "results/pictures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -57,7 +58,10 @@ void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region
       nodes.push_back(first + cells.nodes[e + k]);
     // VTK lists the ends of a quadratic edge before its middle.
     if (block.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);
-    grid.add_cell(block.cell, nodes);
+    // Triangles among quadrangles have a corner twice.
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    if (nodes.size() > 2 && nodes.front() == nodes.back()) nodes.pop_back();
+    grid.add_cell(nodes.size() == 3 && block.cell == output::VtuCell::quad ? output::VtuCell::triangle : block.cell, nodes);
     std::get<std::vector<std::int32_t>>(grid.cell_data[0].values).push_back(region.id());
   }
 }

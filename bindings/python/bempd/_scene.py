@@ -87,9 +87,10 @@ class Scene:
         return region
 
     def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0) -> int:
-        """Add a rectilinear polygon treated by peridynamics; returns its id.
+        """Add a polygon treated by peridynamics; returns its id.
 
-        Material points lie on the corners of square cells of size `spacing`, also on the boundary. `horizon_ratio` is
+        With edges parallel to the axes material points lie on the corners of square cells of size `spacing`, also on the
+        boundary; with others they lie on the edges, about `spacing` apart, and on a lattice inside. `horizon_ratio` is
         the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio.
         """
         points = arguments.point_array("add_pd_region: vertices", vertices)
@@ -106,14 +107,14 @@ class Scene:
         return edge
 
     def add_circular_hole(self, region: int, centre: Sequence[float], radius: float) -> int:
-        """Cut a circular hole into a BEM region; returns the number of its first edge, a quarter circle."""
+        """Cut a circular hole into a region; returns the number of its first edge, a quarter circle."""
         place = arguments.place("add_circular_hole: centre", centre)
         edge = self._added("bempd_add_circular_hole", region, *place, radius)
         self._sketch.add_circle(region, place, radius, hole=True)
         return edge
 
     def set_edge_arc(self, region: int, edge: int, point: Sequence[float]) -> None:
-        """Make an edge of a BEM region the circular arc through a point between its ends."""
+        """Make an edge the circular arc through a point between its ends."""
         place = arguments.place("set_edge_arc: point", point)
         self._open().call("bempd_set_edge_arc", region, edge, *place)
         ends = self._sketch.regions[region].ends(edge)
@@ -122,7 +123,7 @@ class Scene:
             self._sketch.regions[region].arcs[edge] = arc
 
     def set_edge_arc_about(self, region: int, edge: int, centre: Sequence[float], radius: float, turn: Turn) -> None:
-        """Make an edge of a BEM region the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
+        """Make an edge the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -140,7 +141,7 @@ class Scene:
                                                       turn == "counter-clockwise")
 
     def set_edges_smooth(self, region: int, first_edge: int, last_edge: int) -> None:
-        """Make a row of edges of a BEM region a smooth curve through their vertices."""
+        """Make a row of edges a smooth curve through their vertices."""
         self._open().call("bempd_set_edges_smooth", region, first_edge, last_edge)
 
     def set_edge_mesh(self, region: int, edge: int, element_length: float, grading: float = 1.0) -> None:

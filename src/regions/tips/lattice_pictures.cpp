@@ -8,7 +8,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Length of the shortest bond at each node: that to its neighbours in a lattice.
+// Length of the shortest bond at each node: neighbours are hardly farther, those across a cell 1.4 times.
 std::vector<double> spacings(const BondedBody& body) {
   std::vector<double> found(body.discretization.positions.size(), std::numeric_limits<double>::infinity());
   for (std::size_t b = 0; b < body.bonds.size(); ++b) {
@@ -28,7 +28,7 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     if (body.intact[b] || body.bonds.is_wide(b)) continue;
     const int low = body.bonds.first[b], high = body.bonds.second[b];
     const double length = body.bonds.length[b];
-    if (length > 1.01 * std::max(spacing[low], spacing[high])) continue;
+    if (length > 1.3 * std::max(spacing[low], spacing[high])) continue;
     const Point middle = 0.5 * (body.discretization.positions[low] + body.discretization.positions[high]);
     // The second point lies on the left of the line that leads from here to there.
     const Point half = 0.5 * length * Point(body.bonds.sine[b], -body.bonds.cosine[b]);
