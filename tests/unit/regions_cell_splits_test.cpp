@@ -115,6 +115,16 @@ TEST(CellSplits, pieces_fit_the_cells_beside) {
   }
 }
 
+// A triangle has its last corner twice.
+TEST(CellSplits, triangles_part_too) {
+  Grid grid(1);
+  grid.cells = {0, 1, 3, 3, 0, 3, 2, 2};
+  const std::vector<std::array<int, 2>> parted{{0, 1}, {0, 2}, {0, 3}};
+  const SplitCells split = regions::split_cells(grid.nodes, grid.cells, parted);
+  EXPECT_EQ(grid.parts(split), 2);
+  EXPECT_DOUBLE_EQ(grid.area(split), 1);
+}
+
 TEST(CellSplits, node_without_bonds_comes_loose) {
   const Grid grid(2);
   const std::vector<std::array<int, 2>> parted{{grid.at(1, 1), grid.at(0, 1)},

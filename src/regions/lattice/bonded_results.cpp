@@ -1,3 +1,5 @@
+#include <array>
+
 #include "error.hpp"
 #include "pd/deformation.hpp"
 #include "regions/lattice/bonded_region.hpp"
