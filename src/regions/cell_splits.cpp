@@ -92,13 +92,10 @@ int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count)
 
 // Sides that are left get no points in between, so that the pieces fit the cells beside; but where a crack ends.
 void CellSplitter::split(std::size_t cell) {
-  const auto piece = [&](int a, int b, int c, int d) {
-    result_.nodes.insert(result_.nodes.end(), {a, b, c, d});
-  };
+  const auto piece = [&](int a, int b, int c, int d) { result_.nodes.insert(result_.nodes.end(), {a, b, c, d}); };
   const auto at = [&](std::size_t k) { return corner(cell, k); };
   if (parted_sides(cell) == 1) {
-    for (std::size_t k = 0; k < 4; ++k)
-      piece(at(k), middle(cell, k, k), centre(cell, 0, 4), middle(cell, k + 3, k));
+    for (std::size_t k = 0; k < 4; ++k) piece(at(k), middle(cell, k, k), centre(cell, 0, 4), middle(cell, k + 3, k));
     return;
   }
   for (std::size_t k = 0; k < 4; ++k) {

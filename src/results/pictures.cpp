@@ -61,7 +61,8 @@ void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region
     // Triangles among quadrangles have a corner twice.
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     if (nodes.size() > 2 && nodes.front() == nodes.back()) nodes.pop_back();
-    grid.add_cell(nodes.size() == 3 && block.cell == output::VtuCell::quad ? output::VtuCell::triangle : block.cell, nodes);
+    grid.add_cell(nodes.size() == 3 && block.cell == output::VtuCell::quad ? output::VtuCell::triangle : block.cell,
+                  nodes);
     std::get<std::vector<std::int32_t>>(grid.cell_data[0].values).push_back(region.id());
   }
 }
