@@ -294,7 +294,7 @@ fn files_are_written() {
     }
     let mut restarted = common::plate().model;
     restarted.step(0.01).unwrap();
-    assert!(restarted.write_snapshot(folder.join("run")).unwrap_err().message.contains("of another run"));
+    assert!(restarted.write_snapshot(folder.join("run")).unwrap_err().to_string().contains("of another run"));
     restarted.set_option_text("snapshots.existing", "continue").unwrap();
     restarted.write_snapshot(folder.join("run")).unwrap();
     assert!(folder.join("run_0001_lattice.vtu").exists());
