@@ -37,6 +37,20 @@ endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/python/bempd" DESTINATION lib/python3/dist-packages
         COMPONENT python EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 
+# So that pip lists it, and does not install a second one for those that need it.
+set(metadata_dir "lib/python3/dist-packages/bempd-${PROJECT_VERSION}.dist-info")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/python_metadata.in" "${generated_dir}/METADATA" @ONLY)
+file(WRITE "${generated_dir}/INSTALLER" "debian\n")
+install(FILES "${generated_dir}/METADATA" "${generated_dir}/INSTALLER" DESTINATION "${metadata_dir}" COMPONENT python
+        EXCLUDE_FROM_ALL)
+install(FILES "${PROJECT_SOURCE_DIR}/bindings/python/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/python3-bempd" COMPONENT python EXCLUDE_FROM_ALL)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/python3-bempd" RENAME copyright
+        COMPONENT python EXCLUDE_FROM_ALL)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/first_crack" DESTINATION
+        "${CMAKE_INSTALL_DATADIR}/doc/python3-bempd/examples" COMPONENT python EXCLUDE_FROM_ALL
+        FILES_MATCHING PATTERN "*.py" PATTERN "README.md")
+
 # The prefix is found from the file itself, so that the installed tree can be moved.
 function(bempd_pkgconfig_path result dir)
   if(IS_ABSOLUTE "${dir}")
@@ -53,5 +67,11 @@ else()
   file(RELATIVE_PATH pc_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
   string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${pc_prefix}")
 endif()
-configure_file("${PROJECT_SOURCE_DIR}/cmake/bempd.pc.in" "${generated_dir}/bempd.pc" @ONLY)
+foreach(name bempd bempd-fortran)
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in" "${generated_dir}/${name}.pc" @ONLY)
+endforeach()
 install(FILES "${generated_dir}/bempd.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+if(TARGET bempd_fortran)
+  install(FILES "${generated_dir}/bempd-fortran.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+          COMPONENT development)
+endif()

@@ -16,7 +16,7 @@ def draw(example, **figure_options):
     runs = options.runs or plotting.written_runs(options.folder)
     for run in runs:
         print(f"wrote {plotting.fracture_figure(options.folder, run, **figure_options)}")
-    panels = [(f"{run.replace('_', ', ')}, first break", run) for run in runs]
-    picture = field_plots.contour_figure(options.folder, "fields", panels, length_unit=1e-3, length_name="mm")
+    panels = [(f"{run.replace('_', ', ')}, first break", plotting.first_break_snapshot(options.folder, run)) for run in runs]
+    picture = field_plots.cracked_figure(options.folder, "fields", panels, length_unit=1e-3, length_name="mm")
     if picture:
         print(f"wrote {picture}")

@@ -3,12 +3,15 @@
 Expected in one folder:
     line_CASE_SCHEME.csv      columns "x", "u1", "u2" along the centre line
     grid_NAME.csv             columns "x", "y", "u1", "u2" on a grid, row by row
+and of runs with cracks the snapshots.
 Lengths are in metres. Needs numpy and matplotlib.
 """
 
 import pathlib
 
 import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.ticker import MaxNLocator
 from plotting import MARK, STYLE, engineering, plt, read_history
 
 SCHEME_STYLE = {"symmetric": "-", "paper": "--"}
@@ -86,6 +89,59 @@ def line_figure(folder, name, component, references):
     return target
 
 
+def add_bar(axes, mapped, label):
+    """A colour bar as high as the axes, so that panels of a row are of one height."""
+    place = axes.inset_axes([1.03, 0, 0.03, 1])
+    bar = axes.figure.colorbar(mapped, cax=place, label=label, ticks=MaxNLocator(5))
+    bar.outline.set_linewidth(0.5)
+
+
+def triangles_of(mesh):
+    """Cells of a lattice or of an inside as triangles."""
+    halves = [mesh.cells_dict["quad"][:, corners] for corners in ([0, 1, 2], [0, 2, 3])] if "quad" in mesh.cells_dict else []
+    return np.concatenate([*halves, *([mesh.cells_dict["triangle"]] if "triangle" in mesh.cells_dict else [])])
+
+
+def draw_cracked(axes, snapshot, component, length_unit):
+    """Contours that end at cracks: cells are split there, and those of the two sides have no point in common."""
+    meshes = [snapshot.mesh(part) for part in ("inside", "lattice") if part in snapshot.files]
+    values = [mesh.point_data["displacement"][:, component] for mesh in meshes]
+    factor, unit = engineering(max(np.abs(of_part).max() for of_part in values), "m")
+    low, high = (factor * edge(edge(of_part) for of_part in values) for edge in (min, max))
+    levels = MaxNLocator(14).tick_values(low, high)
+    for mesh, of_part in zip(meshes, values):
+        x, y = mesh.points[:, 0] / length_unit, mesh.points[:, 1] / length_unit
+        filled = axes.tricontourf(x, y, triangles_of(mesh), factor * of_part, levels=levels, cmap=FIELD_COLOURS)
+        axes.tricontour(x, y, triangles_of(mesh), factor * of_part, levels=levels, colors="white", linewidths=0.3)
+    cracks = snapshot.mesh("cracks")
+    if cracks is not None and "line3" in cracks.cells_dict:
+        lines = cracks.points[cracks.cells_dict["line3"][:, :2], :2] / length_unit
+        axes.add_collection(LineCollection(list(lines), colors="black", linewidths=1.2, capstyle="round"))
+    axes.set_aspect("equal")
+    return filled, f"u{component + 1} [{unit}]"
+
+
+def cracked_figure(folder, name, panels, *, length_unit=1.0, length_name="m"):
+    """u1 and u2 of every panel (title, snapshot), a row each, written to FOLDER/NAME.png."""
+    panels = [(title, snapshot) for title, snapshot in panels if snapshot is not None]
+    if not panels:
+        return None
+    with plt.rc_context(STYLE):
+        figure, rows = plt.subplots(len(panels), 2, figsize=(9, 3.9 * len(panels)), squeeze=False, layout="constrained",
+                                    sharex=True, sharey=True)
+        for (title, snapshot), row in zip(panels, rows):
+            for component, axes in enumerate(row):
+                add_bar(axes, *draw_cracked(axes, snapshot, component, length_unit))
+                axes.set_title(title)
+            row[0].set_ylabel(f"y [{length_name}]")
+        for axes in rows[-1]:
+            axes.set_xlabel(f"x [{length_name}]")
+        target = pathlib.Path(folder) / f"{name}.png"
+        figure.savefig(target, dpi=160)
+        plt.close(figure)
+    return target
+
+
 def draw_contours(axes, grid, component, length_unit):
     factor, unit = engineering(np.abs(grid[component]).max(), "m")
     values = factor * grid[component]
@@ -105,14 +161,14 @@ def contour_figure(folder, name, panels, *, length_unit=1.0, length_name="m"):
     if not found:
         return None
     first = found[0][1]
-    height = 0.7 + 4.0 * np.ptp(first["y"]) / np.ptp(first["x"])
+    height = 0.45 + 4.0 * np.ptp(first["y"]) / np.ptp(first["x"])
     with plt.rc_context(STYLE):
         figure, rows = plt.subplots(len(found), 2, figsize=(10, height * len(found) + 0.3), squeeze=False,
                                     layout="constrained", sharex=True, sharey=True)
         for (title, grid), row in zip(found, rows):
             for axes, component in zip(row, ("u1", "u2")):
                 filled, label = draw_contours(axes, grid, component, length_unit)
-                figure.colorbar(filled, ax=axes, label=label, shrink=0.9, pad=0.02)
+                add_bar(axes, filled, label)
                 axes.set_title(title)
             row[0].set_ylabel(f"y [{length_name}]")
         for axes in rows[-1]:

@@ -48,7 +48,12 @@ class Snapshot:
     files: dict  # part ("lattice", "boundary") -> path
 
     def mesh(self, part):
-        return meshio.read(self.files[part]) if part in self.files else None
+        if part not in self.files:
+            return None
+        try:
+            return meshio.read(self.files[part])
+        except IndexError:  # what meshio makes of a file without cells, such as that of cracks while there are none
+            return None
 
     def damage(self):
         mesh = self.mesh("lattice")
@@ -221,12 +226,12 @@ def is_separated(history, reaction):
 
 
 def draw_load_displacement(axes, history, reaction, displacement, displacement_label):
-    """Reaction against imposed displacement, with the first break and the end of growth."""
+    """Reaction of a plate of 1 m thickness against imposed displacement, with the first break and the end of growth."""
     imposed = displacement * history["load_factor"]
     load = history[reaction]
     load = load * np.sign(load[np.argmax(np.abs(load))])
     to_length, length_unit = engineering(np.abs(imposed).max(), "m")
-    to_force, force_unit = engineering(np.abs(load).max(), "N")
+    to_force, force_unit = engineering(np.abs(load).max(), "N/m")
     x, y = np.append(0, imposed) * to_length, np.append(0, load) * to_force
     axes.plot(x, y, color=CURVE, linewidth=1.3, zorder=2)
     rows = growth_rows(history)
@@ -238,7 +243,7 @@ def draw_load_displacement(axes, history, reaction, displacement, displacement_l
                       label=f"{text}: {at[0]:.3g} {length_unit}, {0 if at[1] < 1e-6 * y.max() else at[1]:.3g} {force_unit}")
         axes.legend(loc="upper left", handletextpad=0.3, borderaxespad=0.3)
     axes.set_xlabel(f"{displacement_label} [{length_unit}]")
-    axes.set_ylabel(f"reaction [{force_unit}]")
+    axes.set_ylabel(f"reaction per thickness [{force_unit}]")
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=min(0, y.min() * 1.05), top=y.max() * 1.25)
     axes.grid(color="#dddddd", linewidth=0.5)
@@ -265,6 +270,16 @@ def draw_broken_bonds(axes, history, load, load_label, load_unit):
     axes.set_axisbelow(True)
 
 
+def stage_titles(stages, loads, unit):
+    """Each with its load; a load that is that of the stage before, as where growth is unstable, is not told twice."""
+    titles, before = [], None
+    for stage, load in zip(stages, loads):
+        shown = f"{load:.3g} {unit}"
+        titles.append(f"{stage.title}, same load" if shown == before else f"{stage.title}, {shown}")
+        before = shown
+    return titles
+
+
 def fracture_figure(folder, name, *, load, load_label, load_unit="m", reaction=None, critical_stretch=None,
                     magnification=None, end_title=None, length_unit=1e-3, length_name="mm"):
     """Stages of the crack beside the load curve, written to FOLDER/NAME.png.
@@ -289,9 +304,10 @@ def fracture_figure(folder, name, *, load, load_label, load_unit="m", reaction=N
         figure = plt.figure(figsize=(2.35 * len(stages) + 4.6, 3.1), layout="constrained")
         left, right = figure.subfigures(1, 2, width_ratios=[2.35 * len(stages) + 0.8, 3.8])
         panels = left.subplots(1, len(stages), sharex=True, sharey=True, squeeze=False)[0]
-        for axes, stage in zip(panels, stages):
+        titles = stage_titles(stages, [load * stage.snapshot.load_factor * to_load for stage in stages], unit)
+        for axes, stage, title in zip(panels, stages, titles):
             cells = draw_stage(axes, stage.snapshot, magnification, length_unit, critical_stretch, largest_damage)
-            axes.set_title(f"{stage.title}, {load * stage.snapshot.load_factor * to_load:.3g} {unit}")
+            axes.set_title(title)
             axes.set_xlabel(f"x [{length_name}]")
         panels[0].set_ylabel(f"y [{length_name}]")
         if cells is not None:
@@ -309,6 +325,13 @@ def fracture_figure(folder, name, *, load, load_label, load_unit="m", reaction=N
         figure.savefig(target, dpi=200)
         plt.close(figure)
     return target
+
+
+def first_break_snapshot(folder, run):
+    """The snapshot at which bonds have just begun to break, or None; runs write theirs after the first event."""
+    collection = pathlib.Path(folder) / f"{run}.pvd"
+    snapshots = read_series(collection) if collection.exists() else []
+    return snapshots[0] if snapshots else None
 
 
 def written_runs(folder):

@@ -63,7 +63,7 @@ for name in "$@"; do
       /usr/bin/python3 "examples/$name/main.py"
     continue
   fi
-  "build/release/examples/example_$name"
+  "build/release/examples/example_$name" | tee "out/$name/printed.txt"
   if [ -f "examples/$name/plot.py" ]; then
     MPLBACKEND=Agg /usr/bin/python3 "examples/$name/plot.py"
   fi

@@ -2,8 +2,8 @@
 # Builds and tests everything; installs missing Debian packages first.
 #   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
 #   tests/run.sh quick  the default backend only
-#   tests/run.sh long   all of it, the library without the scheme paper, then unit tests under the sanitizers, threads,
-#                       clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target,
+#   tests/run.sh long   all of it, the site of documents looked at in Chromium, the library without the scheme paper, then
+#                       unit tests under the sanitizers, threads, clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target,
 #                       BEMPD_SCENES, 20000, and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or
 #                       lengthen them)
 set -euo pipefail
@@ -13,7 +13,7 @@ cd "$root"
 case "${1:-all}" in
   all) stages=(ci ci-eigen fetch-sanitize) ;;
   quick) stages=(ci) ;;
-  long) stages=(ci scenes backends memory ci-symmetric ci-eigen fetch-sanitize sanitize tsan clang fuzz) ;;
+  long) stages=(ci site scenes backends memory ci-symmetric ci-eigen fetch-sanitize sanitize tsan clang fuzz) ;;
   *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
 esac
 
@@ -23,7 +23,7 @@ export PATH="/usr/bin:/bin:$PATH"
   libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio abigail-tools clang-format \
   clang libclang-rt-14-dev \
   python3-pycparser bindgen rustfmt cargo rustc gfortran valgrind dpkg-dev file \
-  python3-cffi python3-pytest python3-pil mypy python3-pip python3-setuptools python3-wheel python3-venv
+  python3-cffi python3-pytest python3-pil python3-vtk9 mypy python3-pip python3-setuptools python3-wheel python3-venv
 
 jobs=$(nproc)
 fuzz_seconds=${BEMPD_FUZZ_SECONDS:-1800}
@@ -59,6 +59,7 @@ run_stage() {
   case "$1" in
     ci) run_presets ci && cmake --build --preset ci --target format-check ;;
     fetch-sanitize) (cd tests/package/consumer && run_presets fetch-sanitize) ;;
+    site) BEMPD_LIBRARY="$root/build/ci/src/capi/libbempd.so" docs/build.sh look ;;
     scenes) with_library ci python3 tests/differential/random_scenes.py --count "$scenes" &&
       with_library ci python3 tests/differential/properties.py --count "$((scenes / 20))" ;;
     backends) cmake --preset ci -B build/eigen -D BEMPD_LINALG=eigen && cmake --build build/eigen -j "$jobs" --target bempd &&

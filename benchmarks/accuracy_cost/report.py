@@ -82,31 +82,62 @@ def front(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
     return kept
 
 
-def draw(path: Path, trials: Sequence[Row], tried: Sequence[Row]) -> None:
-    """Pareto fronts: the plates in time against peers, and all scenes in time and in memory."""
-    figure, axes = plt.subplots(1, 5, figsize=(15, 3.4), layout="constrained", sharey=True)
-    for axis, problem in zip(axes, PROBLEMS):
-        for program, colour in COLOURS.items():
-            points = [(r["seconds_solve"], r["error"]) for r in tried
-                      if r["problem"] == problem and r["program"] == program]
-            if points:
-                axis.loglog(*zip(*points), ".", color=colour, alpha=0.3, markersize=4)
-                axis.loglog(*zip(*front(points)), "-o", color=colour, label=program, markersize=3, linewidth=1.2)
-        axis.axhline(TARGET, color="grey", linewidth=0.6, linestyle=":")
-        axis.set(title=f"{problem}: whole solve without meshing", xlabel="seconds, one core")
-    for axis, price, label in ((axes[3], "seconds", "seconds"), (axes[4], "megabytes", "megabytes")):
-        good = [row for row in trials if "refused" not in row and row["error"] > LEAST_ERROR]
-        for scene in dict.fromkeys(row["scene"] for row in good):
-            points = [(max(row[price], 1e-4), row["error"]) for row in good if row["scene"] == scene]
-            axis.loglog(*zip(*front(points)), "-o", label=scene, markersize=3, linewidth=1)
-        axis.set(title="bempd: every scene over all its knobs", xlabel=label)
-    axes[0].set_ylabel("relative error")
-    axes[0].legend(fontsize=8)
-    axes[3].legend(fontsize=6.5)
-    for axis in axes:
-        axis.title.set_fontsize(9)
-        axis.set_ylim(LEAST_ERROR, 1)
-    figure.savefig(path, dpi=80)
+# What a scene is made of: none of these is the colour of a program.
+FAMILIES = {"boundary elements": ("#5e3c99", ["lame", "kirsch", "cantilever", "plate", "shear", "hole", "l_shape"]),
+            "coupled with a lattice": ("#008b8b", ["coupled_cantilever"]),
+            "plates torn apart": ("#6b6b6b", ["centre_crack", "slanted_crack"])}
+
+
+def draw_duel(axis: Any, best: Sequence[Row]) -> None:
+    """Bars: the time to the target, problem by problem."""
+    programs = [name for name in COLOURS if any(row["program"] == name for row in best)]
+    for k, problem in enumerate(PROBLEMS):
+        for j, program in enumerate(programs):
+            own = [row for row in best if row["problem"] == problem and row["program"] == program]
+            place = len(PROBLEMS) - 1 - k + 0.2 * (1.5 - j)
+            label = program if k == 0 else None
+            if own:
+                seconds = own[0]["seconds_solve"]
+                axis.barh(place, 1e3 * seconds, 0.18, color=COLOURS[program], label=label)
+                axis.text(1.1e3 * seconds, place, f"{1e3 * seconds:.{1 if seconds < 0.01 else 0}f}", va="center",
+                          fontsize=10)
+            else:
+                axis.barh(place, 0, 0.18, color=COLOURS[program], label=label)
+                axis.text(0.45, place, f"{program}: not reached", va="center", fontsize=9, color=COLOURS[program])
+    axis.set(xscale="log", xlim=(0.4, 3e4), yticks=range(len(PROBLEMS)), xlabel="milliseconds, one core, without meshing",
+             title=f"Time to a displacement within {TARGET:g}")
+    axis.set_yticklabels(list(PROBLEMS)[::-1])
+    axis.legend(fontsize=10, loc="upper right", frameon=False)
+
+
+def draw_prices(axis: Any, trials: Sequence[Row], price: str, factor: float) -> None:
+    """Errors over a price: the front of every scene, named at its end."""
+    for family, (colour, scenes) in FAMILIES.items():
+        for scene in scenes:
+            points = front([(factor * max(row[price], 1e-4), row["error"]) for row in trials if row["scene"] == scene])
+            if not points:
+                continue
+            axis.loglog(*zip(*points), "-o", color=colour, markersize=4, linewidth=1.4, label=family if scene == scenes[0] else None)
+            lower = {"plate": -12, "lame": -12}.get(scene, -2)
+            axis.annotate(scene.replace("_", " "), points[-1], (5, lower), textcoords="offset points", fontsize=9.5, color=colour)
+
+
+def draw(path: Path, trials: Sequence[Row], best: Sequence[Row]) -> None:
+    """The plates against peers, and all scenes in time and in memory."""
+    good = [row for row in trials if "refused" not in row and row["error"] > LEAST_ERROR]
+    with plt.rc_context({"font.size": 11, "axes.titlesize": 12, "axes.labelsize": 11}):
+        figure, axes = plt.subplots(1, 3, figsize=(15, 5), layout="constrained", width_ratios=[1, 1.15, 1.15])
+        draw_duel(axes[0], best)
+        draw_prices(axes[1], good, "seconds", 1e3)
+        draw_prices(axes[2], good, "megabytes", 1)
+        axes[1].set(title="Error against time, every scene over its knobs", xlabel="milliseconds", ylabel="relative error",
+                    xlim=(0.4, 5e4))
+        axes[2].set(title="Error against memory", xlabel="megabytes", xlim=(1.5, 3e3))
+        axes[1].legend(fontsize=10, frameon=False, loc="lower right")
+        for axis in axes[1:]:
+            axis.grid(color="#dddddd", linewidth=0.5)
+            axis.set_ylim(1e-7, 1)
+        figure.savefig(path, dpi=120)
 
 
 def shown(settings: Row, key: str) -> str:

@@ -47,7 +47,7 @@ def main() -> None:
         "## Machine limits\n", limits_table(machine), "## Every knob\n", sweep_tables(trials, SWEEP_COLUMNS),
         "## Plates torn apart\n", sweep_tables(cracks, crack_columns())])
     (folder / "table.md").write_text(text)
-    draw(folder / "accuracy_cost.png", trials + cracks, [row for row in tried if row["error"] > 0])
+    draw(folder / "accuracy_cost.png", trials + cracks, best)
     print((folder / "rows.csv").read_text())
     print(text)
 

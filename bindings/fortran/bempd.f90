@@ -53,8 +53,8 @@ module bempd
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
-    procedure :: load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds
-    procedure :: reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
+    procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
+    procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
   end type bempd_model
@@ -88,7 +88,8 @@ module bempd
     set_load_values, &
     set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
     step_to_next_event, run_to_separation, step_to_values, &
-    load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
+    load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field, copy_elements, copy_bonds, &
+    reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
     history, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
@@ -486,6 +487,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine copy_field
+    ! As copy_field, into an array of the host's own that has the field's shape, (components,n).
+    module subroutine fill_field(self, region, field, values, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, field
+      real(c_double), intent(inout) :: values(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine fill_field
     module subroutine view_field(self, region, field, values, generation, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, field

@@ -2329,13 +2329,23 @@ module bempd_c
       integer(c_int) :: bempd_state_from_bytes
     end function bempd_state_from_bytes
 
-    !> Write the present state for ParaView: prefix_NNNN_lattice.vtu and prefix_NNNN_boundary.vtu with displacement,
-    !> damage and stress, prefix_NNNN_cracks.vtu with the openings of cracks in BEM regions (left face less right face),
-    !> and prefix.pvd, the series of all snapshots this model has written with this prefix.
+    !> Write the present state for ParaView. Open prefix.pvd: it has all snapshots of this prefix, with their parts.
     !>
-    !> With the option tips.record there is prefix_NNNN_tips.vtu, a point for every tip with what bempd_tip() has, and
-    !> among the cracks are those in peridynamic regions: a line in each cell of the lattice for every broken or cut
-    !> bond between nearest neighbours, with the opening that its elongation and its turning show.
+    !> prefix_NNNN_lattice.vtu: the cells of peridynamic regions, with displacement, damage and stress. Cells are split
+    !> along broken bonds, so that a warped crack opens; the points that this takes come behind the material points.
+    !> prefix_NNNN_boundary.vtu: boundary elements, with displacement, traction and stress. prefix_NNNN_inside.vtu: the
+    !> inside of BEM regions as triangles, open along cracks (option snapshots.inside). prefix_NNNN_cracks.vtu: cracks
+    !> as lines with their openings (left face less right face), those in lattices from cell to cell across every broken
+    !> or cut bond between nearest neighbours. With the option tips.record prefix_NNNN_tips.vtu, a point for every tip
+    !> with what bempd_tip() has. Stress is a 3 x 3 tensor, with the principal stresses in the plane as
+    !> principal_stress_1, the larger one, and principal_stress_2.
+    !>
+    !> The time of a snapshot is its load factor. Where that has not grown since the last snapshot the time does, by
+    !> 1e-9: times are distinct and follow the order of writing. Every file has load_factor, snapshot (their ordinal)
+    !> and events as field data.
+    !>
+    !> Files of another run with this prefix are refused as an input-output error, unless the option snapshots.existing
+    !> says to continue (a run restored from a state goes on behind them) or to replace.
     !>
     !> model [in]: the model
     !> prefix [in]: path without ending, UTF-8; the folder must exist

@@ -134,6 +134,25 @@ contains
     call finish(self, status, stat, errmsg)
   end procedure copy_field
 
+  module procedure fill_field
+    integer(c_int64_t), target :: count
+    integer(c_int32_t), target :: components
+    integer(c_int) :: status
+    character(200) :: sentence
+
+    count = 0
+    components = 0
+    status = bempd_field_size(self%handle, region, field, c_loc(count), c_loc(components))
+    if (status == BEMPD_OK .and. any(shape(values, c_int64_t) /= [int(components, c_int64_t), count])) then
+      write (sentence, '(4(a, i0), a)') "fill_field: values has the shape (", size(values, 1), ",", size(values, 2), &
+        "); the field has (", components, ",", count, "); give an array of this shape"
+      call refuse(self, trim(sentence), stat, errmsg)
+      return
+    end if
+    if (status == BEMPD_OK) status = bempd_copy_field(self%handle, region, field, size(values, kind=c_int64_t), values)
+    call finish(self, status, stat, errmsg)
+  end procedure fill_field
+
   module procedure view_field
     type(c_ptr) :: address
     integer(c_int64_t), target :: count, stamp

@@ -18,6 +18,16 @@ SOURCE_TREE = pathlib.Path(__file__).resolve().parents[2]
 SONAME = "libbempd.so.0"
 
 
+def compilers():
+    """As many as the processors that this process may use, and one for each gigabyte of memory, at most: without a
+    number some generators start all of them at once. CMAKE_BUILD_PARALLEL_LEVEL says otherwise."""
+    chosen = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "")
+    if chosen.isdigit() and int(chosen) > 0:
+        return int(chosen)
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    return max(1, min(len(os.sched_getaffinity(0)), memory // 2**30))
+
+
 def built_library(build_folder):
     """The shared library, built from the source tree around this folder."""
     if not (SOURCE_TREE / "include" / "bempd.h").is_file():
@@ -25,7 +35,8 @@ def built_library(build_folder):
     subprocess.check_call(["cmake", "-S", str(SOURCE_TREE), "-B", str(build_folder), "-D", "CMAKE_BUILD_TYPE=Release",
                            "-D", "BEMPD_BUILD_TESTS=OFF", "-D", "BEMPD_BUILD_EXAMPLES=OFF",
                            *shlex.split(os.environ.get("CMAKE_ARGS", ""))])
-    subprocess.check_call(["cmake", "--build", str(build_folder), "--target", "bempd", "--parallel"])
+    subprocess.check_call(["cmake", "--build", str(build_folder), "--target", "bempd", "--parallel",
+                           str(compilers())])
     return build_folder / "src" / "capi" / SONAME
 
 

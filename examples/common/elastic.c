@@ -99,5 +99,6 @@ void write_strip(bempd_model* model, const char* example, const char* case_name,
   snprintf(path, sizeof path, "out/%s/grid_%s_%s.csv", example, case_name, scheme);
   write_grid(model, path, length, height, 101, 21);
   snprintf(path, sizeof path, "out/%s/case_%s_%s", example, case_name, scheme);
+  ensure(model, bempd_set_option_text(model, "snapshots.existing", "replace"));
   ensure(model, bempd_write_snapshot(model, path));
 }

@@ -14,6 +14,8 @@ void step_as_the_paper(bempd_model* model) {
 static void write_stage(bempd_model* model, const crack_run* run, const char* stage, const char* prefix) {
   printf("# %-9s load factor %8.3f  bonds broken %5" PRId64 "  events %5" PRId64 "\n", stage, run->complete,
          run->last.total_broken_bonds, run->last.total_events);
+  /* Runs of examples are repeated at will. */
+  ensure(model, bempd_set_option_text(model, "snapshots.existing", "replace"));
   ensure(model, bempd_write_snapshot(model, prefix));
 }
 

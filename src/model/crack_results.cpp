@@ -47,7 +47,6 @@ std::vector<regions::CrackPicture> Model::crack_pictures() const {
     const auto pictures = region->crack_pictures(solution());
     cracks.insert(cracks.end(), pictures.begin(), pictures.end());
   }
-  if (!records_tips()) return cracks;
   const auto in_lattices = regions::lattice_crack_pictures(bonded_body(), solution().displacement);
   cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
   return cracks;

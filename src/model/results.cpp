@@ -100,8 +100,11 @@ std::vector<regions::PointValue> Model::evaluate(const std::vector<Point>& place
 
 void Model::write_snapshot(const std::string& prefix) {
   ensure_equilibrium();
-  snapshots_.write(prefix, load_factor(), prepared_->discretization, fields(),
-                   {crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()});
+  const results::CracksShown cracks{crack_pictures(), records_tips() ? tips() : std::vector<regions::TipValues>()};
+  snapshots_.write(prefix, {load_factor(), prepared_->evolution->progress().events},
+                   results::pictures(scene_, prepared_->discretization, solution(), fields(), cracks,
+                                     options_.number("snapshots.inside")),
+                   options_);
 }
 
 void Model::write_history(const std::string& path) const {

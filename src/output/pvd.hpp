@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,14 @@ namespace bempd::output {
 struct PvdEntry {
   double time = 0;
   int part = 0;
-  std::string file;  // relative to the collection's folder, with forward slashes
+  std::string file;    // relative to the collection's folder, with forward slashes
+  std::string name{};  // of the part
 };
 
 // ParaView collection. Throws std::system_error, also for names that XML cannot hold.
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);
+
+// The entries of a file that write_pvd() has written; nothing if it cannot be read as one.
+std::optional<std::vector<PvdEntry>> read_pvd(const std::filesystem::path& path);
 
 }  // namespace bempd::output

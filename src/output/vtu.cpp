@@ -30,11 +30,13 @@ class VtuFile {
   void close(std::string_view element) { text_.append("</").append(element).append(">\n"); }
 
   template <typename Number>
-  void add_array(std::string_view name, int components, const std::vector<Number>& values) {
+  void add_array(std::string_view name, int components, const std::vector<Number>& values, bool counted = false) {
     text_.append("<DataArray type=\"").append(vtk_type<Number>());
     text_.append("\" Name=\"").append(xml_escaped(name));
     // One is the default, and some readers make a matrix of a scalar field when it is given.
     if (components != 1) text_.append("\" NumberOfComponents=\"").append(to_text(std::int64_t{components}));
+    // Readers know how many entries points and cells have, but not the grid as a whole.
+    if (counted) text_.append("\" NumberOfTuples=\"").append(count_text(values.size() / components));
     text_.append("\" format=\"appended\" offset=\"").append(count_text(block_.size())).append("\"/>\n");
     const std::uint64_t size = values.size() * sizeof(Number);
     append_bytes(&size, sizeof size);
@@ -83,6 +85,14 @@ void add_data(VtuFile& file, std::string_view element, const std::vector<VtuArra
   file.close(element);
 }
 
+void add_field_data(VtuFile& file, const std::vector<VtuArray>& arrays) {
+  if (arrays.empty()) return;
+  file.open("FieldData");
+  for (const VtuArray& array : arrays)
+    std::visit([&](const auto& values) { file.add_array(array.name, array.components, values, true); }, array.values);
+  file.close("FieldData");
+}
+
 std::vector<double> coordinates(const std::vector<Point>& points) {
   std::vector<double> all;
   all.reserve(3 * points.size());
@@ -110,6 +120,7 @@ void write_vtu(const std::filesystem::path& path, const VtuGrid& grid) {
   assert(grid.offsets.empty() || grid.offsets.back() == static_cast<std::int64_t>(grid.connectivity.size()));
   VtuFile file;
   file.open("UnstructuredGrid");
+  add_field_data(file, grid.field_data);
   file.open("Piece NumberOfPoints=\"" + count_text(grid.points.size()) + "\" NumberOfCells=\"" +
             count_text(grid.types.size()) + "\"");
   add_data(file, "PointData", grid.point_data, grid.points.size());

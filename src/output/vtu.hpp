@@ -14,7 +14,7 @@ namespace bempd::output {
 enum class VtuCell : std::uint8_t {
   vertex = 1,
   line = 3,
-  triangle = 5,
+  triangle = 5,        // corners counter-clockwise
   quad = 9,            // corners counter-clockwise
   quadratic_edge = 21  // both ends, then the middle
 };
@@ -34,6 +34,7 @@ struct VtuGrid {
   std::vector<VtuCell> types;
   std::vector<VtuArray> point_data;
   std::vector<VtuArray> cell_data;
+  std::vector<VtuArray> field_data;  // of the whole grid
 
   void add_cell(VtuCell type, const std::vector<std::int64_t>& cell_points);
 };

@@ -55,6 +55,22 @@ std::string xml_escaped(std::string_view text) {
   return escaped;
 }
 
+std::string xml_unescaped(std::string_view escaped) {
+  std::string text;
+  while (!escaped.empty()) {
+    std::string_view taken = escaped.substr(0, 1);
+    char c = escaped.front();
+    for (const char known : {'&', '<', '>', '"', '\t', '\n', '\r'}) {
+      if (!escaped.starts_with(reference(known))) continue;
+      taken = reference(known);
+      c = known;
+    }
+    text += c;
+    escaped.remove_prefix(taken.size());
+  }
+  return text;
+}
+
 std::string_view vtk_byte_order() { return std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"; }
 
 }  // namespace bempd::output

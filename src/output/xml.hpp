@@ -12,6 +12,9 @@ bool fits_xml(std::string_view text);
 // Text that fits, written for a quoted attribute so that readers get the same characters back.
 std::string xml_escaped(std::string_view text);
 
+// The text that was written so.
+std::string xml_unescaped(std::string_view escaped);
+
 // Value of the byte_order attribute of VTK files written by this machine.
 std::string_view vtk_byte_order();
 

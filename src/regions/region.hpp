@@ -10,10 +10,12 @@
 
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "geometry/crack_lines.hpp"
 #include "geometry/edge.hpp"
 #include "output/vtu.hpp"
 #include "pd/network.hpp"
 #include "pd/tip_law.hpp"
+#include "regions/cell_splits.hpp"
 #include "regions/fields.hpp"
 #include "regions/preparation.hpp"
 #include "scene/material.hpp"
@@ -75,10 +77,11 @@ struct Overlap {
   double depth;  // [m]
 };
 
-// Elements on a crack for a picture: start, middle and end of each one, with the openings there [m].
+// Elements on a crack for a picture: start, middle and end of each one, with the openings there and the mean of the
+// displacements of both faces [m].
 struct CrackPicture {
   int crack;
-  std::vector<Point> places, openings;
+  std::vector<Point> places, openings, displacements;
 };
 
 // Places of material points: origin + spacing * (i, j).
@@ -96,6 +99,12 @@ struct RegionOperator {
 struct Cells {
   int nodes_per_cell;
   std::vector<std::int32_t> nodes;  // in the region's own numbering
+};
+
+// Cells as a picture shows them, with points beside the nodes.
+struct RegionPicture {
+  std::vector<AddedPoint> added;  // numbered after the nodes
+  Cells cells;
 };
 
 // The part of a snapshot that a region is written to, together with the others that name it.
@@ -208,6 +217,11 @@ class Region {
   virtual std::int64_t cell_count() const = 0;
   virtual Cells cells() const = 0;
   virtual SnapshotBlock snapshot_block() const = 0;
+  virtual RegionPicture picture(const Solution& /*solution*/) const { return {{}, cells()}; }
+  // Whether its cells are elements of its boundary, so that its inside takes a picture of its own.
+  virtual bool has_inside() const { return false; }
+  // Its cracks with elements; null without.
+  virtual const CrackLines* crack_lines() const { return nullptr; }
   // A field as a snapshot shows it, one entry a node.
   virtual FieldValues at_nodes(Field /*field*/, const FieldValues& values) const { return values; }
   // `fields` and the solution outlive the evaluator.

@@ -1,11 +1,13 @@
 #include "results/snapshots.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
-#include <filesystem>
+#include <limits>
 
 #include "error.hpp"
 #include "output/file.hpp"
-#include "output/pvd.hpp"
 #include "output/utf8.hpp"
 #include "output/vtu.hpp"
 #include "output/xml.hpp"
@@ -15,104 +17,31 @@ namespace bempd::results {
 
 namespace {
 
-using regions::Field;
-using regions::FieldValues;
-using regions::SnapshotBlock;
+namespace fs = std::filesystem;
+using output::PvdEntry;
 
-// Fields of several regions, one after the other.
-class GridBuilder {
- public:
-  explicit GridBuilder(SnapshotBlock block) : block_(std::move(block)) {
-    for (const SnapshotBlock::Array& array : block_.arrays)
-      grid_.point_data.push_back({array.name, regions::components_of(array.field), std::vector<double>()});
-    grid_.cell_data.push_back({"region", 1, std::vector<std::int32_t>()});
-  }
+const scene::OptionGroup snapshot_group(scene::OptionPlace::results, [] {
+  return std::vector<scene::OptionDescription>{
+      scene::text_option("snapshots.existing",
+                         "What the first snapshot of a model with some prefix does with files of another run that have "
+                         "this prefix: refuse, an error; continue, go on behind their last one, as a run that was "
+                         "restored from a state wants it; replace, begin anew over them.",
+                         "refuse | continue | replace", "refuse"),
+      scene::number_option("snapshots.inside",
+                           "Snapshots show the inside of BEM regions on triangles whose sides are the root of the "
+                           "region's area over this number; 0: the boundary alone.",
+                           12, 0, 1000, false)};
+});
 
-  void add_region(const regions::Region& region, const FieldsOfScene& fields) {
-    const auto first = static_cast<std::int64_t>(grid_.points.size());
-    const FieldValues& positions = fields(region.id(), Field::position);
-    for (std::size_t i = 0; i < positions.values.size(); i += 2)
-      grid_.points.emplace_back(positions.values[i], positions.values[i + 1]);
-    for (std::size_t f = 0; f < block_.arrays.size(); ++f) {
-      const Field field = block_.arrays[f].field;
-      const FieldValues at_nodes = region.at_nodes(field, fields(region.id(), field));
-      auto& values = std::get<std::vector<double>>(grid_.point_data[f].values);
-      values.insert(values.end(), at_nodes.values.begin(), at_nodes.values.end());
-    }
-    const regions::Cells cells = region.cells();
-    for (std::size_t e = 0; e < cells.nodes.size(); e += cells.nodes_per_cell) {
-      std::vector<std::int64_t> nodes;
-      nodes.reserve(static_cast<std::size_t>(cells.nodes_per_cell));
-      for (int k = 0; k < cells.nodes_per_cell; ++k) nodes.push_back(first + cells.nodes[e + k]);
-      // VTK lists the ends of a quadratic edge before its middle.
-      if (block_.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);
-      // The last corner of a triangle among quadrangles stands there twice.
-      const bool triangle = block_.cell == output::VtuCell::quad && nodes[2] == nodes[3];
-      if (triangle) nodes.pop_back();
-      grid_.add_cell(triangle ? output::VtuCell::triangle : block_.cell, nodes);
-      std::get<std::vector<std::int32_t>>(grid_.cell_data[0].values).push_back(region.id());
-    }
-  }
-
-  const output::VtuGrid& grid() const { return grid_; }
-  const std::string& name() const { return block_.name; }
-
- private:
-  SnapshotBlock block_;
-  output::VtuGrid grid_;
-};
-
-// Cracks, piece by piece.
-output::VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
-  output::VtuGrid grid;
-  std::vector<double> openings;
-  std::vector<std::int32_t> numbers;
-  for (const regions::CrackPicture& crack : cracks) {
-    for (std::size_t i = 0; i < crack.places.size(); i += 3) {
-      const auto first = static_cast<std::int64_t>(grid.points.size());
-      grid.add_cell(output::VtuCell::quadratic_edge, {first, first + 2, first + 1});
-      numbers.push_back(crack.crack);
-      for (std::size_t k = i; k < i + 3; ++k) {
-        grid.points.push_back(crack.places[k]);
-        openings.insert(openings.end(), {crack.openings[k].x(), crack.openings[k].y()});
-      }
-    }
-  }
-  grid.point_data.push_back({"opening", 2, std::move(openings)});
-  grid.cell_data.push_back({"crack", 1, std::move(numbers)});
-  return grid;
+fs::path with_ending(const fs::path& base, const std::string& ending) {
+  fs::path file = base;
+  file += ending;
+  return file;
 }
 
-// A point for each.
-output::VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
-  output::VtuGrid grid;
-  std::vector<double> directions;
-  std::vector<std::int32_t> cracks, ends, methods;
-  for (const regions::TipValues& tip : tips) {
-    grid.add_cell(output::VtuCell::vertex, {static_cast<std::int64_t>(grid.points.size())});
-    grid.points.push_back(tip.place);
-    directions.insert(directions.end(), {tip.direction.x(), tip.direction.y()});
-    cracks.push_back(tip.crack), ends.push_back(tip.end + 1), methods.push_back(static_cast<std::int32_t>(tip.method));
-  }
-  const auto add = [&](const char* name, const auto& number_of) {
-    std::vector<double> values;
-    for (const regions::TipValues& tip : tips) values.push_back(number_of(tip));
-    grid.point_data.push_back({name, 1, std::move(values)});
-  };
-  using Tip = regions::TipValues;
-  add("stress_intensity_1", [](const Tip& tip) { return tip.factors.x(); });
-  add("stress_intensity_2", [](const Tip& tip) { return tip.factors.y(); });
-  add("energy_release_rate", [](const Tip& tip) { return tip.energy_release_rate; });
-  add("t_stress", [](const Tip& tip) { return tip.stress_along; });
-  add("error", [](const Tip& tip) { return tip.error; });
-  add("kink_angle", [](const Tip& tip) { return tip.kink_angle; });
-  add("critical_load_factor", [](const Tip& tip) { return tip.critical_load_factor; });
-  add("felt_ahead", [](const Tip& tip) { return tip.felt_ahead; });
-  grid.point_data.push_back({"direction", 2, std::move(directions)});
-  grid.point_data.push_back({"crack", 1, std::move(cracks)});
-  grid.point_data.push_back({"end", 1, std::move(ends)});
-  grid.point_data.push_back({"method", 1, std::move(methods)});
-  return grid;
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(file, ignored));
 }
 
 void require_name_for_series(const std::string& prefix) {
@@ -121,43 +50,97 @@ void require_name_for_series(const std::string& prefix) {
           "control characters; give another name");
 }
 
+[[noreturn]] void refuse(const fs::path& file) {
+  fail(Failure::io, output::printable(file.native()),
+       " is there already, of another run; give another prefix, move the files away, or set the option "
+       "snapshots.existing to continue, to go on behind them, or to replace");
+}
+
+// The number of the moment in prefix_NNNN_part.vtu; -1 if there is none.
+int number_in(const std::string& file) {
+  const std::size_t end = file.rfind('_'), begin = end == std::string::npos ? end : file.rfind('_', end - 1);
+  int number = -1;
+  if (begin != std::string::npos) std::from_chars(file.data() + begin + 1, file.data() + end, number);
+  return number;
+}
+
+std::string text_of(int number) {
+  char text[16];
+  std::snprintf(text, sizeof text, "_%04d", number);
+  return text;
+}
+
+// Files that were not there before are gone again unless all could be written.
+class NewFiles {
+ public:
+  ~NewFiles() {
+    std::error_code ignored;
+    for (const fs::path& file : made_) fs::remove(file, ignored);
+  }
+  void write(const fs::path& file, const output::VtuGrid& grid) {
+    if (!is_there(file)) made_.push_back(file);
+    output::write_vtu(file, grid);
+  }
+  void keep() { made_.clear(); }
+
+ private:
+  std::vector<fs::path> made_;
+};
+
 }  // namespace
 
-void Snapshots::write(const std::string& prefix, double load_factor, const regions::Discretization& d,
-                      const FieldsOfScene& fields, const CracksShown& cracks) {
+// Times are load factors. Where the load factor has not grown the time does, by so little that it shows the same
+// number: viewers tell moments apart by their times, and show them in this order.
+double Snapshots::Series::time_of(double load_factor) const {
+  if (empty() || load_factor > entries.back().time) return load_factor;
+  const double last = entries.back().time, step = 1e-9 * (last == 0 ? 1 : std::abs(last));
+  return std::max(last + step, std::nextafter(last, std::numeric_limits<double>::infinity()));
+}
+
+Snapshots::Series Snapshots::begin(const fs::path& collection, const std::string& existing) {
+  Series series;
+  if (existing == "replace" || !is_there(collection)) return series;
+  if (existing == "refuse") refuse(collection);
+  auto read = output::read_pvd(collection);
+  if (!read)
+    fail(Failure::io, output::printable(collection.native()),
+         " is no series of snapshots that could be continued; give another prefix, or move it away");
+  series.entries = std::move(*read);
+  for (const PvdEntry& entry : series.entries) series.next = std::max(series.next, number_in(entry.file) + 1);
+  return series;
+}
+
+void Snapshots::write(const std::string& prefix, const Moment& moment, std::vector<PicturePart> parts,
+                      const scene::Options& options) {
   require_name_for_series(prefix);
-  const std::filesystem::path base = output::path_from_utf8(prefix);
-  std::vector<Moment>& series = series_[prefix];
-  char number[16];
-  std::snprintf(number, sizeof number, "_%04zu", series.size());
-  std::map<int, GridBuilder> blocks;
-  for (const auto& region : d.regions) {
-    SnapshotBlock block = region->snapshot_block();
-    const int at = block.number;
-    blocks.try_emplace(at, std::move(block)).first->second.add_region(*region, fields);
-  }
-  std::vector<Moment> all = series;
-  all.push_back({load_factor, {}});
+  const fs::path base = output::path_from_utf8(prefix), collection = with_ending(base, ".pvd");
+  const std::string existing = options.text_value("snapshots.existing");
+  const auto known = series_.find(prefix);
+  Series series = known == series_.end() ? begin(collection, existing) : known->second;
+  const auto file_of = [&](const PicturePart& part) {
+    return with_ending(base, text_of(series.next) + "_" + part.name + ".vtu");
+  };
+  const auto in_the_way = [&] {
+    return std::find_if(parts.begin(), parts.end(), [&](const PicturePart& part) { return is_there(file_of(part)); });
+  };
+  while (existing == "continue" && in_the_way() != parts.end()) ++series.next;
+  if (const auto found = in_the_way(); existing == "refuse" && found != parts.end()) refuse(file_of(*found));
+  const double time = series.time_of(moment.load_factor);
+  NewFiles files;
   writing([&] {
-    const auto write_block = [&](int at, const std::string& name, const output::VtuGrid& grid) {
-      std::filesystem::path file = base;
-      file += std::string(number) + "_" + name + ".vtu";
-      output::write_vtu(file, grid);
-      all.back().files.emplace(at, file.filename().generic_string());
-    };
-    for (const auto& [at, builder] : blocks) write_block(at, builder.name(), builder.grid());
-    constexpr int behind_regions = 100;
-    if (!cracks.faces.empty()) write_block(behind_regions, "cracks", grid_of(cracks.faces));
-    if (!cracks.tips.empty()) write_block(behind_regions + 1, "tips", grid_of(cracks.tips));
-    std::vector<output::PvdEntry> entries;
-    for (const Moment& moment : all) {
-      for (const auto& [block, file] : moment.files) entries.push_back({moment.load_factor, block, file});
+    for (PicturePart& part : parts) {
+      part.grid.field_data = {{"TimeValue", 1, std::vector<double>{time}},
+                              {"load_factor", 1, std::vector<double>{moment.load_factor}},
+                              {"snapshot", 1, std::vector<std::int32_t>{series.next}},
+                              {"events", 1, std::vector<double>{static_cast<double>(moment.events)}}};
+      files.write(file_of(part), part.grid);
+      series.entries.push_back({time, part.number, file_of(part).filename().generic_string(), part.name});
     }
-    std::filesystem::path collection = base;
-    collection += ".pvd";
-    output::write_pvd(collection, entries);
+    output::write_pvd(collection, series.entries);
   });
-  series = std::move(all);
+  ++series.next;
+  files.keep();
+  series_[prefix] = std::move(series);
 }
 
 }  // namespace bempd::results

@@ -1,33 +1,42 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "regions/discretization.hpp"
-#include "results/point_values.hpp"
+#include "output/pvd.hpp"
+#include "results/pictures.hpp"
+#include "scene/options.hpp"
 
 namespace bempd::results {
 
-// What a snapshot shows of cracks.
-struct CracksShown {
-  std::vector<regions::CrackPicture> faces;
-  std::vector<regions::TipValues> tips;
+// Where a run stands.
+struct Moment {
+  double load_factor;
+  std::int64_t events;
 };
 
-// Series of VTK files, one file a block of regions and moment, with a collection for each series.
+// Series of VTK files, one file a part and moment, with a collection for each series.
 class Snapshots {
  public:
-  // Adds a moment to the series of this prefix. Throws Error (io).
-  void write(const std::string& prefix, double load_factor, const regions::Discretization& discretization,
-             const FieldsOfScene& fields, const CracksShown& cracks);
+  // Adds a moment to the series of this prefix. Throws Error (io), also where files of another run are in the way and
+  // the options do not say what to do with them.
+  void write(const std::string& prefix, const Moment& moment, std::vector<PicturePart> parts,
+             const scene::Options& options);
 
  private:
-  struct Moment {
-    double load_factor;
-    std::map<int, std::string> files;  // by number of the block
+  struct Series {
+    std::vector<output::PvdEntry> entries;
+    int next = 0;  // number of the next moment
+
+    bool empty() const { return entries.empty(); }
+    double time_of(double load_factor) const;
   };
-  std::map<std::string, std::vector<Moment>> series_;  // by prefix
+
+  static Series begin(const std::filesystem::path& collection, const std::string& existing);
+
+  std::map<std::string, Series> series_;  // by prefix
 };
 
 }  // namespace bempd::results

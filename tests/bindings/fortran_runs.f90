@@ -74,6 +74,7 @@ program fortran_runs
   implicit none
 
   call views_alias_the_memory_of_the_library()
+  call fields_fill_arrays_of_the_host()
   call generation_tells_when_a_view_is_old()
   call progress_cancels_and_the_step_returns_to_its_start()
   call long_parts_are_told()
@@ -91,6 +92,7 @@ program fortran_runs
   call what_is_removed_leaves_no_trace()
   call history_and_statistics_belong_together()
   call the_path_of_equilibrium_costs_what_bonds_take()
+  call snapshots_of_another_run_are_kept()
   call models_are_freed_and_created_again()
   call finish_checks()
 
@@ -290,6 +292,50 @@ contains
     word = bempd_build()
     call check(index(word, "bempd " // bempd_version()) == 1, "the build tells the version")
   end subroutine options_are_set_listed_and_read_back
+
+  subroutine fields_fill_arrays_of_the_host()
+    type(bempd_model) :: model
+    real(dp), allocatable :: copy(:, :)
+    real(dp) :: fixed(2, 121), whole(3, 0:200), small(2, 5)
+    character(300) :: message
+    integer :: stat
+
+    call make_strip(model)
+    call model%step(.1_dp)
+    call model%copy_field(2, BEMPD_DISPLACEMENT, copy)
+    call model%fill_field(2, BEMPD_DISPLACEMENT, fixed)
+    call check(same_bits(copy, fixed), "a fixed array has the numbers of a copy")
+    whole = -7
+    call model%fill_field(2, BEMPD_DISPLACEMENT, whole(1:2, 10:130))
+    call check(same_bits(copy, whole(1:2, 10:130)), "a part of an array is filled")
+    call check(all(abs(whole(3, :) + 7) <= 0) .and. all(abs(whole(1, :9) + 7) <= 0), "and nothing around it")
+    small = 5
+    call model%fill_field(2, BEMPD_DISPLACEMENT, small, stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "(2,5); the field has (2,121)")
+    call model%fill_field(1, BEMPD_DAMAGE, small, stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_field_size: ")
+    call check(all(abs(small - 5) <= 0), "what is refused changes nothing")
+  end subroutine fields_fill_arrays_of_the_host
+
+  subroutine snapshots_of_another_run_are_kept()
+    type(bempd_model) :: first, second
+    character(300) :: message
+    integer :: stat
+    logical :: there
+
+    call make_strip(first)
+    call first%set_option("snapshots.existing", "replace")
+    call first%write_snapshot("fortran_snapshot")
+    call make_strip(second)
+    call second%write_snapshot("fortran_snapshot", stat, message)
+    call check_error(stat, BEMPD_ERROR_IO, message, "of another run")
+    call second%set_option("snapshots.existing", "continue")
+    call second%write_snapshot("fortran_snapshot")
+    inquire (file="fortran_snapshot_0001_inside.vtu", exist=there)
+    call check(there, "a continued series has the inside of boundary element regions")
+    call first%free()
+    call second%free()
+  end subroutine snapshots_of_another_run_are_kept
 
   subroutine indices_count_from_one()
     type(bempd_model) :: model

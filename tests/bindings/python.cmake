@@ -21,6 +21,9 @@ function(bempd_add_python_test name)
 endfunction()
 
 bempd_add_python_test(bindings.python -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/python")
+# Needs Debian's python3-vtk9.
+bempd_add_python_test(bindings.paraview "${CMAKE_CURRENT_SOURCE_DIR}/paraview_test.py")
+set_tests_properties(bindings.paraview PROPERTIES SKIP_RETURN_CODE 77)
 bempd_add_python_test(bindings.python_documentation -m pytest -q -p no:cacheprovider --doctest-modules
                       --doctest-glob=README.md "${python_package}/bempd" "${python_package}/README.md")
 bempd_add_python_test(bindings.python_types -m mypy --config-file "${python_package}/pyproject.toml"

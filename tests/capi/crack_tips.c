@@ -137,6 +137,7 @@ static void snapshots_show_the_openings(void) {
   FILE* file;
   bempd_model* model = cracked_plate(2, crack, 0);
   CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(model, bempd_set_option_text(model, "snapshots.existing", "replace"));
   CHECK_OK(model, bempd_write_snapshot(model, "crack_tips_snapshot"));
   for (int k = 0; k < 2; ++k) {
     snprintf(name, sizeof name, "crack_tips_snapshot%s", k == 0 ? ".pvd" : "_0000_cracks.vtu");

@@ -40,6 +40,31 @@ static int64_t readable_files_in_series(const char* series) {
   return count;
 }
 
+/** Nothing is left of an earlier run of this test. */
+static void clear_snapshots(void) {
+  static const char* const parts[] = {"lattice", "boundary", "inside", "cracks"};
+  char name[64];
+  remove("capi_snapshot.pvd");
+  for (int snapshot = 0; snapshot < 6; ++snapshot) {
+    for (int part = 0; part < 4; ++part) {
+      snprintf(name, sizeof name, "capi_snapshot_%04d_%s.vtu", snapshot, parts[part]);
+      remove(name);
+    }
+  }
+}
+
+/** The number of a snapshot's time in the series, in the order of writing. */
+static double time_of(const char* series, int snapshot) {
+  char name[32];
+  const char* at;
+  double time = -1.0;
+  snprintf(name, sizeof name, "snapshot_%04d_lattice", snapshot);
+  at = strstr(series, name);
+  while (at != NULL && at > series && strncmp(at, "timestep=\"", 10) != 0) --at;
+  if (at != NULL) sscanf(at, "timestep=\"%lf", &time);
+  return time;
+}
+
 static void snapshots_form_a_series(const coupled_plate* plate) {
   char* series;
   char* lattice;
@@ -51,7 +76,9 @@ static void snapshots_form_a_series(const coupled_plate* plate) {
   CHECK(series != NULL);
   if (series == NULL) return;
   CHECK(count_of(series, "_lattice.vtu") == 2 && count_of(series, "_boundary.vtu") == 2);
-  CHECK(readable_files_in_series(series) == 4);
+  CHECK(count_of(series, "_inside.vtu") == 2 && count_of(series, "_cracks.vtu") == 2);
+  CHECK(readable_files_in_series(series) == 8);
+  CHECK(time_of(series, 0) == 0.1 && time_of(series, 1) > 0.1);
   free(series);
   lattice = text_of("capi_snapshot_0000_lattice.vtu");
   if (lattice == NULL) lattice = text_of("capi_snapshot_0001_lattice.vtu");
@@ -60,6 +87,61 @@ static void snapshots_form_a_series(const coupled_plate* plate) {
   CHECK(strstr(lattice, "displacement") != NULL && strstr(lattice, "damage") != NULL);
   CHECK(strstr(lattice, "stress") != NULL && strstr(lattice, "nan") == NULL);
   free(lattice);
+}
+
+/** Events that share a load factor get times that grow; the load factor itself stands in every file. */
+static void times_are_distinct(const coupled_plate* plate) {
+  char* series;
+  double load_factor = 0.0, before;
+  CHECK_OK(plate->model, bempd_load_factor(plate->model, &load_factor));
+  CHECK_OK(plate->model, bempd_write_snapshot(plate->model, "capi_snapshot"));
+  CHECK_OK(plate->model, bempd_write_snapshot(plate->model, "capi_snapshot"));
+  series = text_of("capi_snapshot.pvd");
+  CHECK(series != NULL);
+  if (series == NULL) return;
+  before = time_of(series, 1);
+  CHECK(before == load_factor);
+  for (int k = 2; k < 4; ++k) {
+    CHECK(time_of(series, k) > before && time_of(series, k) < load_factor * (1 + 1e-8));
+    before = time_of(series, k);
+  }
+  free(series);
+  series = text_of("capi_snapshot_0003_cracks.vtu");
+  CHECK(series != NULL && strstr(series, "\"load_factor\"") != NULL && strstr(series, "\"snapshot\"") != NULL);
+  free(series);
+}
+
+/** Another model with the same prefix refuses, goes on behind, or begins anew, as it is told; what it cannot read it
+ *  leaves. */
+static void files_of_other_runs_are_kept(void) {
+  const coupled_plate other = coupled_plate_create();
+  char* series;
+  FILE* foreign;
+  CHECK_FAILS(other.model, BEMPD_ERROR_IO, "snapshots.existing", bempd_write_snapshot(other.model, "capi_snapshot"));
+  /* The series alone is gone: its files are in the way too. */
+  CHECK(rename("capi_snapshot.pvd", "capi_moved.pvd") == 0);
+  CHECK_FAILS(other.model, BEMPD_ERROR_IO, "capi_snapshot_0000", bempd_write_snapshot(other.model, "capi_snapshot"));
+  CHECK(rename("capi_moved.pvd", "capi_snapshot.pvd") == 0);
+  CHECK_FAILS(other.model, BEMPD_ERROR_ARGUMENT, "refuse",
+              bempd_set_option_text(other.model, "snapshots.existing", "overwrite"));
+  CHECK_OK(other.model, bempd_set_option_text(other.model, "snapshots.existing", "continue"));
+  CHECK_OK(other.model, bempd_step(other.model, 0.01, NULL));
+  CHECK_OK(other.model, bempd_write_snapshot(other.model, "capi_snapshot"));
+  series = text_of("capi_snapshot.pvd");
+  CHECK(series != NULL);
+  if (series == NULL) return;
+  CHECK(count_of(series, "_lattice.vtu") == 5 && time_of(series, 4) > time_of(series, 3));
+  free(series);
+  foreign = fopen("capi_foreign.pvd", "w");
+  CHECK(foreign != NULL);
+  if (foreign == NULL) return;
+  fputs("not a series", foreign);
+  fclose(foreign);
+  CHECK_FAILS(other.model, BEMPD_ERROR_IO, "no series", bempd_write_snapshot(other.model, "capi_foreign"));
+  series = text_of("capi_foreign.pvd");
+  CHECK(series != NULL && strcmp(series, "not a series") == 0);
+  free(series);
+  bempd_model_free(other.model);
 }
 
 static void history_is_a_table(const coupled_plate* plate) {
@@ -88,8 +170,11 @@ static void names_that_xml_cannot_hold_are_refused(const coupled_plate* plate) {
 
 int main(void) {
   const coupled_plate plate = coupled_plate_create();
+  clear_snapshots();
   names_that_xml_cannot_hold_are_refused(&plate);
   snapshots_form_a_series(&plate);
+  times_are_distinct(&plate);
+  files_of_other_runs_are_kept();
   history_is_a_table(&plate);
   bempd_model_free(plate.model);
   return check_finish();

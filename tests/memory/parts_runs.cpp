@@ -196,7 +196,11 @@ Call history_in(const char* path) {
 }
 
 Call snapshot() {
-  return {"write_snapshot", [](Host& h) { return bempd_write_snapshot(h.model, h.snapshot_prefix.c_str()); },
+  return {"write_snapshot",
+          [](Host& h) {
+            const bempd_status status = bempd_set_option_text(h.model, "snapshots.existing", "replace");
+            return status == BEMPD_OK ? bempd_write_snapshot(h.model, h.snapshot_prefix.c_str()) : status;
+          },
           [](Host& h) { return file_size(h.snapshot_prefix + ".pvd"); }};
 }
 

@@ -36,6 +36,15 @@ for program in ./consumer "/usr/bin/python3 -c 'import bempd; print(\"bempd\", b
   [ "$said" = "$expected" ] || { echo "expected '$expected'"; exit 1; }
 done
 
+# pip knows it, and its documents are there.
+modules=$root/usr/lib/python3/dist-packages
+listed=$(/usr/bin/python3 -m pip --disable-pip-version-check list --path "$modules" --format freeze | sed 's/==/ /')
+echo "pip: $listed"
+[ "$listed" = "$expected" ] || { echo "expected pip to list '$expected'"; exit 1; }
+for document in README.md CHANGELOG.md copyright examples/first_crack/main.py; do
+  [ -s "$root/usr/share/doc/python3-bempd/$document" ] || { echo "python3-bempd has no $document"; exit 1; }
+done
+
 "${in_root[@]}" --purge $(dpkg "--root=$root" --force-not-root --get-selections | awk '{ print $1 }') >remove.log 2>&1 ||
   { cat remove.log; exit 1; }
 files >after

@@ -20,6 +20,22 @@ empty.mkdir(parents=True)
 # A copy, since setuptools leaves files in the folder that it builds.
 package = shutil.copytree(source_tree / "bindings" / "python", work / "package",
                           ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
+# What builds the library starts as many compilers as there are processors, or as it is told.
+seen = work / "cmake calls"
+(work / "bin").mkdir()
+(work / "bin" / "cmake").write_text(f'#!/bin/sh\necho "$@" >>"{seen}"\n')
+(work / "bin" / "cmake").chmod(0o755)
+for level, expected in ((None, None), ("3", "3")):
+    seen.unlink(missing_ok=True)
+    building = {**os.environ, "PATH": f"{work / 'bin'}:{os.environ['PATH']}", **({"CMAKE_BUILD_PARALLEL_LEVEL": level} if level else {})}
+    building.pop("BEMPD_LIBRARY", None)
+    failed = subprocess.run([sys.executable, source_tree / "bindings/python/setup.py", "-q", "build_py", "-d", work / "nothing"],
+                            cwd=source_tree / "bindings/python", env=building, capture_output=True, text=True)
+    assert "there is no shared library" in failed.stderr, failed.stderr
+    number = seen.read_text().split("--parallel")[1].split()[0]
+    assert number == expected if expected else 1 <= int(number) <= len(os.sched_getaffinity(0)), number
+shutil.rmtree(source_tree / "bindings/python/build", ignore_errors=True)
+
 pip = ["-m", "pip", "--disable-pip-version-check", "--quiet"]
 subprocess.run([sys.executable, *pip, "wheel", "--no-build-isolation", "--no-deps", "--no-index", "-w", work, package],
                check=True, cwd=empty)

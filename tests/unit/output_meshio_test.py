@@ -37,6 +37,7 @@ def check_vtu(folder):
     assert mesh.point_data["id"].dtype == np.int32
     np.testing.assert_array_equal(mesh.point_data["id"], count - 4)
     np.testing.assert_array_equal(np.concatenate(mesh.cell_data["region"]), [1, 2, 3, 4, 5])
+    assert {name: values.tolist() for name, values in mesh.field_data.items()} == {"load_factor": [0.25], "snapshot": [3]}
     named = np.concatenate(mesh.cell_data['a < b & "c" \u00e4'])
     np.testing.assert_array_equal(named, np.tile([0.125, 0.125, 0], (5, 1)))
 

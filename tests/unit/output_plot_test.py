@@ -35,6 +35,9 @@ with tempfile.TemporaryDirectory() as name:
     assert [history["load_factor"][row] for row in plotting.growth_rows(history)] == [281, 400]
     assert plotting.engineering(8.2e-6, "m")[1] == "\u00b5m" and plotting.engineering(2e4, "N") == (1e-3, "kN")
 
+    titles = plotting.stage_titles(stages, [5.57, 6.301, 6.302], "um")
+    assert titles == ["First damage, 5.57 um", "Half way, 6.3 um", "Complete, same load"], titles
+
     script = examples / "centre_crack" / "plot.py"
     subprocess.run([sys.executable, script, folder, "crack"], check=True)
     picture = (folder / "crack.png").read_bytes()

@@ -31,6 +31,7 @@ VtuGrid all_cell_types() {
     number.push_back(i - 4);
   }
   grid.point_data = {{"damage", 1, scalar}, {"displacement", 2, vector}, {"stress", 3, triple}, {"id", 1, number}};
+  grid.field_data = {{"load_factor", 1, std::vector<double>{0.25}}, {"snapshot", 1, std::vector<std::int32_t>{3}}};
   grid.cell_data = {{"region", 1, std::vector<std::int32_t>{1, 2, 3, 4, 5}},
                     {"a < b & \"c\" \xC3\xA4", 2, std::vector<double>(10, 0.125)}};
   return grid;

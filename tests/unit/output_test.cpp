@@ -88,6 +88,22 @@ TEST_F(OutputFiles, paths_are_utf8_and_nothing_else_stays_in_the_folder) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(OutputFiles, series_is_read_back_as_it_was_written) {
+  const std::vector<PvdEntry> series{{-1.0 / 3, 0, "a \"b\" & <c>\n_0000_x.vtu", "x"}, {2, 7, "d.vtu"}};
+  write_pvd(folder_ / "a.pvd", series);
+  const auto read = read_pvd(folder_ / "a.pvd");
+  ASSERT_TRUE(read && read->size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ((*read)[k].time, series[k].time);
+    EXPECT_EQ((*read)[k].part, series[k].part);
+    EXPECT_EQ((*read)[k].file, series[k].file);
+    EXPECT_EQ((*read)[k].name, series[k].name);
+  }
+  std::ofstream(folder_ / "cut.pvd") << "<DataSet timestep=\"0\" part=\"0\" file=\"a.vtu\"/>";
+  std::ofstream(folder_ / "word.pvd") << "<DataSet timestep=\"soon\" part=\"0\" file=\"a.vtu\"/></Collection>";
+  for (const char* bad : {"cut.pvd", "word.pvd", "none.pvd"}) EXPECT_FALSE(read_pvd(folder_ / bad)) << bad;
+}
+
 TEST_F(OutputFiles, failure_names_the_path_and_the_reason) {
   const fs::path path = folder_ / "missing" / "a.vtu";
   try {

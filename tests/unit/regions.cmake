@@ -1,3 +1,4 @@
+bempd_add_engine_test(regions_cell_splits_test regions_cell_splits_test.cpp)
 bempd_add_engine_test(regions_second_kind_test regions_second_kind_test.cpp)
 bempd_add_engine_test(regions_body_force_test regions_body_force_test.cpp)
 bempd_add_engine_test(second_bond_law_test second_bond_law_test.cpp)

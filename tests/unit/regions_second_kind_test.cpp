@@ -104,6 +104,7 @@ TEST(SecondLatticeKind, breaks_in_two_along_a_notch) {
   // Of the rows at 0, 0.1, 0.2 and 0.3 the bonds along x, and the diagonals between them and up to the crack end.
   EXPECT_EQ(cut, 4 + 2 * 3 + 2);
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "second_lattice_kind";
+  std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   m.write_snapshot((folder / "strip").string());
   EXPECT_TRUE(std::filesystem::exists(folder / "strip_0000_lattice.vtu"));

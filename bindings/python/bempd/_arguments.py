@@ -37,6 +37,19 @@ def point_array(name: str, value: npt.ArrayLike) -> FloatArray:
     return array
 
 
+def pairs(array: FloatArray) -> list[tuple[float, float]]:
+    """Points as pairs of Python's numbers."""
+    return [(float(x), float(y)) for x, y in array]
+
+
+def one_number(values: Optional[npt.ArrayLike]) -> Optional[float]:
+    """The number that all values are; None if they differ, 0 if there are none."""
+    if values is None:
+        return 0.0
+    array = np.asarray(values, dtype=np.float64).ravel()
+    return float(array[0]) if array.size and (array == array[0]).all() else None
+
+
 def doubles(array: Optional[FloatArray]) -> Any:
     """Pointer to the numbers of an array, which must live through the call; NULL for None."""
     return ffi.NULL if array is None else ffi.from_buffer("double[]", array)

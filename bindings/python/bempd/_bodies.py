@@ -12,6 +12,8 @@ import numpy.typing as npt
 from matplotlib.path import Path
 from matplotlib.tri import Triangulation
 
+from ._names import FieldName
+from ._sketch import Sketch
 from .reports import Bonds, BondState, PointValues
 
 FloatArray = npt.NDArray[np.float64]
@@ -27,9 +29,12 @@ class Drawable(Protocol):
     @property
     def load_factor(self) -> float: ...
 
+    @property
+    def _sketch(self) -> Sketch: ...
+
     def elements(self, region: int) -> IntArray: ...
 
-    def field(self, region: int, name: str) -> FloatArray: ...
+    def field(self, region: int, name: FieldName) -> FloatArray: ...
 
     def bonds(self, region: int) -> Bonds: ...
 

@@ -106,8 +106,12 @@ def paint(axes: Any, found: list[Body], colours: Optional[ColourScale], magnific
         elif colours.quantity == "damage":
             mapped = paint_cells(axes, points, cells, colours, colours.values(body))
         elif len(triangles):
-            mapped = axes.tricontourf(*points.T, triangles, colours.values(body), levels=colours.levels(),
+            # Contours must not join the two faces of a crack: the cells that it cuts have each corner's colour.
+            whole = halves(cells[~body.cut]) if body.is_lattice and magnification == 0 else triangles
+            mapped = axes.tricontourf(*points.T, whole, colours.values(body), levels=colours.levels(),
                                       cmap=COLOURS[colours.quantity], norm=colours.norm(), zorder=2)
+            if body.is_lattice and magnification == 0:
+                paint_quarters(axes, points, cells[body.cut], colours, colours.values(body))
         if mesh and body.is_lattice:
             draw_lattice(axes, points, cells)
         elif mesh:
@@ -138,6 +142,18 @@ def paint_cells(axes: Any, points: Any, cells: Any, colours: ColourScale, values
     painted.set_rasterized(True)
     axes.add_collection(painted)
     return painted
+
+
+def paint_quarters(axes: Any, points: Any, cells: Any, colours: ColourScale, values: Any) -> None:
+    """Lattice cells that a crack cuts, a quarter for each corner."""
+    corners = points[cells]
+    middles, centres = 0.5 * (corners + np.roll(corners, -1, axis=1)), corners.mean(axis=1)
+    quarters = [np.stack([corners[:, k], middles[:, k], centres, middles[:, k - 1]], axis=1) for k in range(4)]
+    painted = PolyCollection(np.concatenate(quarters) if len(cells) else [], cmap=COLOURS[colours.quantity],
+                             edgecolors="face", linewidths=0.2, zorder=2)
+    painted.set_array(np.concatenate([values[cells[:, k]] for k in range(4)]))
+    painted.set_norm(colours.norm())
+    axes.add_collection(painted)
 
 
 def draw_lattice(axes: Any, points: Any, cells: Any) -> None:

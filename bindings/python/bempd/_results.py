@@ -11,6 +11,7 @@ import numpy.typing as npt
 from . import _arguments as arguments
 from ._arguments import FloatArray
 from ._handle import Handle
+from ._names import Face, FieldName
 from ._library import call, ffi, lib, new_struct
 from .errors import ArgumentError
 from .reports import (
@@ -97,7 +98,7 @@ class Results:
             return nodes.reshape(-1)[: 3 * count].reshape(count, 3).copy()
         return nodes
 
-    def field(self, region: int, name: str) -> FloatArray:
+    def field(self, region: int, name: FieldName) -> FloatArray:
         """A field as a read-only array of shape (n, components), or (n,) where there is one component.
 
         >>> import bempd
@@ -123,7 +124,7 @@ class Results:
             self._fields[key] = values
         return self._fields[key]
 
-    def copy_field(self, region: int, name: str, out: Optional[FloatArray] = None) -> FloatArray:
+    def copy_field(self, region: int, name: FieldName, out: Optional[FloatArray] = None) -> FloatArray:
         """A field as an array of your own; `out` is filled and returned if given."""
         number = arguments.choice("copy_field: name", name, FIELDS)
         count, components = ffi.new("int64_t *"), ffi.new("int32_t *")
@@ -137,7 +138,7 @@ class Results:
         self._open().call("bempd_copy_field", region, number, out.size, ffi.from_buffer("double[]", out))
         return out
 
-    def view_field(self, region: int, name: str) -> FloatArray:
+    def view_field(self, region: int, name: FieldName) -> FloatArray:
         """The library's own memory of a field, read-only and without a copy; see Results for what that costs."""
         number = arguments.choice("view_field: name", name, FIELDS)
         memory, count, components = self._open().view("bempd_view_field", region, number)
@@ -187,7 +188,7 @@ class Results:
                           arguments.doubles(tensor), ffi.from_buffer("int32_t[]", regions))
         return PointValues(displacement, tensor, regions)
 
-    def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: str = "left",
+    def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: Face = "left",
                     stress: bool = True) -> PointValues:
         """As evaluate(), as one region has it: on its side of interfaces, and on the "left" or "right" face of cracks."""
         places = arguments.point_array("evaluate_in: points", points)
@@ -315,7 +316,11 @@ class Results:
         return rows(entries, "bempd_history_entry")[:count]
 
     def write_snapshot(self, prefix: Union[str, "os.PathLike[str]"]) -> None:
-        """Write the present state for ParaView: PREFIX_NNNN_*.vtu and the series PREFIX.pvd; the folder must exist."""
+        """Write the present state for ParaView, which opens PREFIX.pvd, the series of all snapshots.
+
+        The folder must exist. Files of another run with this prefix raise FileError, unless the option
+        "snapshots.existing" is "continue" or "replace".
+        """
         self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
 
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+import dataclasses
+from typing import Any, Optional, Sequence
 
 import numpy.typing as npt
 
 from . import _arguments as arguments
 from ._handle import Handle
 from ._library import ffi, lib, new_struct
+from ._names import Component, Components, FaceComponent, Plane, Turn
+from ._sketch import Arc, Mark, Region, Sketch, arc_through
 from .callbacks import BoundaryFunction, boundary_callback
 from .errors import ArgumentError, OrderError
 
@@ -29,6 +32,7 @@ class Scene:
     """
 
     _handle: Optional[Handle]
+    _sketch: Sketch
 
     def _open(self) -> Handle:
         if self._handle is None:
@@ -42,7 +46,7 @@ class Scene:
 
     def add_material(self, *, young_modulus: float, poisson_ratio: float, thickness: float = 1.0,
                      critical_stretch: Optional[float] = None, fracture_energy: Optional[float] = None,
-                     plane: str = "stress") -> int:
+                     plane: Plane = "stress") -> int:
         """Add an isotropic elastic material; returns its id.
 
         Give the critical bond stretch or the fracture energy [J/m^2], or neither for a material that does not break.
@@ -60,7 +64,9 @@ class Scene:
         for name, value in given.items():
             if value is not None:
                 setattr(material, name, arguments.real(f"add_material: {name}", value))
-        return self._added("bempd_add_material", material)
+        number = self._added("bempd_add_material", material)
+        self._sketch.materials += 1
+        return number
 
     def add_bem_region(self, material: int, vertices: npt.ArrayLike, element_length: float) -> int:
         """Add a polygon treated by boundary elements; returns its id.
@@ -69,12 +75,16 @@ class Scene:
         edges of other regions are bonded.
         """
         points = arguments.point_array("add_bem_region: vertices", vertices)
-        return self._added("bempd_add_bem_region", material, len(points), arguments.doubles(points), element_length)
+        region = self._added("bempd_add_bem_region", material, len(points), arguments.doubles(points), element_length)
+        self._sketch.regions[region] = Region("BEM", arguments.pairs(points))
+        return region
 
     def add_bem_disc(self, material: int, centre: Sequence[float], radius: float, element_length: float) -> int:
         """Add a round region treated by boundary elements, of four quarter circles; returns its id."""
-        return self._added("bempd_add_bem_disc", material, *arguments.place("add_bem_disc: centre", centre), radius,
-                           element_length)
+        place = arguments.place("add_bem_disc: centre", centre)
+        region = self._added("bempd_add_bem_disc", material, *place, radius, element_length)
+        self._sketch.add_circle(region, place, radius, hole=False)
+        return region
 
     def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0) -> int:
         """Add a polygon treated by peridynamics; returns its id.
@@ -84,24 +94,35 @@ class Scene:
         the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio.
         """
         points = arguments.point_array("add_pd_region: vertices", vertices)
-        return self._added("bempd_add_pd_region", material, len(points), arguments.doubles(points), spacing,
-                           horizon_ratio)
+        region = self._added("bempd_add_pd_region", material, len(points), arguments.doubles(points), spacing,
+                             horizon_ratio)
+        self._sketch.regions[region] = Region("PD", arguments.pairs(points))
+        return region
 
     def add_hole(self, region: int, vertices: npt.ArrayLike) -> int:
         """Cut a hole into a region, its vertices clockwise; returns the number of the hole's first edge."""
         points = arguments.point_array("add_hole: vertices", vertices)
-        return self._added("bempd_add_hole", region, len(points), arguments.doubles(points))
+        edge = self._added("bempd_add_hole", region, len(points), arguments.doubles(points))
+        self._sketch.regions[region].loops.append(arguments.pairs(points))
+        return edge
 
     def add_circular_hole(self, region: int, centre: Sequence[float], radius: float) -> int:
         """Cut a circular hole into a region; returns the number of its first edge, a quarter circle."""
-        return self._added("bempd_add_circular_hole", region, *arguments.place("add_circular_hole: centre", centre),
-                           radius)
+        place = arguments.place("add_circular_hole: centre", centre)
+        edge = self._added("bempd_add_circular_hole", region, *place, radius)
+        self._sketch.add_circle(region, place, radius, hole=True)
+        return edge
 
     def set_edge_arc(self, region: int, edge: int, point: Sequence[float]) -> None:
         """Make an edge the circular arc through a point between its ends."""
-        self._open().call("bempd_set_edge_arc", region, edge, *arguments.place("set_edge_arc: point", point))
+        place = arguments.place("set_edge_arc: point", point)
+        self._open().call("bempd_set_edge_arc", region, edge, *place)
+        ends = self._sketch.regions[region].ends(edge)
+        arc = arc_through(ends[0], place, ends[1]) if ends else None
+        if arc:
+            self._sketch.regions[region].arcs[edge] = arc
 
-    def set_edge_arc_about(self, region: int, edge: int, centre: Sequence[float], radius: float, turn: str) -> None:
+    def set_edge_arc_about(self, region: int, edge: int, centre: Sequence[float], radius: float, turn: Turn) -> None:
         """Make an edge the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
 
         >>> import bempd
@@ -116,6 +137,8 @@ class Scene:
         self._open().call("bempd_set_edge_arc_about", region, edge,
                           *arguments.place("set_edge_arc_about: centre", centre), radius,
                           arguments.choice("set_edge_arc_about: turn", turn, TURNS))
+        self._sketch.regions[region].arcs[edge] = Arc(arguments.place("set_edge_arc_about: centre", centre),
+                                                      turn == "counter-clockwise")
 
     def set_edges_smooth(self, region: int, first_edge: int, last_edge: int) -> None:
         """Make a row of edges a smooth curve through their vertices."""
@@ -126,25 +149,31 @@ class Scene:
         self._open().call("bempd_set_edge_mesh", region, edge, element_length, grading)
 
     def add_crack(self, points: npt.ArrayLike) -> int:
-        """Add an initial crack along a polyline in peridynamic regions; returns its id."""
+        """Add an initial crack along a polyline; returns its id."""
         polyline = arguments.point_array("add_crack: points", points)
-        return self._added("bempd_add_crack", len(polyline), arguments.doubles(polyline))
+        crack = self._added("bempd_add_crack", len(polyline), arguments.doubles(polyline))
+        self._sketch.cracks[crack] = arguments.pairs(polyline)
+        return crack
 
     def remove_region(self, region: int) -> None:
         """Remove a region that bears no support or load, before the model is prepared; other ids stay."""
         self._open().call("bempd_remove_region", region)
+        self._sketch.regions.pop(region, None)
 
     def remove_crack(self, crack: int) -> None:
         """Remove an initial crack before the model is prepared; other ids stay."""
         self._open().call("bempd_remove_crack", crack)
+        self._sketch.cracks.pop(crack, None)
 
     def remove_support(self, support: int) -> None:
         """Remove a support before the model is prepared; other ids stay."""
         self._open().call("bempd_remove_support", support)
+        self._sketch.supports.pop(support, None)
 
     def remove_load(self, load: int) -> None:
         """Remove a load before the model is prepared; other ids stay."""
         self._open().call("bempd_remove_load", load)
+        self._sketch.loads.pop(load, None)
 
     @property
     def region_count(self) -> int:
@@ -166,25 +195,27 @@ class Scene:
         """Number of edges of a region with its holes."""
         return self._added("bempd_edge_count", region)
 
-    def fix_edge(self, region: int, edge: int, component: str = "both") -> int:
+    def fix_edge(self, region: int, edge: int, component: Components = "both") -> int:
         """Fix a whole edge; returns the id of the support."""
-        return self._added("bempd_fix_edge", region, edge,
-                           arguments.choice("fix_edge: component", component, COMPONENTS))
+        chosen = arguments.choice("fix_edge: component", component, COMPONENTS)
+        return self._support(self._added("bempd_fix_edge", region, edge, chosen), Mark(region, edge))
 
-    def fix_point(self, point: Sequence[float], component: str = "both") -> int:
+    def fix_point(self, point: Sequence[float], component: Components = "both") -> int:
         """Fix the node or material point at a place; returns the id of the support."""
-        return self._added("bempd_fix_point", *arguments.place("fix_point: point", point),
-                           arguments.choice("fix_point: component", component, COMPONENTS))
+        place = arguments.place("fix_point: point", point)
+        chosen = arguments.choice("fix_point: component", component, COMPONENTS)
+        return self._support(self._added("bempd_fix_point", *place, chosen), Mark(point=place))
 
-    def prescribe_edge(self, region: int, edge: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
+    def prescribe_edge(self, region: int, edge: int, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
                        constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Prescribe the displacement [m] of an edge, or of the `part` between two fractions of it; returns the id of
         the support."""
         count, *values = arguments.samples("prescribe_edge", constant, proportional)
-        return self._added("bempd_prescribe_edge", region, edge, *arguments.fraction_pair("prescribe_edge: part", part),
-                           arguments.choice("prescribe_edge: component", component, ONE_COMPONENT), count, *values)
+        support = self._added("bempd_prescribe_edge", region, edge, *arguments.fraction_pair("prescribe_edge: part", part),
+                              arguments.choice("prescribe_edge: component", component, ONE_COMPONENT), count, *values)
+        return self._support(support, Mark(region, edge, component=component, proportional=arguments.one_number(proportional)))
 
-    def prescribe_edge_function(self, region: int, edge: int, function: BoundaryFunction, component: str = "both", *,
+    def prescribe_edge_function(self, region: int, edge: int, function: BoundaryFunction, component: Components = "both", *,
                                 part: Sequence[float] = WHOLE_EDGE) -> int:
         """Prescribe the displacement of a part of an edge by a function f(x, y), asked once for each node.
 
@@ -192,28 +223,32 @@ class Scene:
         """
         ends = arguments.fraction_pair("prescribe_edge_function: part", part)
         chosen = arguments.choice("prescribe_edge_function: component", component, COMPONENTS)
-        return self._added("bempd_prescribe_edge_function", region, edge, *ends, chosen, self._kept(function), ffi.NULL)
+        support = self._added("bempd_prescribe_edge_function", region, edge, *ends, chosen, self._kept(function), ffi.NULL)
+        return self._support(support, Mark(region, edge, component=component if component != "both" else None))
 
-    def prescribe_point(self, point: Sequence[float], component: str, proportional: float = 0.0, *,
+    def prescribe_point(self, point: Sequence[float], component: Component, proportional: float = 0.0, *,
                         constant: float = 0.0) -> int:
         """Prescribe the displacement [m] of the node or material point at a place; returns the id of the support."""
-        return self._added("bempd_prescribe_point", *arguments.place("prescribe_point: point", point),
-                           arguments.choice("prescribe_point: component", component, ONE_COMPONENT), constant,
-                           proportional)
+        place = arguments.place("prescribe_point: point", point)
+        support = self._added("bempd_prescribe_point", *place,
+                              arguments.choice("prescribe_point: component", component, ONE_COMPONENT), constant,
+                              proportional)
+        return self._support(support, Mark(point=place, component=component, proportional=arguments.one_number(proportional)))
 
-    def add_traction(self, region: int, edge: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
+    def add_traction(self, region: int, edge: int, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Add a traction [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
         count, *values = arguments.samples("add_traction", constant, proportional)
-        return self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
+        load = self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
                            arguments.choice("add_traction: component", component, ONE_COMPONENT), count, *values)
+        return self._load(load, Mark(region, edge))
 
     def add_pressure(self, region: int, edge: int, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Press [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
         count, *values = arguments.samples("add_pressure", constant, proportional)
-        return self._added("bempd_add_pressure", region, edge, *arguments.fraction_pair("add_pressure: part", part),
-                           count, *values)
+        ends = arguments.fraction_pair("add_pressure: part", part)
+        return self._load(self._added("bempd_add_pressure", region, edge, *ends, count, *values), Mark(region, edge))
 
     def add_traction_function(self, region: int, edge: int, function: BoundaryFunction, *,
                               part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -228,21 +263,24 @@ class Scene:
         1
         """
         ends = arguments.fraction_pair("add_traction_function: part", part)
-        return self._added("bempd_add_traction_function", region, edge, *ends, self._kept(function), ffi.NULL)
+        load = self._added("bempd_add_traction_function", region, edge, *ends, self._kept(function), ffi.NULL)
+        return self._load(load, Mark(region, edge))
 
-    def add_crack_traction(self, crack: int, component: str, proportional: Optional[npt.ArrayLike] = None, *,
+    def add_crack_traction(self, crack: int, component: FaceComponent, proportional: Optional[npt.ArrayLike] = None, *,
                            constant: Optional[npt.ArrayLike] = None) -> int:
         """Add "pressure" or "shear" [Pa] on both faces of a crack in a BEM region; returns the id of the load."""
         count, *values = arguments.samples("add_crack_traction", constant, proportional)
-        return self._added("bempd_add_crack_traction", crack,
-                           arguments.choice("add_crack_traction: component", component, FACE_COMPONENTS), count, *values)
+        chosen = arguments.choice("add_crack_traction: component", component, FACE_COMPONENTS)
+        return self._load(self._added("bempd_add_crack_traction", crack, chosen, count, *values), Mark(crack=crack))
 
-    def add_point_force(self, point: Sequence[float], component: str, proportional: float = 0.0, *,
+    def add_point_force(self, point: Sequence[float], component: Component, proportional: float = 0.0, *,
                         constant: float = 0.0) -> int:
         """Add a force [N] on the node or material point at a place; returns the id of the load."""
-        return self._added("bempd_add_point_force", *arguments.place("add_point_force: point", point),
+        place = arguments.place("add_point_force: point", point)
+        load = self._added("bempd_add_point_force", *place,
                            arguments.choice("add_point_force: component", component, ONE_COMPONENT), constant,
                            proportional)
+        return self._load(load, Mark(point=place))
 
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:
@@ -258,6 +296,17 @@ class Scene:
         count, *values = arguments.samples(f"set_{what}_values", constant, proportional)
         name = "bempd_set_load_values" if what == "load" else "bempd_set_support_values"
         self._open().call(name, number, count, *values, changes=True)
+        mark = self._sketch.supports.get(number) if what == "support" else None
+        if mark is not None and mark.component is not None:
+            self._sketch.supports[number] = dataclasses.replace(mark, proportional=arguments.one_number(proportional))
+
+    def _support(self, number: int, mark: Mark) -> int:
+        self._sketch.supports[number] = mark
+        return number
+
+    def _load(self, number: int, mark: Mark) -> int:
+        self._sketch.loads[number] = mark
+        return number
 
     def _kept(self, function: BoundaryFunction) -> Any:
         handle = self._open()

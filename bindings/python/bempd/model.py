@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import logging
 from types import TracebackType
-from typing import Any, Mapping, Optional, Type
+from typing import Any, Mapping, NoReturn, Optional, Type
 
 from . import _arguments as arguments
 from ._handle import Handle
+from ._help import complete
 from ._library import check, ffi, invoke, lib, new_struct
 from ._results import Results
+from ._names import Quantity, Until
 from ._scene import Scene
+from ._sketch import Sketch
 from .callbacks import (Log, PhaseProgress, Progress, callable_or_none, log_callback, phase_callback,
                         progress_callback)
 from .errors import ArgumentError
@@ -42,6 +45,7 @@ class Model(Scene, Results):
     def __init__(self, *, options: Optional[Mapping[str, OptionValue]] = None, progress: Optional[Progress] = None,
                  log: Optional[Log] = None) -> None:
         self._handle: Optional[Handle] = Handle()
+        self._sketch = Sketch()
         self._fields = {}
         self._fields_generation = 0
         self._progress: Optional[Progress] = None
@@ -52,6 +56,21 @@ class Model(Scene, Results):
         if log is not None:
             self.log = log
         self.options.update(options or {})
+
+    def __repr__(self) -> str:
+        if self.closed:
+            return "<bempd.Model: closed>"
+        broken = self.statistics().broken_bonds
+        bonds = f", {broken} bonds broken" if broken else ""
+        return f"<bempd.Model: {self._sketch.words()}; load factor {self.load_factor:.6g}{bonds}>"
+
+    def _repr_html_(self) -> str:
+        """The scene as it was described, for notebooks; nothing is prepared for it."""
+        return self._sketch.page(repr(self))
+
+    def __reduce_ex__(self, protocol: object) -> NoReturn:
+        raise TypeError("a bempd.Model cannot be pickled or copied: it is the library's memory; pickle what save() makes, a "
+                        "bempd.State, build the model again where it is needed and restore() the state")
 
     def close(self) -> None:
         """Give the model back; asking for anything afterwards is an OrderError. Arrays of view_field() stay good."""
@@ -150,7 +169,7 @@ class Model(Scene, Results):
         """Go on until the body is separated, no bond can break any more, or the limit is reached."""
         return self._run("bempd_run_to_separation", load_factor_limit)
 
-    def step_to_values(self, load_factor: float, *, until: str = "values") -> StepReport:
+    def step_to_values(self, load_factor: float, *, until: Until = "values") -> StepReport:
         """Go from the values with which the last step ended to those that loads and supports have now, on a straight
         line, while the load factor goes to the one given: the time of a host, say.
 
@@ -199,7 +218,7 @@ class Model(Scene, Results):
             raise ArgumentError(f"restore: state is a {kind}; give what save() or State.from_bytes() made")
         self._open().call("bempd_state_restore", state.pointer, changes=True)
 
-    def plot(self, quantity: str = "damage", **options: Any) -> Any:
+    def plot(self, quantity: Quantity = "damage", **options: Any) -> Any:
         """Draw the body with matplotlib; see bempd.plot.draw() for quantities and options. Returns the axes."""
         from . import plot
 
@@ -216,3 +235,7 @@ class Model(Scene, Results):
             if finish is not None:
                 finish()
         return step_report(report)
+
+
+complete(Model)
+complete(State)

@@ -24,14 +24,15 @@ from typing import Any, Literal, Optional, Union
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.animation import PillowWriter
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from PIL import Image
 
 from . import _arguments as arguments
 from ._bodies import Body, Drawable, bodies
 from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, Limits, colour_scale, draw_cracks, engineering, paint
 from ._drawing import add_colour_bar, round_magnification
+from ._names import Component, Quantity
 from ._results import read_history
 from .errors import ArgumentError, OrderError
 
@@ -51,7 +52,7 @@ STYLE = {
 Magnification = Union[float, Literal["auto"]]
 
 
-def draw(model: Drawable, quantity: str = "damage", *, axes: Any = None, magnification: Magnification = 0.0,
+def draw(model: Drawable, quantity: Quantity = "damage", *, axes: Any = None, magnification: Magnification = 0.0,
          limits: Optional[Limits] = None, cracks: bool = True, colour_bar: bool = True, resolution: int = 20) -> Any:
     """Draw the body at the present load factor; returns matplotlib's axes.
 
@@ -69,12 +70,19 @@ def draw(model: Drawable, quantity: str = "damage", *, axes: Any = None, magnifi
     found = bodies(model, resolution)
     if not found:
         raise OrderError("draw: the scene has no region; add one first")
-    if magnification == "auto":
-        magnification = round_magnification(found)
-    magnification = arguments.real("draw: magnification", magnification)
     if axes is None:
         with plt.rc_context(STYLE):
             axes = plt.subplots(figsize=figure_size(found, quantity), layout="constrained")[1]
+    return draw_bodies(found, model.load_factor, quantity, axes, magnification=magnification, limits=limits, cracks=cracks,
+                       colour_bar=colour_bar)[0]
+
+
+def draw_bodies(found: list[Body], load_factor: float, quantity: Quantity, axes: Any, *, magnification: Magnification = 0.0,
+                limits: Optional[Limits] = None, cracks: bool = True, colour_bar: bool = True) -> tuple[Any, float]:
+    """As draw(), of bodies whose values are known; also the factor from metres to the axes' unit."""
+    if magnification == "auto":
+        magnification = round_magnification(found)
+    magnification = arguments.real("draw: magnification", magnification)
     factor, unit = engineering(max(float(np.abs(body.points).max()) for body in found), "m")
     colours = colour_scale(found, quantity, limits)
     mapped = paint(axes, found, colours, magnification, factor, mesh=quantity == "lattice")
@@ -87,10 +95,10 @@ def draw(model: Drawable, quantity: str = "damage", *, axes: Any = None, magnifi
     axes.set_xlabel(f"x [{unit}]")
     axes.set_ylabel(f"y [{unit}]")
     deformed = f", displacements x {magnification:g}" if magnification else ""
-    axes.set_title(f"{quantity.capitalize()}, load factor {model.load_factor:.6g}{deformed}")
+    axes.set_title(f"{quantity.capitalize()}, load factor {load_factor:.6g}{deformed}")
     if colour_bar and mapped is not None and colours is not None:
         add_colour_bar(axes, mapped, f"{quantity} [{colours.unit}]")
-    return axes
+    return axes, factor
 
 
 def figure_size(found: list[Body], quantity: str) -> tuple[float, float]:
@@ -101,28 +109,38 @@ def figure_size(found: list[Body], quantity: str) -> tuple[float, float]:
     return max(float(width) + 0.9 + bar, 3.2), max(float(height) + 0.8, 1.9)
 
 
-def load_displacement(model: Drawable, support: int, component: str = "x", *, displacement: float = 1.0, axes: Any = None,
-                      label: str = "imposed displacement") -> Any:
-    """Draw the force of a support against its displacement over the whole history; returns matplotlib's axes.
+def load_displacement(model: Drawable, support: int, component: Optional[Component] = None, *,
+                      displacement: Optional[float] = None, axes: Any = None, label: str = "imposed displacement") -> Any:
+    """Draw the force [N] of a support against its displacement [m] over the whole history; returns matplotlib's axes.
 
-    `displacement` is the support's displacement [m] per unit of the load factor. The first break and the end of growth
-    are marked.
+    component     "x" or "y"; if not given the one that the support prescribes, or of one that only holds the one with the
+                  larger force.
+    displacement  of the support [m] per unit of the load factor; if not given what the support prescribes. A support
+                  that moves by no single number has its force drawn over the load factor.
+
+    The first break and the end of growth are marked. Raises ArgumentError for a support that is not there, OrderError before
+    the first step.
     """
     arguments.whole("load_displacement: support", support)
-    arguments.choice("load_displacement: component", component, {"x": 1, "y": 2})
+    mark = model._sketch.supports.get(support)
+    if mark is None:
+        raise ArgumentError(f"load_displacement: support is {support}; there is no support with this id")
+    if component is not None:
+        arguments.choice("load_displacement: component", component, {"x": 1, "y": 2})
     with tempfile.TemporaryDirectory() as folder:
         table = pathlib.Path(folder) / "history.csv"
         model.write_history(table)
         history = read_history(table)
-    column = f"reaction_{component}_{support}"
-    if column not in (history.dtype.names or ()):
-        raise ArgumentError(f"load_displacement: support is {support}; there is no support with this id")
     if not history.size:
         raise OrderError("load_displacement: there is no history yet; step first")
-    imposed, force = displacement * history["load_factor"], history[column]
+    chosen: str = component or mark.component or max("xy", key=lambda c: float(np.abs(history[f"reaction_{c}_{support}"]).max()))
+    if displacement is None and (mark.component == chosen or mark.component is None):
+        displacement = mark.proportional or None
+    imposed = history["load_factor"] * (1.0 if displacement is None else displacement)
+    force = history[f"reaction_{chosen}_{support}"]
     force = force * np.sign(force[np.argmax(np.abs(force))])
-    (to_length, length_unit), (to_force, force_unit) = (
-        engineering(float(np.abs(values).max()), unit) for values, unit in ((imposed, "m"), (force, "N")))
+    to_length, length_unit = (1.0, "-") if displacement is None else engineering(float(np.abs(imposed).max()), "m")
+    to_force, force_unit = engineering(float(np.abs(force).max()), "N")
     force[np.abs(force) < 1e-9 * np.abs(force).max()] = 0  # rounding of a body in two
     x, y = to_length * imposed, to_force * force
     if axes is None:
@@ -131,12 +149,13 @@ def load_displacement(model: Drawable, support: int, component: str = "x", *, di
     axes.plot(np.append(0, x), np.append(0, y), color=CURVE, linewidth=1.3, zorder=2)
     broken = history["total_broken_bonds"]
     if broken[-1] > 0:
+        at = "" if displacement is None else f" {length_unit}"
         marks = (("first break", "o", np.argmax(broken > 0)), ("end of growth", "s", np.argmax(broken >= broken[-1])))
         for text, marker, row in marks:
             axes.plot(x[row], y[row], marker, color=MARK, markersize=5, zorder=3, clip_on=False,
-                      label=f"{text}: {x[row]:.4g} {length_unit}, {y[row]:.3g} {force_unit}")
+                      label=f"{text}: {x[row]:.4g}{at}, {y[row]:.3g} {force_unit}")
         axes.legend(loc="best", handletextpad=0.3)
-    axes.set_xlabel(f"{label} [{length_unit}]")
+    axes.set_xlabel("load factor [-]" if displacement is None else f"{label} [{length_unit}]")
     axes.set_ylabel(f"force [{force_unit}]")
     axes.set_ylim(top=1.12 * float(y.max()))
     axes.grid(color="#dddddd", linewidth=0.5)
@@ -152,39 +171,53 @@ class Movie:
             model.step(load_factor)
             movie.add_frame()
 
-    Options are those of draw(). Scales of colours and axes are those of the first frame unless `limits` are given;
-    damage goes from 0 to 1.
+    Options are those of draw(). The file is drawn by close(), in one view that holds what moves in any frame (a loose
+    piece up to half the body's size away) and with one scale of colours; damage goes from 0 to 1. The last frame stays for
+    `hold` seconds before the film begins again.
     """
 
-    def __init__(self, path: Union[str, "os.PathLike[str]"], model: Drawable, quantity: str = "damage", *,
-                 frames_per_second: float = 10, **options: Any) -> None:
+    def __init__(self, path: Union[str, "os.PathLike[str]"], model: Drawable, quantity: Quantity = "damage", *,
+                 frames_per_second: float = 10, hold: float = 2.0, **options: Any) -> None:
         self._model, self._quantity, self._options = model, quantity, options
         if quantity == "damage":
             options.setdefault("limits", (0.0, 1.0))
-        self._writer = PillowWriter(fps=frames_per_second)
+        self._frames_per_second = frames_per_second
+        self._hold = arguments.real("Movie: hold", hold)
         self._path = os.fspath(path)
-        self._figure: Optional[Figure] = None
-        self._view: Optional[tuple[Limits, Limits]] = None
+        self._frames: list[tuple[list[Body], float]] = []
 
     def add_frame(self) -> None:
-        """Draw the model as it is now."""
-        if self._figure is None:
-            self._begin()
-        assert self._figure is not None
-        self._figure.clear()
-        with plt.rc_context(STYLE):
-            axes = draw(self._model, self._quantity, axes=self._figure.add_subplot(), **self._options)
-        if self._view is None:
-            self._view = axes.get_xlim(), axes.get_ylim()
-        axes.set_xlim(self._view[0])
-        axes.set_ylim(self._view[1])
-        self._writer.grab_frame()
+        """Keep the model as it is now."""
+        self._frames.append((bodies(self._model, int(self._options.get("resolution", 20))), self._model.load_factor))
 
     def close(self) -> None:
         """Write the file; without a frame there is none."""
-        if self._figure is not None:
-            self._writer.finish()
-            self._figure = None
+        if not self._frames:
+            return
+        frames, self._frames = self._frames, []
+        shown = [body for found, _ in frames for body in found]
+        options = {name: value for name, value in self._options.items() if name not in ("axes", "resolution")}
+        colours = colour_scale(shown, self._quantity, options.get("limits"))
+        if colours is not None:
+            options["limits"] = (colours.low, colours.high)
+        if options.get("magnification") == "auto":
+            options["magnification"] = round_magnification(shown)
+        low, high = view_of(shown, float(options.get("magnification", 0.0)))
+        # A figure of its own, so that the user's current one stays what it is.
+        figure = Figure(figsize=figure_size(frames[0][0], self._quantity), layout="constrained")
+        figure.set_dpi(110)
+        canvas, pictures = FigureCanvasAgg(figure), []
+        for found, load_factor in frames:
+            figure.clear()
+            with plt.rc_context(STYLE):
+                axes, factor = draw_bodies(found, load_factor, self._quantity, figure.add_subplot(), **options)
+            axes.set_xlim(factor * low[0], factor * high[0])
+            axes.set_ylim(factor * low[1], factor * high[1])
+            canvas.draw()
+            pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB"))
+        usual = round(1000 / self._frames_per_second)
+        durations = [usual] * (len(pictures) - 1) + [max(usual, round(1000 * self._hold))]
+        pictures[0].save(self._path, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0)
 
     def __enter__(self) -> Movie:
         return self
@@ -192,14 +225,13 @@ class Movie:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def _begin(self) -> None:
-        found = bodies(self._model, int(self._options.get("resolution", 20)))
-        colours = colour_scale(found, self._quantity, self._options.get("limits"))
-        if colours is not None:
-            self._options["limits"] = (colours.low, colours.high)
-        if self._options.get("magnification") == "auto":
-            self._options["magnification"] = round_magnification(found)
-        # A figure of its own, so that the user's current one stays what it is.
-        self._figure = Figure(figsize=figure_size(found, self._quantity), layout="constrained")
-        FigureCanvasAgg(self._figure)
-        self._writer.setup(self._figure, self._path, dpi=110)
+
+def view_of(found: list[Body], magnification: float) -> tuple[Any, Any]:
+    """Lower left and upper right corner of a view [m] that holds all bodies as they are shown; of what flies away, half
+    the body's size."""
+    rest = np.concatenate([body.points for body in found])
+    shown = np.concatenate([body.shown(magnification) for body in found])
+    size = float(np.ptp(rest, axis=0).max())
+    low = np.maximum(shown.min(axis=0), rest.min(axis=0) - 0.5 * size)
+    high = np.minimum(shown.max(axis=0), rest.max(axis=0) + 0.5 * size)
+    return low - 0.04 * size, high + 0.04 * size

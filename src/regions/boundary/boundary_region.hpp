@@ -60,6 +60,8 @@ class BoundaryRegion : public Region {
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(mesh_.elements.size()); }
   Cells cells() const override;
   SnapshotBlock snapshot_block() const override;
+  bool has_inside() const override { return true; }
+  const CrackLines* crack_lines() const override;
   FieldValues at_nodes(Field field, const FieldValues& values) const override;
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                        bool with_stress) const override;

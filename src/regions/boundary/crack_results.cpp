@@ -99,8 +99,20 @@ std::vector<Point> BoundaryRegion::crack_openings(int crack, const std::vector<d
 
 std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solution) const {
   if (!cracks_) return {};
-  return cracks_->pictures(cracked_state(solution).openings);
+  std::vector<CrackPicture> pictures = cracks_->pictures(cracked_state(solution).openings);
+  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const bem::InteriorEvaluator rest = interior_without(particular, solution);
+  for (CrackPicture& picture : pictures) {
+    for (std::size_t k = 0; k < picture.places.size(); ++k) {
+      const Point& place = picture.places[k];
+      const Point left = rest.displacement_at(place) + particular.displacement(place);
+      picture.displacements.emplace_back(left - 0.5 * picture.openings[k]);
+    }
+  }
+  return pictures;
 }
+
+const CrackLines* BoundaryRegion::crack_lines() const { return cracks_ ? &cracks_->lines() : nullptr; }
 
 std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {
   if (!cracks_) return std::nullopt;

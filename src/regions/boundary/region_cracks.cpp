@@ -147,7 +147,7 @@ Point RegionCracks::opening_at(int crack, double fraction, const Eigen::VectorXd
 
 std::vector<CrackPicture> RegionCracks::pictures(const Eigen::VectorXd& openings) const {
   std::vector<CrackPicture> all;
-  for (const CrackPath& path : paths_) all.push_back({path.id, {}, {}});
+  for (const CrackPath& path : paths_) all.push_back({path.id, {}, {}, {}});
   for (const bem::CrackElement& e : mesh_.elements) {
     CrackPicture& picture = all[lines_.lines[e.line].crack];
     for (const int n : e.nodes) {

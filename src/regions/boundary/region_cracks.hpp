@@ -23,6 +23,8 @@ class RegionCracks {
   void mesh(BoundaryMesh& boundary);
   const bem::CrackMesh& elements() const { return mesh_; }
 
+  const CrackLines& lines() const { return lines_; }
+
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
   // Nothing if there are no loads; of the loads' constant part, their proportional part, or both at a load factor.

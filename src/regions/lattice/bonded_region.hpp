@@ -44,6 +44,7 @@ class BondedRegion : public Region {
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
   SnapshotBlock snapshot_block() const override;
+  RegionPicture picture(const Solution& solution) const override;
   int rank_at_interfaces() const override { return 2; }
   void add_statistics(RegionStatistics& statistics) const override;
 

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "error.hpp"
 #include "pd/deformation.hpp"
 #include "regions/lattice/bonded_region.hpp"
@@ -100,6 +102,23 @@ FieldValues BondedRegion::bond_stretch(const Solution& solution) const {
   for (std::size_t b = bonds_.first; b < bonds_.first + bonds_.listed; ++b)
     field.values.push_back(solution.bonds.elongation(b, solution.displacement.data()) / solution.bonds.length[b]);
   return field;
+}
+
+// Split along the bonds between neighbours that are gone.
+RegionPicture BondedRegion::picture(const Solution& solution) const {
+  const std::vector<std::uint8_t> broken = broken_bonds(solution.intact);
+  std::vector<std::array<int, 2>> parted;
+  for (std::size_t b = 0; b < broken.size(); ++b) {
+    const pd::Bond& bond = network()->bonds[b];
+    if (broken[b] && bond.first < point_count() && bond.second < point_count())
+      parted.push_back({bond.first, bond.second});
+  }
+  const Cells whole = cells();
+  if (parted.empty()) return {{}, whole};
+  std::vector<Point> places;
+  for (int i = 0; i < point_count(); ++i) places.push_back(position(i));
+  SplitCells split = split_cells(places, whole.nodes, parted);
+  return {std::move(split.added), {whole.nodes_per_cell, std::move(split.nodes)}};
 }
 
 SnapshotBlock BondedRegion::snapshot_block() const {

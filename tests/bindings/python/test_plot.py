@@ -112,6 +112,59 @@ def test_the_load_curve_is_the_history(strip):
     assert "first break" in axes.get_legend().get_texts()[0].get_text()
 
 
+def test_the_load_curve_takes_what_the_support_prescribes(strip):
+    strip.model.run_to_separation(1e4)
+    axes = plot.load_displacement(strip.model, strip.pulled)
+    x, y = axes.lines[0].get_data()
+    assert axes.get_xlabel() == "imposed displacement [\u00b5m]" and x.max() == pytest.approx(strip.model.load_factor)
+    assert y.max() > 100
+    plt.close("all")
+
+
+def test_a_support_moved_along_y_has_its_own_curve():
+    model = bempd.Model()
+    steel = model.add_material(young_modulus=2e11, poisson_ratio=0.3)
+    plate = model.add_bem_region(steel, rectangle(0, 0, 2, 1), element_length=0.5)
+    held = model.fix_edge(plate, 1)
+    pressed = model.prescribe_edge(plate, 3, "y", -1e-3)
+    model.step(1)
+    axes = plot.load_displacement(model, pressed)
+    x, y = axes.lines[0].get_data()
+    assert axes.get_xlabel() == "imposed displacement [mm]" and x[-1] == pytest.approx(-1) and np.ptp(y) > 0
+    # One that is held, not moved, has the force that it feels, over the load factor.
+    axes = plot.load_displacement(model, held)
+    x, force = axes.lines[0].get_data()
+    assert axes.get_xlabel() == "load factor [-]" and x[-1] == 1 and force[-1] == pytest.approx(y[-1])
+    plt.close("all")
+
+
+def test_contours_stop_at_an_open_crack(strip):
+    strip.model.step(100)
+    _, axes = plt.subplots()
+    strip.model.plot("displacement x", axes=axes)
+    found = body(strip.model, strip.middle)
+    cut = found.points[found.cells[found.cut]].mean(axis=1)
+    assert len(cut)
+    # No contour covers the middle of a cell that the crack cuts; its quarters do, each in the colour of its corner.
+    scale = 1e3  # the axes are in millimetres
+    contours = [path for filled in axes.collections if type(filled).__name__ == "PathCollection" for path in filled.get_paths()]
+    assert contours and not any(path.contains_point(scale * middle) for path in contours for middle in cut)
+    quarters = [paths for paths in axes.collections if type(paths).__name__ == "PolyCollection" and len(paths.get_paths()) == 4 * len(cut)]
+    assert len(quarters) == 1 and np.ptp(quarters[0].get_array()) > 0
+    plt.close("all")
+
+
+def test_a_movie_keeps_what_moves_in_sight(strip, tmp_path):
+    strip.model.step(100)
+    found = plot.bodies(strip.model, 5)
+    low, high = plot.view_of(found, 40)
+    shown = np.concatenate([one.shown(40) for one in found])
+    assert (shown.min(axis=0) >= low).all() and (shown.max(axis=0) <= high).all()
+    assert high[0] > 0.06 + 40 * 100e-6
+    low, high = plot.view_of(found, 1e6)
+    assert high[0] < 0.06 + 0.06 * 0.6, "what flies away does not make the body small"
+
+
 def test_a_movie_has_its_frames(strip, tmp_path):
     from PIL import Image
 
@@ -123,6 +176,11 @@ def test_a_movie_has_its_frames(strip, tmp_path):
     assert plt.get_fignums() == before
     with Image.open(tmp_path / "crack.gif") as picture:
         assert picture.n_frames == 3
+        lengths = []
+        for frame in range(3):
+            picture.seek(frame)
+            lengths.append(picture.info["duration"])
+        assert lengths[0] == lengths[1] == 100 and lengths[2] == 2000, "the last frame is held"
     with plot.Movie(tmp_path / "none.gif", strip.model):
         pass
     assert not (tmp_path / "none.gif").exists()

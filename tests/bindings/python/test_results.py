@@ -186,4 +186,18 @@ def test_snapshots_go_where_they_are_sent(strip, tmp_path):
     folder.mkdir()
     strip.model.step(1)
     strip.model.write_snapshot(folder / "run")
-    assert {path.name for path in folder.iterdir()} == {"run.pvd", "run_0000_lattice.vtu", "run_0000_boundary.vtu"}
+    parts = {f"run_0000_{part}.vtu" for part in ("lattice", "boundary", "inside", "cracks")}
+    assert {path.name for path in folder.iterdir()} == {"run.pvd"} | parts
+
+
+def test_snapshots_of_another_run_are_not_overwritten_in_silence(strip, tmp_path):
+    strip.model.write_snapshot(tmp_path / "run")
+    again = make_strip().model
+    before = (tmp_path / "run.pvd").read_bytes()
+    with pytest.raises(bempd.FileError, match="is there already, of another run.*snapshots.existing"):
+        again.write_snapshot(tmp_path / "run")
+    assert (tmp_path / "run.pvd").read_bytes() == before
+    again.options["snapshots.existing"] = "continue"
+    again.write_snapshot(tmp_path / "run")
+    assert (tmp_path / "run_0001_lattice.vtu").exists()
+    assert (tmp_path / "run.pvd").read_text().count("_lattice.vtu") == 2

@@ -261,9 +261,9 @@ impl Model {
 
 /// # Files
 impl Model {
-    /// Writes the present state for ParaView: `prefix_NNNN_lattice.vtu` and `prefix_NNNN_boundary.vtu` with
-    /// displacement, damage and stress, and `prefix.pvd`, the series of all snapshots this model has written with this
-    /// prefix. The folder must exist.
+    /// Writes the present state for ParaView, which opens `prefix.pvd`: all snapshots with this prefix, with lattices,
+    /// boundaries, the inside of BEM regions and cracks as parts. The folder must exist; files of another run with this
+    /// prefix are an error of kind `Io` unless the option `snapshots.existing` is `continue` or `replace`.
     pub fn write_snapshot(&mut self, prefix: impl AsRef<Path>) -> Result<()> {
         self.handle.write_snapshot(utf8(prefix.as_ref())?)
     }

@@ -292,6 +292,12 @@ fn files_are_written() {
     for name in ["run.pvd", "run_0000_lattice.vtu", "run_0000_boundary.vtu", "history.csv"] {
         assert!(std::fs::metadata(folder.join(name)).unwrap().len() > 0, "{name}");
     }
+    let mut restarted = common::plate().model;
+    restarted.step(0.01).unwrap();
+    assert!(restarted.write_snapshot(folder.join("run")).unwrap_err().to_string().contains("of another run"));
+    restarted.set_option_text("snapshots.existing", "continue").unwrap();
+    restarted.write_snapshot(folder.join("run")).unwrap();
+    assert!(folder.join("run_0001_lattice.vtu").exists());
 }
 
 #[test]

@@ -1,0 +1,160 @@
+"""What was said of a scene, as words and as a drawing that needs neither matplotlib nor a prepared model."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import math
+from typing import Optional, Sequence
+
+Place = tuple[float, float]
+FACES = {"BEM": "#e3e5e8", "PD": "#fff1c9"}
+EDGE, CRACK, HELD, LOADED = "#7d838c", "#b3261e", "#1f4e79", "#c05a00"
+WIDTH = 420  # pixels
+
+
+@dataclasses.dataclass(frozen=True)
+class Arc:
+    """A circular edge."""
+
+    centre: Place
+    counter_clockwise: bool
+
+    def between(self, start: Place, end: Place) -> list[Place]:
+        """Places on the way, without the end."""
+        radius = math.dist(self.centre, start)
+        first, last = (math.atan2(p[1] - self.centre[1], p[0] - self.centre[0]) for p in (start, end))
+        turn = (last - first) % math.tau or math.tau
+        if not self.counter_clockwise:
+            turn -= math.tau
+        steps = max(2, math.ceil(abs(turn) / 0.1))
+        angles = [first + turn * k / steps for k in range(steps)]
+        return [(self.centre[0] + radius * math.cos(a), self.centre[1] + radius * math.sin(a)) for a in angles]
+
+
+def arc_through(start: Place, between: Place, end: Place) -> Optional[Arc]:
+    """The circle through three places; none if they lie on a line."""
+    bx, by, cx, cy = between[0] - start[0], between[1] - start[1], end[0] - start[0], end[1] - start[1]
+    area = 2 * (bx * cy - by * cx)
+    if area == 0:
+        return None
+    b, c = bx * bx + by * by, cx * cx + cy * cy
+    return Arc((start[0] + (cy * b - by * c) / area, start[1] + (bx * c - cx * b) / area), area > 0)
+
+
+class Region:
+    """Loops of vertices; edges are numbered through all of them from 1."""
+
+    def __init__(self, kind: str, loop: Sequence[Place]) -> None:
+        self.kind = kind
+        self.loops = [list(loop)]
+        self.arcs: dict[int, Arc] = {}
+
+    def ends(self, edge: int) -> Optional[tuple[Place, Place]]:
+        """Start and end of an edge; none if there is no such edge."""
+        before = edge - 1
+        for loop in self.loops:
+            if 0 <= before < len(loop):
+                return loop[before], loop[(before + 1) % len(loop)]
+            before -= len(loop)
+        return None
+
+    def way(self, edge: int) -> list[Place]:
+        """Places along an edge, with its end."""
+        ends = self.ends(edge)
+        if ends is None:
+            return []
+        return [*(self.arcs[edge].between(*ends) if edge in self.arcs else [ends[0]]), ends[1]]
+
+    def outlines(self) -> list[list[Place]]:
+        """Loops as polygons."""
+        shown, first = [], 1
+        for loop in self.loops:
+            shown.append([place for edge in range(first, first + len(loop)) for place in self.way(edge)[:-1]])
+            first += len(loop)
+        return shown
+
+
+@dataclasses.dataclass(frozen=True)
+class Mark:
+    """A support or load: on an edge, at a point, or on a crack."""
+
+    region: int = 0
+    edge: int = 0
+    point: Optional[Place] = None
+    crack: int = 0
+    component: Optional[str] = None  #: that is prescribed; None if only held
+    proportional: Optional[float] = None  #: [m] per unit of the load factor, where that is one number
+
+
+class Sketch:
+    """A scene as it was described."""
+
+    def __init__(self) -> None:
+        self.materials = 0
+        self.regions: dict[int, Region] = {}
+        self.cracks: dict[int, list[Place]] = {}
+        self.supports: dict[int, Mark] = {}
+        self.loads: dict[int, Mark] = {}
+
+    def add_circle(self, region: int, centre: Place, radius: float, *, hole: bool) -> None:
+        """Four quarter circles, as a hole of a region or as a region of its own."""
+        sides = [(1, 0), (0, -1), (-1, 0), (0, 1)] if hole else [(1, 0), (0, 1), (-1, 0), (0, -1)]
+        loop = [(centre[0] + radius * x, centre[1] + radius * y) for x, y in sides]
+        if hole:
+            self.regions[region].loops.append(loop)
+        else:
+            self.regions[region] = Region("BEM", loop)
+        last = sum(map(len, self.regions[region].loops))
+        self.regions[region].arcs.update({edge: Arc(centre, not hole) for edge in range(last - 3, last + 1)})
+
+    def words(self) -> str:
+        """What there is, counted."""
+        kinds = [region.kind for region in self.regions.values()]
+        detail = ", ".join(f"{kinds.count(kind)} {kind}" for kind in FACES if kind in kinds)
+        parts = [counted(self.materials, "material"), counted(len(kinds), "region") + (f" ({detail})" if kinds else ""),
+                 counted(len(self.cracks), "crack"), counted(len(self.supports), "support"), counted(len(self.loads), "load")]
+        return ", ".join(parts)
+
+    def svg(self) -> str:
+        """The scene as a picture; empty if there is no region."""
+        places = [place for region in self.regions.values() for loop in region.outlines() for place in loop]
+        if not places:
+            return ""
+        (left, right), (low, high) = ((min(axis), max(axis)) for axis in zip(*places))
+        scale = (WIDTH - 40) / max(right - left, high - low, 1e-300)
+        height = max(60, math.ceil(scale * (high - low)) + 40)
+
+        def path(line: Sequence[Place], close: bool = False) -> str:
+            at = [f"{20 + scale * (x - left):.1f} {height - 20 - scale * (y - low):.1f}" for x, y in line]
+            return "M" + "L".join(at) + ("Z" if close else "")
+
+        drawn = []
+        for number, region in self.regions.items():
+            outline = " ".join(path(loop, close=True) for loop in region.outlines())
+            drawn.append(f'<path d="{outline}" fill="{FACES[region.kind]}" fill-rule="evenodd" stroke="{EDGE}">'
+                         f"<title>region {number} ({region.kind})</title></path>")
+        for crack, line in self.cracks.items():
+            drawn.append(f'<path d="{path(line)}" fill="none" stroke="{CRACK}" stroke-width="2"><title>crack {crack}</title></path>')
+        for what, marks, colour in (("load", self.loads, LOADED), ("support", self.supports, HELD)):
+            for number, mark in marks.items():
+                title = f"<title>{what} {number}</title>"
+                if mark.point is not None:
+                    x, y = path([mark.point])[1:].split()
+                    drawn.append(f'<circle cx="{x}" cy="{y}" r="4" fill="{colour}">{title}</circle>')
+                elif mark.region in self.regions:
+                    way = self.regions[mark.region].way(mark.edge)
+                    if way:
+                        drawn.append(f'<path d="{path(way)}" fill="none" stroke="{colour}" stroke-width="4">{title}</path>')
+        return f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" role="img">{"".join(drawn)}</svg>'
+
+    def page(self, sentence: str) -> str:
+        """The picture above its sentence, for notebooks."""
+        keys = "".join(f'<span style="color:{colour}">&#9632;</span> {word} ' for word, colour in (
+            ("held or moved", HELD), ("loaded", LOADED), ("crack", CRACK)))
+        return f"<div>{self.svg()}<div>{html.escape(sentence)}</div><div><small>{keys}</small></div></div>"
+
+
+def counted(number: int, word: str) -> str:
+    """One crack, two cracks."""
+    return f"{number} {word}" + ("" if number == 1 else "s")

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Writes docs/options.md from what the library says of its options.
+
+    docs/options.py            writes the page
+    docs/options.py --check    fails with the difference when it is not what would be written
+
+The library is found as the Python package finds it (BEMPD_LIBRARY)."""
+
+from __future__ import annotations
+
+import difflib
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "bindings/python"))
+
+import bempd.options  # noqa: E402
+
+PAGE = ROOT / "docs/options.md"
+HEAD = """# Options
+
+Every knob of the library by its name, as the library itself lists them. This page is written by `docs/options.py`; a test
+fails when it is not what the library says.
+
+| language | set | ask |
+|---|---|---|
+| C | `bempd_set_option(model, "pd.horizon_ratio", 5)`, `bempd_set_option_text(model, "accuracy", "fine")` | `bempd_get_option()`, `bempd_option_describe()` |
+| Fortran | `call model%set_option("pd.horizon_ratio", 5._dp)`, `call model%set_option("accuracy", "fine")` | `call model%get_option(...)`, `call bempd_get_options(options)` |
+| Python | `model.options["accuracy"] = "fine"`, `bempd.Model(options={"accuracy": "fine"})` | `model.options["accuracy"]`, `model.options.describe("accuracy")` |
+| Rust | `model.set_option("pd.horizon_ratio", 5.0)?`, `model.set_option_text("accuracy", "fine")?` | `model.option(...)`, `bempd::options()` |
+
+An unknown name is an error that lists the near ones. What a prepared model has built already keeps the old value.
+"""
+
+
+def number(value: float) -> str:
+    return f"{value:g}" if abs(value) < 1e300 else "no limit"
+
+
+def row(option: bempd.options.OptionInfo) -> str:
+    if option.choices:
+        legal, default = ", ".join(f"`{word}`" for word in option.choices), f"`{option.default}`"
+    else:
+        whole = "whole, " if option.whole_number else ""
+        legal, default = f"{whole}{number(option.minimum)} .. {number(option.maximum)}", number(option.default)
+        if option.unit != "-":
+            legal += f" {option.unit}"
+    summary = option.summary.replace("|", "\\\\|")
+    return f"| `{option.name}` | {default} | {legal} | {summary} |"
+
+
+def page() -> str:
+    bempd.options.in_python = lambda text: text  # summaries with the names of C, as this page is for all languages
+    groups: dict[str, list[str]] = {}
+    titles = {"pd": "Peridynamic regions", "bem": "Boundary elements", "stepping": "Stepping", "growth": "Growth of cracks in BEM regions",
+              "results": "Results", "snapshots": "Snapshots", "tips": "Crack tips", "memory": "Memory", "paper": "Scheme paper"}
+    for option in bempd.describe_options().values():
+        family = option.name.split(".")[0] if "." in option.name else ""
+        groups.setdefault(titles.get(family, family.capitalize() if family else "General"), []).append(row(option))
+    text = HEAD
+    for title, rows in groups.items():
+        text += f"\n## {title}\n\n| name | default | legal | what it does |\n|---|---|---|---|\n" + "\n".join(rows) + "\n"
+    return text
+
+
+def main() -> int:
+    wanted = page()
+    if "--check" not in sys.argv:
+        PAGE.write_text(wanted, encoding="utf-8")
+        return 0
+    present = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
+    sys.stderr.writelines(difflib.unified_diff(present.splitlines(keepends=True), wanted.splitlines(keepends=True),
+                                               "docs/options.md", "docs/options.md from the library"))
+    if present != wanted:
+        print("run docs/options.py and commit what it writes", file=sys.stderr)
+    return int(present != wanted)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

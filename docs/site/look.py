@@ -1,0 +1,106 @@
+"""Opens every page of the built site in Chromium, wide and narrow: pictures that do not load, links that lead to nothing, text
+that runs out of the screen. Fails with the list; keeps screenshots.
+
+    look.py SITE SCREENSHOTS
+"""
+
+from __future__ import annotations
+
+import functools
+import html
+import http.server
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import urllib.parse
+
+WIDTHS = (1280, 390)
+SHOTS = ["docs/index.html", "docs/tutorial.html", "docs/theory.html", "docs/coupling.html", "docs/options.html", "docs/paraview.html",
+         "docs/reference/stepping.html", "docs/python_reference.html", "examples/centre_crack/README.html", "README.html"]
+
+# Runs in the browser: each page in a frame of each width.
+SCRIPT = """
+const pages = PAGES, widths = WIDTHS, found = [], seen = new Map();
+const exists = url => { if (!seen.has(url)) seen.set(url, fetch(url, {method: 'HEAD'}).then(r => r.ok, () => false)); return seen.get(url); };
+const load = (page, width) => new Promise(done => {
+  const frame = document.createElement('iframe');
+  frame.style.cssText = `width:${width}px;height:900px;border:0`;
+  frame.onload = () => setTimeout(() => done(frame), 400);
+  frame.src = page; document.body.appendChild(frame);
+});
+(async () => {
+  for (const page of pages) for (const width of widths) {
+    const frame = await load(page, width), doc = frame.contentDocument;
+    const over = doc.documentElement.scrollWidth - doc.documentElement.clientWidth;
+    if (over > 1) {
+      const wide = [...doc.querySelectorAll('article *')].filter(e => e.getBoundingClientRect().right > width + 1 && !e.closest('table, pre, .MathJax_CHTML'));
+      found.push(`${page}: ${over} pixels too wide at ${width}: ${wide.slice(0, 2).map(e => e.tagName + ' ' + e.textContent.trim().slice(0, 60)).join(' | ')}`);
+    }
+    if (width === widths[0]) {
+      for (const image of doc.images) if (image.loading !== 'lazy' && image.naturalWidth === 0) found.push(`${page}: picture ${image.getAttribute('src')} does not load`);
+      for (const link of doc.querySelectorAll('article a[href]')) {
+        const url = new URL(link.href);
+        if (url.origin !== location.origin) continue;
+        if (!await exists(url.pathname)) found.push(`${page}: link ${link.getAttribute('href')} leads to nothing`);
+        else if (url.hash && url.pathname === new URL(page, location).pathname && !doc.getElementById(decodeURIComponent(url.hash.slice(1))))
+          found.push(`${page}: there is no ${url.hash}`);
+      }
+      if (/\\$\\$|\\\\frac|\\\\sqrt/.test(doc.querySelector('article') ? doc.querySelector('article').innerText : '')) found.push(`${page}: a formula is not drawn`);
+    }
+    frame.remove();
+  }
+  document.body.innerHTML = '<pre id="found"></pre>';
+  document.getElementById('found').textContent = JSON.stringify({found, pages: pages.length});
+  document.title = 'done';
+})();
+"""
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_: object) -> None:
+        pass
+
+
+def chromium(*arguments: str) -> str:
+    with tempfile.TemporaryDirectory() as profile:
+        run = subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--user-data-dir={profile}",
+                              *arguments], capture_output=True, text=True, timeout=900, check=True)
+    return run.stdout
+
+
+def main() -> int:
+    site, shots = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    shots.mkdir(parents=True, exist_ok=True)
+    pages = sorted("/" + urllib.parse.quote(str(page.relative_to(site))) for page in site.rglob("*.html")
+                   if page.relative_to(site).parts[0] not in ("rust", "_static", "_modules"))
+    harness = site / "_look.html"
+    script = SCRIPT.replace("PAGES", json.dumps(pages)).replace("WIDTHS", json.dumps(WIDTHS), 1)
+    harness.write_text(f"<!doctype html><meta charset='utf-8'><title>looking</title><body><script>{script}</script>", encoding="utf-8")
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    address = f"http://127.0.0.1:{server.server_port}"
+    try:
+        text = chromium(f"--virtual-time-budget={2000 * len(pages) * len(WIDTHS)}", "--dump-dom", f"{address}/_look.html")
+        for page in SHOTS:
+            for width in WIDTHS:
+                target = shots / f"{page.removesuffix('.html').replace('/', '_')}_{width}.png"
+                chromium(f"--window-size={width},{1400}", "--virtual-time-budget=6000", f"--screenshot={target}", f"{address}/{page}")
+    finally:
+        server.shutdown()
+        harness.unlink()
+    answer = re.search(r'<pre id="found">(.*?)</pre>', text, re.DOTALL)
+    if not answer:
+        print("the browser did not come to an end")
+        return 1
+    result = json.loads(html.unescape(answer[1]))
+    print("\n".join(result["found"]) or f"{result['pages']} pages at {' and '.join(map(str, WIDTHS))} pixels: nothing broken, nothing too wide")
+    print(f"screenshots: {shots}")
+    return int(bool(result["found"]))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,108 @@
+"""Copies what the site shows into a tree of its own: pages, pictures and sources that pages link to, at their places in
+the repository, so that the links which work on a forge work on the site.
+
+    stage.py ROOT TARGET
+"""
+
+from __future__ import annotations
+
+import pathlib
+import re
+import shutil
+import sys
+
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s#]+)(#[^)\s]*)?\)")
+PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "examples/*/README.md", "benchmarks/*/README.md",
+         "bindings/*/README.md"]
+BUILDS = ["docs/site", "bindings/python/bempd", "CMakeLists.txt"]
+MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
+MATHJAX_PARTS = ["MathJax.js", "config/TeX-MML-AM_CHTML.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/input/TeX",
+                 "jax/element", "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
+
+
+def links(page: pathlib.Path) -> list[str]:
+    """Targets of relative links, outside code."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    return [target for target, _ in LINK.findall(text) if not re.match(r"[a-z]+:", target)]
+
+
+def copy(source: pathlib.Path, target: pathlib.Path) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if source.is_dir():
+        shutil.copytree(source, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__", "*.so*"))
+    else:
+        shutil.copy2(source, target)
+
+
+CHAPTERS = {
+    "Learn": ["docs/tutorial", "docs/theory", "docs/coupling", "docs/paraview", "docs/troubleshooting"],
+    "Look up": ["docs/reference/index", "docs/options", "bindings/fortran/README", "bindings/python/README",
+                "docs/python_reference", "bindings/rust/README"],
+    "Examples": ["examples/*/README"],
+    "What is measured": ["docs/accuracy", "docs/verification", "docs/paper", "docs/directions", "docs/scaling", "docs/windows",
+                         "docs/reliability", "benchmarks/*/README"],
+    "The project": ["README", "docs/architecture", "CONTRIBUTING", "CHANGELOG", "docs/citing"],
+}
+PYTHON = """# Python reference
+
+All of it can be imported from `bempd` itself, but for the pictures, which are in `bempd.plot`.
+
+```{eval-rst}
+.. automodule:: bempd.model
+
+.. automodule:: bempd.state
+
+.. automodule:: bempd.options
+
+.. automodule:: bempd.callbacks
+
+.. automodule:: bempd.reports
+
+.. automodule:: bempd.errors
+
+.. automodule:: bempd.plot
+```
+"""
+
+
+def contents(target: pathlib.Path) -> str:
+    """What stands beside every page, by chapter; on a forge the pages' own links do that."""
+    text = ""
+    for title, names in CHAPTERS.items():
+        pages = [page for name in names for page in (sorted(str(found.relative_to(target))[:-3]
+                 for found in target.glob(name + ".md")) if "*" in name else [name])]
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n" + "\n".join("/" + page for page in pages) + "\n```\n"
+    return text
+
+
+def give_title(page: pathlib.Path) -> None:
+    """READMEs of examples begin with the sentence that lists show; a page needs a title."""
+    text = page.read_text(encoding="utf-8")
+    if not text.startswith("# "):
+        page.write_text(f"# {page.parent.name.replace('_', ' ').capitalize()}\n\n{text}", encoding="utf-8")
+
+
+def stage(root: pathlib.Path, target: pathlib.Path) -> None:
+    shutil.rmtree(target, ignore_errors=True)
+    pages = sorted({page for pattern in PAGES for page in root.glob(pattern)})
+    for page in pages:
+        copy(page, target / page.relative_to(root))
+        for link in links(page):
+            linked = (page.parent / link).resolve()
+            if linked.is_file() and linked.suffix != ".md":
+                copy(linked, target / linked.relative_to(root))
+    for name in BUILDS:
+        copy(root / name, target / name)
+    for page in pages:
+        give_title(target / page.relative_to(root))
+    (target / "docs/python_reference.md").write_text(PYTHON, encoding="utf-8")
+    with open(target / "docs/index.md", "a", encoding="utf-8") as index:
+        index.write(contents(target))
+    shutil.move(target / "docs/site/conf.py", target / "conf.py")
+    for part in MATHJAX_PARTS:
+        if (MATHJAX / part).exists():
+            copy(MATHJAX / part, target / "docs/site/static/mathjax" / part)
+
+
+if __name__ == "__main__":
+    stage(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/edge.hpp"
+
+namespace bempd {
+
+// Delaunay triangulation of points that come one after the other (Bowyer and Watson 1981). Places are rounded to whole
+// numbers, 2^23 to either side of the box's centre, so that every decision is exact.
+class Delaunay {
+ public:
+  explicit Delaunay(const Box& box);
+
+  // Its number; that of a point before it at the same rounded place.
+  int insert(const Point& p);
+
+  struct Triangle {
+    std::array<int, 3> points;      // counter-clockwise; negative: of the frame around the box
+    std::array<int, 3> neighbours;  // across from the points; -1 outside the frame
+    bool there = true;
+  };
+  // Those with `there` unset have gone.
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  // Triangles that the last insertion made.
+  const std::vector<int>& fresh() const { return fresh_; }
+  int point_count() const { return static_cast<int>(places_.size()) - frame_points; }
+
+ private:
+  struct Place {
+    std::int64_t x, y;
+  };
+  // A side that can be seen from the new point, with the triangle beyond it.
+  struct Rim {
+    std::array<int, 2> points;
+    int beyond;
+  };
+  static constexpr int frame_points = 3;
+
+  const Place& place(int point) const { return places_[static_cast<std::size_t>(point + frame_points)]; }
+  // Twice the area of the triangle.
+  static std::int64_t turn(const Place& a, const Place& b, const Place& c);
+  bool circle_holds(const Triangle& triangle, const Place& p) const;
+  int triangle_at(const Place& p) const;
+  std::vector<Rim> open_cavity(int first, const Place& p);
+
+  Point centre_;
+  double scale_;
+  std::vector<Place> places_;
+  std::vector<Triangle> triangles_;
+  std::vector<int> fresh_;
+};
+
+}  // namespace bempd

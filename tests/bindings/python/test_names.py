@@ -1,0 +1,101 @@
+"""What a model says of itself: in words, as a picture, to help(), to type checkers; and that it is not pickled."""
+
+import copy
+import inspect
+import pickle
+import re
+import typing
+
+import bempd
+import pytest
+from bempd import _names, _scene, rectangle
+from bempd._help import function_behind
+
+
+def test_repr_says_what_is_in_it(strip):
+    assert repr(bempd.Model()) == "<bempd.Model: 0 materials, 0 regions, 0 cracks, 0 supports, 0 loads; load factor 0>"
+    assert repr(strip.model) == ("<bempd.Model: 1 material, 3 regions (2 BEM, 1 PD), 1 crack, 2 supports, 0 loads; "
+                                 "load factor 0>")
+    report = strip.model.run_to_separation(1e4)
+    assert repr(strip.model).endswith(f"load factor {report.load_factor:.6g}, {report.total_broken_bonds} bonds broken>")
+    strip.model.close()
+    assert repr(strip.model) == "<bempd.Model: closed>"
+
+
+def test_html_has_the_picture_of_the_scene():
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+    plate = model.add_bem_region(glass, rectangle(0, 0, 4, 2), element_length=1)
+    model.add_circular_hole(plate, (2, 1), 0.5)
+    model.set_edge_arc(plate, 2, (4.5, 1))
+    disc = model.add_bem_disc(glass, (8, 1), 1, 0.5)
+    model.add_crack([(0.5, 1), (1, 1)])
+    held, load = model.fix_edge(plate, 4), model.add_traction(plate, 2, "x", 1)
+    model.fix_point((8, 2))
+    page = model._repr_html_()
+    assert page.count("<svg") == 1 and page.count("fill-rule") == 2
+    for title in (f"region {plate} (BEM)", f"region {disc} (BEM)", "crack 1", f"support {held}", f"load {load}"):
+        assert f"<title>{title}</title>" in page
+    # The hole is a second loop, of many pieces; nothing was prepared.
+    outline = re.search(r'd="([^"]*)" fill="#e3e5e8"', page)[1]
+    assert outline.count("Z") == 2 and outline.count("L") > 60
+    model.remove_load(load)
+    model.add_hole(plate, [(0.2, 0.2), (0.2, 0.4), (0.4, 0.4), (0.4, 0.2)])
+    assert f"<title>load {load}</title>" not in model._repr_html_()
+    assert "<svg" not in bempd.Model()._repr_html_()
+
+
+def test_pickling_is_refused_with_a_way_out(strip):
+    for attempt in (pickle.dumps, copy.copy, copy.deepcopy):
+        with pytest.raises(TypeError, match="cannot be pickled or copied.*save().*bempd.State"):
+            attempt(strip.model)
+    strip.model.prepare()
+    assert pickle.loads(pickle.dumps(strip.model.save())) == strip.model.save()
+
+
+@pytest.mark.parametrize("alias, words", [
+    ("Component", _scene.ONE_COMPONENT), ("Components", _scene.COMPONENTS), ("Plane", _scene.PLANES),
+    ("Turn", _scene.TURNS), ("FaceComponent", _scene.FACE_COMPONENTS)])
+def test_names_are_those_of_the_arguments(alias, words):
+    assert set(typing.get_args(getattr(_names, alias))) == set(words)
+
+
+def test_names_of_fields_quantities_faces_and_goals():
+    from bempd import _drawing, _results, model
+
+    assert set(typing.get_args(_names.FieldName)) == set(_results.FIELDS)
+    assert set(typing.get_args(_names.Face)) == set(_results.FACES)
+    assert set(typing.get_args(_names.Until)) == set(model.UNTIL)
+    assert set(typing.get_args(_names.Quantity)) == set(_drawing.QUANTITIES)
+
+
+def test_help_has_units_shapes_and_errors():
+    text = inspect.getdoc(bempd.Model.add_traction)
+    assert "[Pa]" in text and "shape [value_count]" in text and "Raises a bempd.Error" in text
+    assert "shape [count][3], xx, yy, xy [Pa]" in inspect.getdoc(bempd.Model.evaluate)
+    without = [name for name, method in inspect.getmembers(bempd.Model, inspect.isfunction) if not name.startswith("_")
+               and name not in ("plot", "close") and "The manual of bempd_" not in (method.__doc__ or "")]
+    assert not without, without
+
+
+# Places are pairs here, arrays bring their counts, and a callback comes before the component, which may be left out.
+ALSO = {"point": "x", "centre": "x", "about": "x", "crack": "crack", "name": "field", "out": "values", "points": "points"}
+LEFT_OUT = {"prescribe_edge_function"}
+
+
+def test_arguments_come_in_the_order_of_c():
+    from bempd._cdef import CDEF
+
+    checked = 0
+    for name, method in inspect.getmembers(bempd.Model, inspect.isfunction):
+        function = "" if name.startswith("_") else function_behind("Model", name)
+        declared = re.search(rf"{function}\((.*?)\);", CDEF, re.DOTALL) if function else None
+        if not declared or name in LEFT_OUT:
+            continue
+        order = [re.search(r"(\w+)\s*$", part)[1] for part in declared[1].replace("\n", " ").split(",")]
+        given = [ALSO.get(one.name, one.name) for one in inspect.signature(method).parameters.values()
+                 if one.kind is one.POSITIONAL_OR_KEYWORD and one.name != "self"]
+        places = [order.index(one) for one in given if one in order]
+        assert places == sorted(places), (name, given, order)
+        checked += 1
+    assert checked > 40
