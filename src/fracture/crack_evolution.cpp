@@ -52,6 +52,10 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   }
   for (;;) {
     if (goal == Goal::separation && state_.separated) return StopReason::separated;
+    if (options.stop && options.stop->load(std::memory_order_relaxed)) {
+      end_step();
+      return StopReason::requested;
+    }
     const Event* next = sources_.next(target, options);
     if (has_come_apart(next, target, options) && goal != Goal::load_factor) return StopReason::separated;
     if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
