@@ -1172,11 +1172,11 @@ and may be the time of the host. Values at the end are those that bempd_step() t
 factor would have; a proportional part counts there with that load factor. Before the first step the
 body is at rest, and the way begins at zero.
 
-A step that ends before (at an event, separated, or without an admissible load) leaves loads and
-supports where they were on the way. The same call with the same load factor goes on from there, as
-if it had not stopped; with another one, or after new values, it begins a new straight line there;
-bempd_step() goes to the values at once. A call that fails or is cancelled leaves everything as it
-was before.
+A step that ends before (at an event, separated, on request, without an admissible load) leaves
+loads and supports where they were on the way. The same call with the same load factor goes on from
+there, as if it had not stopped; with another one, or after new values, it begins a new straight
+line there; bempd_step() goes to the values at once. A call that fails or is cancelled leaves
+everything as it was before.
 
 model [in]: the model
 load_factor [in]: where the way ends, above or below the present one [-]
