@@ -230,8 +230,9 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * in scheme "paper"), edges are divided into equal parts about a spacing long, with material points between them, and
  * inside are those of a square lattice; round edges count as the chords between their points. Constant stress is exact
  * there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings of width, radii a
- * spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull. Such
- * regions do not touch others.
+ * spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull. Elements
+ * of BEM regions follow the material points on common edges, also round ones, unless bempd_set_edge_mesh() is called
+ * for a straight edge; peridynamic regions of the same spacing share the points of a common edge, without bonds across.
  * @param[in] model the model @param[in] material id of a material with the Poisson's ratio of bond-based peridynamics
  * @param[in] vertex_count number of vertices, >= 3
  * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
@@ -260,7 +261,8 @@ BEMPD_API bempd_status bempd_add_circular_hole(bempd_model* model, int32_t regio
 /** @brief Make an edge the circular arc through a place between its ends.
  *
  * Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give both
- * edges a place on the same arc. Interfaces with peridynamic regions have straight edges only.
+ * edges a place on the same arc. So may those with peridynamic regions that have points on their outline; there
+ * elements are straight between these points.
  * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
  * @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y);

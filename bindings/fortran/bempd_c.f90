@@ -903,7 +903,9 @@ module bempd_c
     !> them, and inside are those of a square lattice; round edges count as the chords between their points. Constant
     !> stress is exact there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings
     !> of width, radii a spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds
-    !> that only pull. Such regions do not touch others.
+    !> that only pull. Elements of BEM regions follow the material points on common edges, also round ones, unless
+    !> bempd_set_edge_mesh() is called for a straight edge; peridynamic regions of the same spacing share the points of
+    !> a common edge, without bonds across.
     !>
     !> model [in]: the model
     !> material [in]: id of a material with the Poisson's ratio of bond-based peridynamics
@@ -971,7 +973,8 @@ module bempd_c
     !> Make an edge the circular arc through a place between its ends.
     !>
     !> Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give
-    !> both edges a place on the same arc. Interfaces with peridynamic regions have straight edges only.
+    !> both edges a place on the same arc. So may those with peridynamic regions that have points on their outline;
+    !> there elements are straight between these points.
     !>
     !> model [in]: the model
     !> region [in]: id of a region

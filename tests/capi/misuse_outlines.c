@@ -63,6 +63,37 @@ static void edges_have_no_elements(void) {
   bempd_model_free(model);
 }
 
+static void neighbours_have_one_spacing_and_common_places(void) {
+  const double beside[] = {10, 0, 20, 0, 22, 8, 10, 8}, above[] = {0.5, 8, 6.5, 8, 7.5, 14, 0.5, 14};
+  bempd_model* model = pd_block();
+  CHECK_OK(model, bempd_add_pd_region(model, 1, 4, beside, 0.5, 4, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "same one", bempd_prepare(model));
+  bempd_model_free(model);
+  model = pd_block();
+  CHECK_OK(model, bempd_add_pd_region(model, 1, 4, above, 1.0, 4, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "not a lattice point", bempd_prepare(model));
+  bempd_model_free(model);
+}
+
+static void elements_follow_the_points_of_round_interfaces(void) {
+  bempd_model* model = new_model();
+  int32_t region = 0, plate = 0, first = 0;
+  const double diamond[] = {3, 0, 0, 3, -3, 0, 0, -3};
+  const int32_t material = add_sound_material(model);
+  int32_t k;
+  plate = add_bem_rectangle(model, material, -6.0, -6.0, 6.0, 6.0, 2.0);
+  CHECK_OK(model, bempd_add_circular_hole(model, plate, 0.0, 0.0, 3.0, &first));
+  CHECK_OK(model, bempd_add_pd_region(model, material, 4, diamond, 1.0, 4, &region));
+  for (k = 1; k <= 4; ++k)
+    CHECK_OK(model, bempd_set_edge_arc_about(model, region, k, 0.0, 0.0, 3.0, BEMPD_COUNTER_CLOCKWISE));
+  CHECK_OK(model, bempd_set_edge_mesh(model, plate, first, 0.5, 1.0));
+  CHECK_OK(model, bempd_fix_edge(model, plate, 1, BEMPD_BOTH, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "leave out bempd_set_edge_mesh", bempd_prepare(model));
+  bempd_model_free(model);
+}
+
 static void the_paper_has_lattices_only(void) {
   bempd_model* model = new_model();
   if (bempd_set_option_text(model, "scheme", "paper") == BEMPD_OK) {
@@ -104,6 +135,8 @@ int main(void) {
   parts_thinner_than_a_spacing_have_no_network();
   nearest_neighbours_are_too_few();
   edges_have_no_elements();
+  neighbours_have_one_spacing_and_common_places();
+  elements_follow_the_points_of_round_interfaces();
   the_paper_has_lattices_only();
   loads_on_round_edges_add_up();
   return check_finish();

@@ -16,6 +16,7 @@ struct Chord {
 // The outline of a body as equal chords on every piece of it, in units of the spacing. Node k is where chord k starts.
 struct Chords {
   std::vector<Point> nodes;  // exactly on the outline
+  std::vector<char> kept{};  // nodes whose surface vectors others rely on; empty for none
   std::vector<Chord> chords;
   std::vector<int> loop_start;   // of the nodes, and the end of the last loop
   std::vector<int> piece_start;  // of the chords, and the end of the last piece
@@ -33,7 +34,9 @@ struct Chords {
   double angle(int node) const;
 };
 
-// Pieces of loops that have the body on their left. Every piece gets as many chords as it is spacings long.
-Chords make_chords(const std::vector<std::vector<Arc>>& loops);
+// Pieces of loops that have the body on their left. Every piece gets as many chords as it is spacings long. They are
+// equal, but for pieces that `may_vary` (by number): where a loop can be balanced as it is (surface_balance.hpp) by
+// chords of different lengths within some of these they have such.
+Chords make_chords(const std::vector<std::vector<Arc>>& loops, const std::vector<char>& may_vary = {});
 
 }  // namespace bempd::pd

@@ -51,6 +51,8 @@ class LoopBalance {
     }
     for (std::size_t p = 0; p < pieces.size(); ++p)
       add_piece(pieces[p], 9 + p * moments_a_piece, moments_a_piece, equations);
+    for (int i = 0; i < count_ && !chords_.kept.empty(); ++i)
+      if (chords_.kept[first_ + i]) equations.col(i).setZero();
     VectorXd wanted = VectorXd::Zero(rows);
     wanted.segment<3>(6) = -sums(factors);
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;

@@ -13,7 +13,7 @@ namespace bempd::pd {
 // linear in one factor of the rotation hats on chords see to it; the remaining three numbers vanish only if all pieces
 // have chords of one length. The factors are as close to 1 as that allows. They keep the resultant and the first
 // moments of every loop, and the resultant and the moment of a constant load on every piece where there are enough
-// nodes for it.
+// nodes for it. Those of nodes that are kept are 1.
 std::vector<double> balancing_factors(const Chords& chords);
 
 // The largest of the three numbers over the length of their loop.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "error.hpp"
+#include "pd/outlined/surface_balance.hpp"
 
 namespace bempd::regions {
 
@@ -28,10 +29,8 @@ OutlinedRegion::OutlinedRegion(int id, const OutlinedDescription& described, con
 
 void OutlinedRegion::mesh(const Preparation& preparation) {
   for (const Contact& contact : preparation.arrangement.contacts) {
-    require(contact.region != id() - 1, "peridynamic region ", id(), " has slanted or round edges, and region ",
-            contact.other_region + 1, " touches its edge ", contact.edge + 1,
-            "; a peridynamic region on whose outline points lie cannot share edges with others: give it "
-            "edges parallel to the axes that the spacing divides, or keep the regions apart");
+    if (contact.region != id() - 1) continue;
+    require_common_points(preparation, contact);
   }
   divide_outline(preparation);
 }
@@ -39,9 +38,10 @@ void OutlinedRegion::mesh(const Preparation& preparation) {
 std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, int number) const {
   const Edge edge = preparation.scene.region(id()).edge(number);
   const double length = edge.length() / spacing(), room = shortest_piece / length;
-  std::vector<double> wanted = preparation.arrangement.breakpoints[id() - 1][number - 1], stations{0.0};
+  std::vector<double> wanted, stations = preparation.arrangement.breakpoints[id() - 1][number - 1];
+  stations.insert(stations.end(), {0.0, 1.0});
   if (edge.piece_count() > 1) stations.push_back(edge.joint());
-  stations.push_back(1.0);
+  std::sort(stations.begin(), stations.end());
   for (const auto* conditions : {&preparation.scene.supports(), &preparation.scene.loads()}) {
     for (const scene::Condition& condition : *conditions) {
       if (condition.removed()) continue;
@@ -58,6 +58,11 @@ std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, 
     }
   }
   for (const double f : wanted) {
+    const auto& contacts = preparation.arrangement.contacts;
+    const bool is_shared = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+      return c.region == id() - 1 && c.edge == number - 1 && c.from < f && f < c.to;
+    });
+    if (is_shared) continue;
     const auto after = std::lower_bound(stations.begin(), stations.end(), f);
     if (after == stations.begin() || after == stations.end()) continue;
     if (f - after[-1] >= room && *after - f >= room) stations.insert(after, f);
@@ -66,7 +71,7 @@ std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, 
 }
 
 void OutlinedRegion::divide_outline(const Preparation& preparation) {
-  pieces_.clear(), loops_.clear();
+  if (!pieces_.empty()) return;
   const Outline& outline = preparation.scene.region(id()).outline();
   int number = 0;
   for (const auto& loop : outline.loops) {
@@ -82,6 +87,11 @@ void OutlinedRegion::divide_outline(const Preparation& preparation) {
       }
     }
   }
+  body_.chords = pd::make_chords(loops_);
+  shared_points(preparation);
+  // Points that others rely on leave too few that can balance the rest.
+  if (pd::imbalance(body_.chords, pd::balancing_factors(body_.chords)) > 1e-13)
+    body_.chords = pd::make_chords(loops_, pieces_that_may_vary(preparation));
 }
 
 // Its lower left corner is one of the lattice's points, unless the lattice keeps farther from the cracks elsewhere.
@@ -129,18 +139,23 @@ void OutlinedRegion::require_possible_corners() const {
 }
 
 void OutlinedRegion::build(const Preparation& preparation, Contributions& contributions) {
-  const auto chords = pd::make_chords(loops_);
-  body_.chords = chords;
   require_possible_corners();
+  const std::vector<char> is_shared = shared_points(preparation);
+  const pd::Chords chords = body_.chords;
   const int threads = preparation.options.whole_number("threads");
   body_ = pd::build_outlined_body(chords, place_of_lattice(preparation), horizon_ratio(), elasticity(), threads);
   require(body_.is_exact(), "region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
           horizon_ratio(), " and spacing ", spacing(),
           " was found: corners below 65 degrees, parts less than three spacings wide and edges shorter than a spacing "
-          "may have none; try a smaller spacing or the horizon ratio 4");
+          "may have none; try a smaller spacing or the horizon ratio 4. Edges in common with "
+          "others need chords of like lengths");
   points_ = body_.points;
   nodes_.clear();
-  for (int i = 0; i < point_count(); ++i) nodes_.push_back(contributions.registry.add(position(i)));
+  for (int i = 0; i < point_count(); ++i) {
+    const bool shared = i < chords.count() && is_shared[i];
+    nodes_.push_back(shared ? contributions.registry.add_shared(position(i), id())
+                            : contributions.registry.add(position(i)));
+  }
   bonds_.network = std::make_shared<const pd::Network>(std::move(body_.network));
   add_own_bonds(preparation, contributions);
 }

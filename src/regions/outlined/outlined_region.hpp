@@ -17,6 +17,10 @@ class OutlinedRegion final : public BondedRegion {
 
   void mesh(const Preparation& preparation) override;
   void build(const Preparation& preparation, Contributions& contributions) override;
+  void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const override;
+
+  // Its points on an interface in the direction of its edge [m]; neighbours may ask before it is meshed itself.
+  std::vector<Point> points_on(const Preparation& preparation, const Contact& interface);
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
   void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
@@ -41,8 +45,14 @@ class OutlinedRegion final : public BondedRegion {
     Arc arc;  // in grid coordinates
   };
 
+  void require_common_points(const Preparation& preparation, const Contact& contact) const;
   void divide_outline(const Preparation& preparation);
-  // Fractions of an edge where pieces end: what is asked for, as far as it leaves room for chords.
+  std::vector<char> pieces_that_may_vary(const Preparation& preparation) const;
+  // Marks the points that are nodes of other regions too: all on interfaces that match, the ends of others; and keeps
+  // the surface vectors of all of them.
+  std::vector<char> shared_points(const Preparation& preparation);
+  // Fractions of an edge where pieces end: at the ends of interfaces, and at what else is asked for as far as it leaves
+  // room for chords.
   std::vector<double> stations_on(const Preparation& preparation, int edge) const;
   pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
   void require_possible_corners() const;
