@@ -6,6 +6,7 @@
 #   benchmarks/run.sh windows         what each number of the windows is worth, into docs/windows.md with --write
 #   benchmarks/run.sh threads         a model for each of eight threads, with many threads of the BLAS and with one
 #   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md
+#   benchmarks/run.sh separation      where torn plates end, into docs/separation.md
 #   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/outlines.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
@@ -20,6 +21,7 @@ case "$name" in
   threads) programs=() peers=() ;;
   windows) programs=() peers=() ;;
   directions) programs=(bempd_directions) peers=() ;;
+  separation) programs=() peers=() ;;
   outlines) programs=(bempd_outlines) peers=() ;;
   *) sed -n '2,10s/^# *//p' "$0" >&2; exit 2 ;;
 esac
