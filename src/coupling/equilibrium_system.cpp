@@ -73,6 +73,7 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       factor_(method_, unknowns_, counters_) {
   counters_.sparse_unknowns = unknowns_.count();
   collect_bodies(operators);
+  collect_followers();
   for (std::size_t t = 0; t < terms_.law.size(); ++t) enter({static_cast<int>(t), 0});
   for (const DenseOperator& op : operators) {
     for (int part = 0; part < 2; ++part) {

@@ -17,6 +17,7 @@
 #include "coupling/system_factor.hpp"
 #include "coupling/unknowns.hpp"
 #include "geometry/point.hpp"
+#include "linalg/adjacency.hpp"
 
 namespace bempd::coupling {
 
@@ -82,6 +83,10 @@ class EquilibriumSystem {
   double stiffness_after(const StageChange& change) const;
   // Those of some terms that are gone with their changes.
   std::vector<int> gone_with(std::span<const StageChange> changes) const;
+  // And what follows them: the changes by ascending terms, each once.
+  std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
+  // How many of the terms that are gone with changes do not merely follow.
+  std::int64_t count_broken(std::span<const StageChange> changes) const;
   const std::vector<HoldingSpring>& springs() const { return springs_; }
 
   // Forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
@@ -102,7 +107,7 @@ class EquilibriumSystem {
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
-  // The same for terms that are gone at once.
+  // The same for terms that are gone at once, and what follows them.
   void mark_broken(std::span<const int> terms) { mark(all_gone(terms)); }
   void commit_break(std::span<const int> terms, std::span<const HoldingSpring> springs) {
     commit(all_gone(terms), springs);
@@ -162,6 +167,7 @@ class EquilibriumSystem {
 
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void collect_support_motions();
+  void collect_followers();
   void condense_load();
   void factorize();
   bool has_load(int part) const;
@@ -188,6 +194,7 @@ class EquilibriumSystem {
   std::vector<std::vector<int>> bodies_;
   std::vector<char> in_body_;  // per node
   Terms terms_;
+  linalg::Adjacency followers_of_;  // of every term; empty if none follows
   NodeTies ties_;
   std::vector<std::uint8_t> stages_;
   std::vector<char> intact_;

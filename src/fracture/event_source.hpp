@@ -13,7 +13,7 @@ struct Event {
   double load_factor = 0;
   double ratio = 0;                 // largest stretch over critical stretch
   double critical_load_factor = 0;  // at which the term of this ratio just reaches its critical value
-  // Of these terms, ascending; not told where the event lies beyond the target.
+  // Of these terms and those that follow them, ascending; not told where the event lies beyond the target.
   std::vector<coupling::StageChange> changes;
 
   // By one of its terms.

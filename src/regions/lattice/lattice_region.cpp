@@ -101,7 +101,7 @@ double LatticeRegion::critical_stretch(const Preparation& preparation) const {
 std::optional<pd::TipLaw> LatticeRegion::tip_law(const scene::Options& options) const {
   const double horizon = horizon_ratio_ * spacing();
   const PlaneElasticity& e = elasticity();
-  const double energy = pd::fracture_energy(critical_stretch(options), e.young_modulus, horizon, e.state);
+  const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
   const double modulus =
       e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
   return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};
@@ -137,6 +137,9 @@ void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& co
     const Point step = points_[bond.second] - points_[bond.first];
     contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), limit, law);
   }
+  const auto node = [&](int point) { return nodes_[point]; };
+  const auto term = [&](int bond) { return static_cast<int>(bonds_.first) + bond; };
+  bonds_.squares = contributions.add_squares(*grid_, network()->bonds, elasticity(), spacing(), node, term);
 }
 
 void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {

@@ -23,6 +23,9 @@ struct RegionBonds {
   // Points of other regions where bonds end, numbered after its own.
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
+  // Per point of the grid: the first of the squares of the cell whose lower left corner it is, a term of the scene; -1
+  // without a cell. Empty where bonds alone make the material.
+  std::vector<int> squares;
 };
 
 // A peridynamic region on its material points, the corners of its cells. What other lattices do differently are the
@@ -129,6 +132,10 @@ class LatticeRegion : public Region {
   }
   pd::BondStates bond_states(const Solution& solution) const;
   FieldValues stress(const Solution& solution) const;
+  // Where bonds or squares of cells are gone: stresses of what is left of both, the mean over the cells at a point.
+  void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
+                         const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const;
+  Eigen::Vector3d stress_of_squares(const Solution& solution, int first_square) const;
   FieldValues bond_stretch(const Solution& solution) const;
 
   LatticeOutline outline_;                 // of the cells
