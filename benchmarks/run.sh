@@ -4,6 +4,7 @@
 #   benchmarks/run.sh speed [...]     what whole crack runs cost; options as in benchmarks/speed/README.md
 #   benchmarks/run.sh fracture        stress intensity factors against references, into docs/verification.md
 #   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md
+#   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/materials.md
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -15,7 +16,8 @@ case "$name" in
   speed) programs=(bempd_explicit_pd bempd_kernel_rate) peers=(lammps python3-dolfinx) ;;
   fracture) programs=() peers=(python3-dolfinx python3-gmsh) ;;
   directions) programs=(bempd_directions) peers=() ;;
-  *) sed -n '2,7s/^# *//p' "$0" >&2; exit 2 ;;
+  materials) programs=() peers=() ;;
+  *) sed -n '2,8s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

@@ -169,10 +169,13 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  *
  * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
- * Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; a ratio within 1e-6 of that is
- * taken for it. Give critical_stretch or fracture_energy, or neither for a material that does not break. From the
- * fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
- * sqrt(4 pi G0 / (7 E delta)) in plane strain. @since 0.1 */
+ * Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
+ * strain, up to 1e-6, and to any other ratio the cells of the lattice add the rest, each as long as the bonds along its
+ * edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
+ * material that does not break. From the fracture energy G0, the horizon delta and E' = E, in plane strain
+ * E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that
+ * bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2
+ * in plane stress. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;     /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;    /**< Young's modulus E [Pa], > 0 */
@@ -221,7 +224,7 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges. Peridynamic
  * regions that touch along edges act as one, with bonds across, if spacing, horizon and the numbers of the material are
  * the same (not in scheme "paper"); others only share the points of the common edge.
- * @param[in] model the model @param[in] material id of a material with the Poisson's ratio of bond-based peridynamics
+ * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49
  * @param[in] vertex_count number of vertices, >= 4
  * @param[in] vertices shape [vertex_count][2], counter-clockwise, edges parallel to the axes [m]
  * @param[in] spacing lattice spacing [m], > 0

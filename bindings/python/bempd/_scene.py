@@ -46,8 +46,7 @@ class Scene:
         """Add an isotropic elastic material; returns its id.
 
         Give the critical bond stretch or the fracture energy [J/m^2], or neither for a material that does not break.
-        `plane` is "stress" or "strain". Peridynamic regions need Poisson's ratio 1/3 in plane stress, 1/4 in plane
-        strain.
+        `plane` is "stress" or "strain". Peridynamic regions take Poisson's ratios from -0.2 to 0.49.
 
         >>> import bempd
         >>> bempd.Model().add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)

@@ -4,8 +4,8 @@ use crate::Plane;
 
 /// An isotropic elastic material that breaks at a critical bond stretch.
 ///
-/// Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Without critical stretch and
-/// fracture energy the material does not break; give one of them, not both.
+/// Peridynamic regions take Poisson's ratios from -0.2 to 0.49. Without critical stretch and fracture energy the material
+/// does not break; give one of them, not both.
 ///
 /// ```
 /// use bempd::{Material, Plane};
