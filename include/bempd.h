@@ -419,6 +419,16 @@ BEMPD_API bempd_status bempd_add_pressure(bempd_model* model, int32_t region, in
 BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* load);
 
+/** @brief Add a force per volume on a whole region, such as its weight: constant over the region.
+ *
+ * In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the boundary.
+ * A BEM region with cracks refuses it when the model is prepared. bempd_set_load_values() gives it a new value.
+ * @param[in] model the model @param[in] region id of a region @param[in] component BEMPD_X or BEMPD_Y
+ * @param[in] constant constant part, along the axis [N/m^3] @param[in] proportional part multiplied by the load factor
+ * [N/m^3] @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_body_force(bempd_model* model, int32_t region, int32_t component, double constant,
+                                            double proportional, int32_t* load);
+
 /** @brief What acts on the faces of a crack. @since 0.3 */
 typedef enum bempd_face_component {
   /** Pressure that pushes the faces apart. */

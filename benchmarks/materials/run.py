@@ -217,14 +217,14 @@ def strip(plane: str, ratio: float, m: int) -> tuple[list[float], bempd.Statisti
     model, region, energy = strip_model(plane, ratio, m, height, length, start, {"stepping.control": "path"})
     model.prepare()
     front = Front(model, region, height / 2)
-    began = time.perf_counter()
+    began = time.process_time()
     loads, released, places = [], [], []
     while not places or places[-1] < length - 1.3 * height:
         report = model.step_to_next_event(1e9)
         loads.append(report.load_factor)
         released.append(report.released_energy)
         places.append(front.place())
-    seconds = time.perf_counter() - began
+    seconds = time.process_time() - began
     first = next(k for k, x in enumerate(places) if x > start + 6)
     per_length = (released[-1] - released[first]) / (places[-1] - places[first]) / energy
     return [loads[0], max(loads[first:]), per_length], model.statistics(), seconds

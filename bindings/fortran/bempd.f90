@@ -48,7 +48,7 @@ module bempd
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
-    procedure :: set_load_values, set_support_values
+    procedure :: add_body_force, set_load_values, set_support_values
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_log, request_cancel
     procedure :: prepare, step, step_to_next_event, run_to_separation
@@ -84,7 +84,7 @@ module bempd
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
-    set_load_values, &
+    add_body_force, set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
     load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
     reaction_moment, evaluate, &
@@ -351,6 +351,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_point_force
+    module subroutine add_body_force(self, region, component, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, component
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_body_force
     module subroutine set_load_values(self, load, constant, proportional, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: load

@@ -1,6 +1,5 @@
 #include "pd/critical_stretch.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "elasticity/griffith.hpp"
@@ -12,8 +11,9 @@ double fracture_energy_factor(const PlaneElasticity& elasticity, const BondKerne
   const double number = kernel.energy_number();
   if (is_bond_based(elasticity))
     return (elasticity.state == PlaneState::stress ? number * 9 / 8 : number * 6 / 5) / std::numbers::pi;
-  const double whole = 9.0 / 8 * plane_modulus(elasticity);
-  return number * std::min(whole, bond_c1111(elasticity)) / elasticity.young_modulus / std::numbers::pi;
+  const bool is_below = elasticity.c12() < elasticity.shear_modulus();
+  const double stiffness = is_below ? bond_c1111(elasticity) : 9.0 / 8 * plane_modulus(elasticity);
+  return number * stiffness / elasticity.young_modulus / std::numbers::pi;
 }
 
 double critical_stretch(double fracture_energy, const PlaneElasticity& elasticity, double horizon,

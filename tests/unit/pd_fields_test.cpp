@@ -148,7 +148,7 @@ TEST(CriticalStretch, has_the_exact_constants_and_an_inverse) {
 TEST(CriticalStretch, follows_the_modulus_of_bonds_below_the_ratio_that_they_have_alone) {
   for (const double nu : {-0.2, 0.0, 0.2, 0.4, 0.49}) {
     const double beta = std::min(1 / (2 * (1 + nu)), (1 / (2 * (1 + nu)) + nu / (1 - nu * nu)) / 2);
-    const double expected = 105 / (64 * M_PI) * std::min(1.0, 8 * beta / 3);
+    const double expected = 105 / (64 * M_PI) * (nu < 1.0 / 3 ? 8 * beta / 3 : 1);
     EXPECT_NEAR(fracture_energy(1, {1, nu, PlaneState::stress, 1}, 1) / expected, 1, 1e-14) << nu;
     const double modulus = 1 / (1 - nu * nu);
     if (nu > 0.25) {
@@ -159,7 +159,7 @@ TEST(CriticalStretch, follows_the_modulus_of_bonds_below_the_ratio_that_they_hav
   for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
     const double nu = bond_based_poisson_ratio(state), energy = fracture_energy(1, {1, nu, state, 1}, 1);
     for (const double change : {-1e-5, 1e-5})
-      EXPECT_NEAR(fracture_energy(1, {1, nu + change, state, 1}, 1) / energy, 1, 2e-5);
+      EXPECT_NEAR(fracture_energy(1, {1, nu + change, state, 1}, 1) / energy, 1, 4e-5);
   }
 }
 

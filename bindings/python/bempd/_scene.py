@@ -242,6 +242,12 @@ class Scene:
                            arguments.choice("add_point_force: component", component, ONE_COMPONENT), constant,
                            proportional)
 
+    def add_body_force(self, region: int, component: str, proportional: float = 0.0, *, constant: float = 0.0) -> int:
+        """Add a force per volume [N/m^3] on a whole region, such as its weight; returns the id of the load."""
+        return self._added("bempd_add_body_force", region,
+                           arguments.choice("add_body_force: component", component, ONE_COMPONENT), constant,
+                           proportional)
+
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:
         """Give a traction or point force new values, as many as it was made with; they act from the next step on."""

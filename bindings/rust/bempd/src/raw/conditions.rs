@@ -132,6 +132,18 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_body_force(
+        &mut self,
+        region: i32,
+        component: i32,
+        constant: f64,
+        proportional: f64,
+    ) -> Result<i32> {
+        self.output(|model, load| unsafe {
+            sys::bempd_add_body_force(model, region, component, constant, proportional, load)
+        })
+    }
+
     pub(crate) fn set_load_values(&mut self, load: i32, values: &Values<'_>) -> Result<()> {
         let Arrays { count, constant, proportional } = Arrays::of(values)?;
         self.call(|model| unsafe { sys::bempd_set_load_values(model, load, count, constant, proportional) })
