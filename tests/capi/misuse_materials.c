@@ -97,6 +97,7 @@ static void what_is_published_needs_the_ratio_of_bonds(void) {
       CHECK_OK(model, bempd_set_option_text(model, options[option], words[option]));
       CHECK_OK(model, bempd_add_material(model, &material, NULL));
       CHECK_OK(model, bempd_add_pd_region(model, 1, 4, vertices, 1.0, 3, NULL));
+      CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
       if (k == 0) CHECK_OK(model, bempd_prepare(model));
       if (k > 0) CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "1/3", bempd_prepare(model));
       bempd_model_free(model);
