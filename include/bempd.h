@@ -450,7 +450,10 @@ BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crac
 
 /** @brief Give a traction or point force new values, at any time; a prepared model only changes its right-hand side.
  *
- * The new load acts from the next step on: that step begins by finding equilibrium at the present load factor.
+ * Nothing breaks before the next step. bempd_step() and its kin begin by finding equilibrium under the new values at
+ * the present load factor, and break what they overstretch there at once; bempd_step_to_values() goes to them from the
+ * values with which the last step ended. Results that are asked for in between (fields, reactions, tips) are those of
+ * equilibrium under the new values with the present bonds; numbers of the last report and the history stay.
  * @param[in] model the model @param[in] load id of a load that was not given by a function
  * @param[in] value_count as many as the load was made with
  * @param[in] constant shape [value_count], constant part [Pa] or [N]; NULL for 0
@@ -460,6 +463,9 @@ BEMPD_API bempd_status bempd_set_load_values(bempd_model* model, int32_t load, i
                                              const double* constant, const double* proportional);
 
 /** @brief Give a support new prescribed displacements, at any time; as bempd_set_load_values().
+ *
+ * Supports that share a node (a corner) may be given new values one after the other: whether they agree there is asked
+ * when the next step or result needs it, which fails as an argument error if they do not.
  * @param[in] model the model @param[in] support id of a support that was not given by a function
  * @param[in] value_count as many as the support was made with, 1 for a fixed edge or point
  * @param[in] constant shape [value_count], constant part [m]; NULL for 0
@@ -599,6 +605,35 @@ BEMPD_API bempd_status bempd_step_to_next_event(bempd_model* model, double load_
  * @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_run_to_separation(bempd_model* model, double load_factor_limit, bempd_step_report* report);
+
+/** @brief How far bempd_step_to_values() goes. @since 0.3 */
+typedef enum bempd_until {
+  /** To the values, whatever breaks on the way. */
+  BEMPD_UNTIL_VALUES = 1,
+  /** One event, or to the values if none is left before them. */
+  BEMPD_UNTIL_EVENT = 2,
+  /** Until the body is separated, or to the values. */
+  BEMPD_UNTIL_SEPARATED = 3
+} bempd_until;
+
+/** @brief Go from the values with which the last step ended to those that loads and supports have now, on a straight
+ * line, breaking every bond that reaches its critical stretch on the way.
+ *
+ * All loads and supports move together, with those that were not given new values, while the load factor goes from
+ * where it is to the one given: it measures the way, in the history and in reports, and may be the time of the host.
+ * Values at the end are those that bempd_step() to the same load factor would have; a proportional part counts there
+ * with that load factor. Before the first step the body is at rest, and the way begins at zero.
+ *
+ * A step that ends before (at an event, separated, or without an admissible load) leaves loads and supports where they
+ * were on the way. The same call with the same load factor goes on from there, as if it had not stopped; with another
+ * one, or after new values, it begins a new straight line there; bempd_step() goes to the values at once. A call that
+ * fails or is cancelled leaves everything as it was before.
+ * @param[in] model the model @param[in] load_factor where the way ends, above or below the present one [-]
+ * @param[in] until a bempd_until
+ * @param[in,out] report struct_size in, the rest out; stop_reason is BEMPD_STOP_LOAD_FACTOR where the values were
+ * reached; may be NULL @return status; the present load factor is an argument error @since 0.3 */
+BEMPD_API bempd_status bempd_step_to_values(bempd_model* model, double load_factor, int32_t until,
+                                            bempd_step_report* report);
 
 /* ----------------------------------------------------------------------------------------- Results */
 

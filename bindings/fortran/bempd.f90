@@ -20,7 +20,8 @@ module bempd
     BEMPD_ERROR_CONVERGENCE, BEMPD_ERROR_CANCELLED, BEMPD_ERROR_MEMORY, BEMPD_ERROR_IO, BEMPD_ERROR_INTERNAL, &
     BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, &
-    BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, BEMPD_POSITION, &
+    BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, &
+    BEMPD_UNTIL_VALUES, BEMPD_UNTIL_EVENT, BEMPD_UNTIL_SEPARATED, BEMPD_POSITION, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
@@ -51,7 +52,7 @@ module bempd
     procedure :: add_body_force, set_load_values, set_support_values
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_log, request_cancel
-    procedure :: prepare, step, step_to_next_event, run_to_separation
+    procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
     procedure :: load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds
     procedure :: reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
@@ -86,6 +87,7 @@ module bempd
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
     add_body_force, set_load_values, &
     set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
+    step_to_values, &
     load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
@@ -422,6 +424,15 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine run_to_separation
+    !> Loads and supports move together to the values that they have now; `until` is BEMPD_UNTIL_VALUES unless given.
+    module subroutine step_to_values(self, load_factor, until, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: load_factor
+      integer(c_int32_t), intent(in), optional :: until
+      type(bempd_step_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine step_to_values
 
     ! Results.
     module subroutine load_factor(self, value, stat, errmsg)

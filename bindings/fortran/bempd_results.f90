@@ -34,6 +34,18 @@ contains
     if (present(report)) report = done
   end procedure run_to_separation
 
+  module procedure step_to_values
+    type(bempd_step_report), target :: done
+    integer(c_int32_t) :: goal
+    integer(c_int) :: status
+
+    goal = BEMPD_UNTIL_VALUES
+    if (present(until)) goal = until
+    status = bempd_step_report_init(done, c_sizeof(done))
+    call finish(self, bempd_step_to_values(self%handle, load_factor, goal, c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure step_to_values
+
   module procedure load_factor
     value = 0
     call finish(self, bempd_load_factor(self%handle, value), stat, errmsg)

@@ -48,14 +48,30 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   return r;
 }
 
+using Step = model::StepResult (model::Model::*)(double, fracture::Goal);
+
 bempd_status advance(bempd_model* handle, const char* function, const char* target_name, double target,
-                     fracture::Goal goal, bempd_step_report* report) {
+                     fracture::Goal goal, bempd_step_report* report, Step step = &model::Model::advance) {
   return with_model(handle, function, [&](model::Model& m) {
     require_finite(target, target_name);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
-    const model::StepResult result = m.advance(target, goal);
+    const model::StepResult result = (m.*step)(target, goal);
     if (report) write_struct(report, report_of(result, m.prepared().evolution->progress()), "report");
   });
+}
+
+fracture::Goal goal_of(std::int32_t until) {
+  switch (until) {
+    case BEMPD_UNTIL_VALUES:
+      return fracture::Goal::load_factor;
+    case BEMPD_UNTIL_EVENT:
+      return fracture::Goal::next_event;
+    case BEMPD_UNTIL_SEPARATED:
+      return fracture::Goal::separation;
+    default:
+      fail(Failure::argument, "until is ", until,
+           "; it must be BEMPD_UNTIL_VALUES (1), BEMPD_UNTIL_EVENT (2) or BEMPD_UNTIL_SEPARATED (3)");
+  }
 }
 
 }  // namespace
@@ -107,4 +123,11 @@ bempd_status bempd_step_to_next_event(bempd_model* model, double load_factor_lim
 
 bempd_status bempd_run_to_separation(bempd_model* model, double load_factor_limit, bempd_step_report* report) {
   return advance(model, __func__, "load_factor_limit", load_factor_limit, fracture::Goal::separation, report);
+}
+
+bempd_status bempd_step_to_values(bempd_model* model, double load_factor, int32_t until, bempd_step_report* report) {
+  fracture::Goal goal{};
+  const bempd_status known = with_model(model, __func__, [&](model::Model&) { goal = goal_of(until); });
+  if (known != BEMPD_OK) return known;
+  return advance(model, __func__, "load_factor", load_factor, goal, report, &model::Model::advance_to_values);
 }

@@ -48,8 +48,21 @@ void CrackEvolution::grow_lines(std::vector<pd::TipLaw> laws, std::vector<Growin
 void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
   sources_.refresh();
   sources_.settle();
-  work_within_ = work_within;
   body_.set_load(force, prescribed);
+  work_within_ = work_within;
+}
+
+void CrackEvolution::take_over(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
+  sources_.refresh();
+  sources_.settle();
+  body_.take_over(force, prescribed);
+  work_within_ = work_within;
+}
+
+void CrackEvolution::act_again(Loads loads) noexcept {
+  body_.act_again(std::move(loads.acting));
+  work_within_ = loads.work_within;
+  sources_.abandon();
 }
 
 double CrackEvolution::within(double load_factor) const {

@@ -37,6 +37,17 @@ class CrackEvolution {
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed,
                 const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero());
 
+  // The same with loads that are the present ones at this load factor: nothing moves.
+  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within);
+
+  // What set_load() replaces, to come back to.
+  struct Loads {
+    ActingLoads acting;
+    Eigen::Matrix2d work_within;
+  };
+  Loads loads() const { return {body_.acting_loads(), work_within_}; }
+  void act_again(Loads loads) noexcept;
+
   // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
                      const std::function<void(const EvolutionState&)>& on_event);

@@ -107,6 +107,29 @@ void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
   system_.set_load(std::move(carried), std::move(held));
 }
 
+void LoadedBody::take_over(const Affine& force, const Affine& prescribed) {
+  const bool was_in_equilibrium = state_.in_equilibrium;
+  set_load(force, prescribed);
+  const bool constant = force_.col(1).isZero(0) && prescribed_.col(1).isZero(0) && !system_.has_offsets();
+  if (!was_in_equilibrium || !constant) return;
+  state_.displacement.col(0) = state_.total_displacement;
+  state_.displacement.col(1).setZero();
+  update_ratios();
+  state_.first_unit_energy = 0;
+  state_.in_equilibrium = true;
+}
+
+ActingLoads LoadedBody::acting_loads() const {
+  return {force_, prescribed_, state_.in_equilibrium, state_.first_unit_energy};
+}
+
+void LoadedBody::act_again(ActingLoads loads) noexcept {
+  force_.swap(loads.force);
+  prescribed_.swap(loads.prescribed);
+  state_.in_equilibrium = loads.in_equilibrium;
+  state_.first_unit_energy = loads.first_unit_energy;
+}
+
 Affine LoadedBody::without_lost_loads(Affine force) const {
   for (int node = 0; node < system_.node_count(); ++node) {
     if (state_.unloaded[node]) force.middleRows<2>(2 * node).setZero();

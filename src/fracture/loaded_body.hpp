@@ -26,6 +26,13 @@ constexpr double most_residual = 1e-6, most_imbalance = 1e-6;
 double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
 double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
 
+// Loads as a host gave them, and whether the body is in equilibrium under them.
+struct ActingLoads {
+  coupling::Affine force, prescribed;
+  bool in_equilibrium = false;
+  double first_unit_energy = -1;
+};
+
 // The whole body under its loads: the displacements for all load factors, and the forces and energies at the present
 // one. Between two breaks the response is linear in the load factor.
 class LoadedBody {
@@ -47,6 +54,10 @@ class LoadedBody {
   double& seconds_search() { return seconds_search_; }
 
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed);
+  // Loads that are the present ones at this load factor: the body stays in equilibrium if they are constant.
+  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed);
+  ActingLoads acting_loads() const;
+  void act_again(ActingLoads loads) noexcept;      // restore() has to follow
   void drop_loads(const std::vector<int>& nodes);  // for good
 
   struct FirstEquilibrium {

@@ -153,6 +153,8 @@ std::span<const fracture::CrackExtension> Model::extensions() const {
 
 // Those that may grow, with the load factors at which they do.
 std::vector<regions::TipValues> Model::free_tips() {
+  prepare();
+  if (loads_.acting != Acting::values) act_as_said();
   ensure_equilibrium();
   require(prepared_->system->terms().size() == 0,
           "the scene has peridynamic regions, whose cracks grow by steps; cracks grow by lengths where all regions are "
@@ -186,6 +188,7 @@ GrowthResult Model::grow_cracks(double length) {
         share_energy(growing.extensions, tip_factors_, thickness_at(scene_, *next, growing.extensions),
                      next->evolution->progress().released_energy - prepared_->evolution->progress().released_energy);
     next->evolution->book(growing.extensions);
+    loads_.in_force = scene_.values();
     prepared_ = std::move(next);
     factors_generation_ = ++generation_;
   } catch (...) {

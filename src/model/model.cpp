@@ -43,6 +43,7 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
   const bool has_begun = state.in_equilibrium || !state.history.empty() || state.load_factor != 0;
   if (was_prepared && (has_begun || !unsolvable)) return;
   prepared_.reset();
+  loads_ = {};
   fields_ = {};
   ++generation_;
 }
@@ -111,6 +112,7 @@ const PreparedScene& Model::prepared() {
 
 void Model::ensure_equilibrium() {
   prepare();
+  if (loads_.acting == Acting::others) act_as_said();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();
@@ -122,40 +124,12 @@ void Model::ensure_equilibrium() {
   });
 }
 
-void Model::reload() {
-  if (!prepared_) return;
-  regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
-  prepared_->evolution->set_load(conditions.force, conditions.displacement, conditions.work_within);
-  prepared_->conditions = std::move(conditions);
-  ++generation_;
-}
-
-void Model::set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values) {
-  scene::Condition before = condition;
-  scene_.set_values(condition, what, id, std::move(values));
-  try {
-    reload();
-  } catch (...) {
-    condition = std::move(before);
-    throw;
-  }
-}
-
-void Model::set_load_values(int load, scene::SampledValues values) {
-  set_values(scene_.load(load), "load", load, std::move(values));
-}
-
-void Model::set_support_values(int support, scene::SampledValues values) {
-  set_values(scene_.support(support), "support", support, std::move(values));
-}
-
 fracture::LoadInterval Model::admissible_load_factors() {
   ensure_equilibrium();
   return prepared_->evolution->admissible_load_factors();
 }
 
-StepResult Model::advance(double target, fracture::Goal goal) {
-  prepare();
+StepResult Model::run(double target, fracture::Goal goal) {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   const fracture::SteppingOptions stepping = stepping_options(options_);
   const auto& counters = prepared_->system->counters();

@@ -43,6 +43,10 @@ struct SavedState {
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
   std::vector<results::TipRecord> tips;  // not among its bytes
+  // With which the last step had ended, none before the first; functions are not among the bytes.
+  std::optional<scene::SceneValues> in_force;
+  bool on_a_way = false;
+  double end_of_way = 0;
 };
 
 // Everything that is built from a finished scene.
@@ -87,7 +91,10 @@ class Model {
   const PreparedScene& prepared();  // prepares if needed
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
+  // Both in loads.cpp. The first moves the load factor, the second with it loads and supports, on a straight line from
+  // the values with which the last step ended to those that the host has set since.
   StepResult advance(double target, fracture::Goal goal);
+  StepResult advance_to_values(double target, fracture::Goal goal);
 
   // Tips that are critical first grow by a length, at the load factor at which they are; what they do not touch of the
   // scene stays prepared. Throws Error if no tip can grow, or if a crack would cut a region in two; then nothing has
@@ -153,7 +160,30 @@ class Model {
   void write_tips(const std::string& path) const;
 
  private:
-  void set_values(scene::Condition& condition, const char* what, int id, scene::SampledValues values);
+  StepResult run(double target, fracture::Goal goal);
+  // What acts on the body beside what the host has set (loads.cpp).
+  enum class Acting {
+    values,   // what was set
+    others,   // what was set before: it has to be replaced before anything else is done
+    on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
+  };
+  struct Loads {
+    Acting acting = Acting::values;
+    // With which the last step ended, at the present load factor; none before the first one, as at rest.
+    std::optional<scene::SceneValues> in_force;
+    double end_of_way = 0;  // load factor
+  };
+  struct LoadsBefore {  // to come back to
+    regions::DofConditions conditions;
+    fracture::CrackEvolution::Loads run;
+    Acting acting;
+  };
+  LoadsBefore replace_loads(regions::DofConditions conditions, Acting acting);
+  void go_back_to(LoadsBefore before) noexcept;
+  void act_as_said();
+  regions::DofConditions conditions_under(scene::SceneValues values);
+  void values_were_set();
+  void arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept;
   void ensure_equilibrium();
   void warn_of_condition();
   void warn_of_held_parts();
@@ -169,7 +199,6 @@ class Model {
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::CrackPicture> crack_pictures() const;
-  void reload();
   std::unique_ptr<PreparedScene> build() const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
   std::vector<regions::TipValues> free_tips();
@@ -197,6 +226,7 @@ class Model {
   scene::Options options_;
   scene::Scene scene_;
   std::unique_ptr<PreparedScene> prepared_;
+  Loads loads_;
   std::int64_t generation_ = 1;
   results::FieldCache fields_;
   results::Snapshots snapshots_;

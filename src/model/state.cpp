@@ -40,14 +40,39 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));
 }
 
+// Values of a state in the form that the scene's have; those that the scene has at present where the state has none:
+// functions are not among its bytes, and its loads may have been others.
+scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneValues& present) {
+  const auto fit = [](const std::vector<scene::Values>& of_state, const std::vector<scene::Values>& of_scene) {
+    std::vector<scene::Values> all = of_scene;
+    for (std::size_t i = 0; of_state.size() == of_scene.size() && i < all.size(); ++i)
+      if (scene::are_alike(of_state[i], of_scene[i])) all[i] = of_state[i];
+    return all;
+  };
+  return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
+}
+
+bool has_lost_functions(const scene::SceneValues& values) {
+  const auto is_lost = [](const scene::Values& one) {
+    const auto* function = std::get_if<scene::BoundaryFunction>(&one);
+    return function && !*function;
+  };
+  return std::any_of(values.supports.begin(), values.supports.end(), is_lost) ||
+         std::any_of(values.loads.begin(), values.loads.end(), is_lost);
+}
+
 }  // namespace
 
 SavedState Model::save() {
   if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
+  if (loads_.acting == Acting::others) act_as_said();
   // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
   prepared_->evolution->synchronize();
-  return {prepared_->fingerprint, load_fingerprint(scene_, prepared_->conditions), prepared_->evolution->state(),
-          tip_history_};
+  const bool on_a_way = loads_.acting == Acting::on_a_way;
+  const std::uint64_t said = on_a_way ? load_fingerprint(scene_, conditions_under(scene_.values()))
+                                      : load_fingerprint(scene_, prepared_->conditions);
+  return {prepared_->fingerprint, said, prepared_->evolution->state(), tip_history_, loads_.in_force, on_a_way,
+          loads_.end_of_way};
 }
 
 void Model::restore(const SavedState& state) {
@@ -67,12 +92,24 @@ void Model::restore(const SavedState& state) {
     throw;
   }
   fracture::EvolutionState copy = state.evolution;
-  // Loads given new values since the state was saved act on it from the next step on.
-  if (state.load_fingerprint != load_fingerprint(scene_, prepared_->conditions)) {
+  Loads loads;
+  if (state.in_force) loads.in_force = fitted(*state.in_force, scene_.values());
+  regions::DofConditions conditions = conditions_under(scene_.values());
+  const bool same_loads = state.load_fingerprint == load_fingerprint(scene_, conditions);
+  if (same_loads && state.on_a_way) {
+    conditions = conditions_under(*loads.in_force);
+    loads.acting = Acting::on_a_way;
+    loads.end_of_way = state.end_of_way;
+  }
+  replace_loads(std::move(conditions), loads.acting);
+  // Loads given new values since the state was saved act on it from here on, and so do functions that its bytes do not
+  // have.
+  if (!same_loads || (state.on_a_way && has_lost_functions(*state.in_force))) {
     copy.in_equilibrium = false;
     copy.first_unit_energy = -1;
   }
   prepared_->evolution->restore(std::move(copy));
+  loads_ = std::move(loads);
   tip_history_ = state.tips;
   ++generation_;
 }

@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 5;
+constexpr std::uint32_t format_version = 6;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -45,6 +45,14 @@ void visit_members(Tip& t, Visit& visit) {
   visit(t.law), visit(t.energy_ratios);
 }
 
+template <class Samples, class Visit>
+requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
+void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.proportional); }
+
+template <class Both, class Visit>
+requires std::is_same_v<std::remove_const_t<Both>, scene::SceneValues>
+void visit_members(Both& values, Visit& visit) { visit(values.supports), visit(values.loads); }
+
 // Numbers go one by one: the padding of a struct holds what lay in memory before.
 class Writer {
  public:
@@ -62,6 +70,15 @@ class Writer {
   void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(const fracture::GrowingTip& tip) { visit_members(tip, *this); }
+  void operator()(const scene::Values& values) {
+    const auto* samples = std::get_if<scene::SampledValues>(&values);
+    (*this)(samples != nullptr);
+    if (samples) visit_members(*samples, *this);
+  }
+  void operator()(const std::optional<scene::SceneValues>& values) {
+    (*this)(values.has_value());
+    if (values) visit_members(*values, *this);
+  }
   void raw(const void* data, std::size_t size) {
     const auto* first = static_cast<const std::uint8_t*>(data);
     bytes_.insert(bytes_.end(), first, first + size);
@@ -101,6 +118,20 @@ class Reader {
   void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(fracture::GrowingTip& tip) { visit_members(tip, *this); }
+  void operator()(scene::Values& values) {
+    bool sampled = false;
+    (*this)(sampled);
+    if (sampled) {
+      visit_members(values.emplace<scene::SampledValues>(), *this);
+    } else {
+      values.emplace<scene::BoundaryFunction>();  // unknown
+    }
+  }
+  void operator()(std::optional<scene::SceneValues>& values) {
+    bool there = false;
+    (*this)(there);
+    if (there) visit_members(values.emplace(), *this);
+  }
   void raw(void* target, std::size_t size) {
     require(size <= left_, "the bytes of the state end too early; give all bytes that bempd_state_to_bytes() wrote");
     std::memcpy(target, bytes_, size);
@@ -141,6 +172,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions);
+  visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
 }
 
 void check_header(Reader& reader) {
@@ -175,8 +207,26 @@ bool is_sound(const fracture::CrackExtension& e) {
   return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y);
 }
 
+void sound(bool good, const char* what) { require(good, "the bytes of the state are damaged: ", what); }
+
+bool is_sound(const scene::Values& values) {
+  const auto* samples = std::get_if<scene::SampledValues>(&values);
+  if (!samples) return true;
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return !samples->constant.empty() && samples->constant.size() == samples->proportional.size() &&
+         std::all_of(samples->constant.begin(), samples->constant.end(), finite) &&
+         std::all_of(samples->proportional.begin(), samples->proportional.end(), finite);
+}
+
+void require_consistent(const SavedState& state) {
+  sound(!state.on_a_way || state.in_force, "it has no values between which it is");
+  sound(std::isfinite(state.end_of_way), "a load factor is not a finite number");
+  if (!state.in_force) return;
+  for (const std::vector<scene::Values>& all : {state.in_force->supports, state.in_force->loads})
+    for (const scene::Values& values : all) sound(is_sound(values), "the values of a load or a support are none");
+}
+
 void require_consistent(const fracture::EvolutionState& e) {
-  const auto sound = [](bool good, const char* what) { require(good, "the bytes of the state are damaged: ", what); };
   const Eigen::Index dofs = e.total_displacement.size();
   sound(dofs % 2 == 0 && e.displacement.rows() == dofs && e.total_force.size() == dofs &&
             2 * static_cast<Eigen::Index>(e.unloaded.size()) == dofs,
@@ -221,6 +271,7 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   SavedState state;
   visit_members(state, reader);
   require(reader.left() == sizeof stored, "the bytes of the state are damaged: something is left over");
+  require_consistent(state);
   require_consistent(state.evolution);
   return state;
 }

@@ -29,11 +29,13 @@ struct SampledValues {
   void check() const;
 };
 
+using Values = std::variant<SampledValues, BoundaryFunction>;
+
 // A support or a load. Components: 1 x, 2 y, 3 both.
 struct Condition {
   std::shared_ptr<const Place> place;  // null: it was removed
   int components = 0;
-  std::variant<SampledValues, BoundaryFunction> values;
+  Values values;
 
   bool removed() const { return place == nullptr; }
   BoundaryValue value(const Point& where, double fraction_of_part) const;

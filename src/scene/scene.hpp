@@ -7,6 +7,7 @@
 #include "scene/condition.hpp"
 #include "scene/material.hpp"
 #include "scene/region.hpp"
+#include "scene/scene_values.hpp"
 
 namespace bempd::scene {
 
@@ -42,6 +43,9 @@ class Scene {
   int add_support(Condition condition);
   int add_load(Condition condition);
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
+  // Of all supports and loads.
+  SceneValues values() const;
+  void exchange_values(SceneValues& values) noexcept;
 
   // Throws Error (argument) while supports or loads are on the region.
   void remove_region(int id);

@@ -35,6 +35,18 @@ Condition& Scene::load(int id) {
   return loads_[id - 1];
 }
 
+SceneValues Scene::values() const {
+  SceneValues all;
+  for (const Condition& support : supports_) all.supports.push_back(support.values);
+  for (const Condition& load : loads_) all.loads.push_back(load.values);
+  return all;
+}
+
+void Scene::exchange_values(SceneValues& values) noexcept {
+  for (std::size_t i = 0; i < supports_.size(); ++i) supports_[i].values.swap(values.supports[i]);
+  for (std::size_t i = 0; i < loads_.size(); ++i) loads_[i].values.swap(values.loads[i]);
+}
+
 void Scene::set_values(Condition& condition, const char* what, int id, SampledValues values) {
   auto* samples = std::get_if<SampledValues>(&condition.values);
   require(samples != nullptr, what, " ", id, " was given by a function; only sampled values can be replaced");

@@ -29,6 +29,7 @@ typedef struct bytes {
   int64_t size;
   int64_t begin[array_count]; /**< of each array's count */
   int64_t count[array_count];
+  int64_t begin_values;
 } bytes;
 
 static bytes copy_of(const bytes* source) {
@@ -56,7 +57,9 @@ static bytes bytes_of(bempd_model* model) {
     memcpy(&saved.count[array], saved.data + place, 8);
     place += 8 + entry_size[array] * saved.count[array];
   }
-  CHECK(place + 8 == saved.size);
+  /* Then the values in force of two supports with one each and of no load, and where a way of them ends. */
+  saved.begin_values = place;
+  CHECK(place + 1 + 8 + 2 * (1 + 2 * (8 + 8)) + 8 + 1 + 8 + 8 == saved.size);
   return saved;
 }
 
@@ -192,6 +195,18 @@ static void springs_are_checked(bempd_model* model, const bytes* saved) {
   put_double(model, saved, first + 28, NAN, "the anchor of a spring");
 }
 
+static void values_in_force_are_checked(bempd_model* model, const bytes* saved) {
+  const int64_t supports = saved->begin_values + 1, first = supports + 8;
+  put_byte(model, saved, saved->begin_values, 2, "whether there are values in force");
+  put_byte(model, saved, first, 7, "whether values are numbers");
+  put_count(model, saved, supports, INT64_MAX, "a huge count of supports");
+  put_count(model, saved, first + 1, -1, "a count of values");
+  put_double(model, saved, first + 1 + 8, NAN, "a value in force");
+  put_double(model, saved, first + 1 + 16 + 8, INFINITY, "a proportional value in force");
+  put_byte(model, saved, saved->size - 17, 3, "whether values are on a way");
+  put_double(model, saved, saved->size - 16, NAN, "where the way ends");
+}
+
 static void other_versions_are_refused(const bytes* saved) {
   bytes altered = copy_of(saved);
   const uint32_t version = 1;
@@ -263,6 +278,7 @@ int main(void) {
   numbers_have_to_be_finite(model, &saved);
   flags_and_counts_are_checked(model, &saved);
   springs_are_checked(model, &saved);
+  values_in_force_are_checked(model, &saved);
   other_versions_are_refused(&saved);
   equal_states_give_equal_bytes();
   altered_bytes_do_no_harm(model, &saved);

@@ -178,6 +178,13 @@ bempd_status bempd_step_to_next_event(bempd_model *model, double load_factor_lim
     bempd_step_report *report);
 bempd_status bempd_run_to_separation(bempd_model *model, double load_factor_limit,
     bempd_step_report *report);
+typedef enum bempd_until {
+  BEMPD_UNTIL_VALUES = 1,
+  BEMPD_UNTIL_EVENT = 2,
+  BEMPD_UNTIL_SEPARATED = 3
+} bempd_until;
+bempd_status bempd_step_to_values(bempd_model *model, double load_factor, int32_t until,
+    bempd_step_report *report);
 typedef enum bempd_field {
   BEMPD_POSITION = 1,
   BEMPD_DISPLACEMENT = 2,
@@ -894,8 +901,11 @@ since: 0.3""",
 Give a traction or point force new values, at any time; a prepared model only changes its right-hand
 side.
 
-The new load acts from the next step on: that step begins by finding equilibrium at the present load
-factor.
+Nothing breaks before the next step. bempd_step() and its kin begin by finding equilibrium under the
+new values at the present load factor, and break what they overstretch there at once;
+bempd_step_to_values() goes to them from the values with which the last step ended. Results that are
+asked for in between (fields, reactions, tips) are those of equilibrium under the new values with
+the present bonds; numbers of the last report and the history stay.
 
 model [in]: the model
 load [in]: id of a load that was not given by a function
@@ -906,6 +916,10 @@ return: status
 since: 0.1""",
     "bempd_set_support_values": """\
 Give a support new prescribed displacements, at any time; as bempd_set_load_values().
+
+Supports that share a node (a corner) may be given new values one after the other: whether they
+agree there is asked when the next step or result needs it, which fails as an argument error if they
+do not.
 
 model [in]: the model
 support [in]: id of a support that was not given by a function
@@ -1081,6 +1095,35 @@ load_factor_limit [in]: go no further than this, up or down [-]
 report [in,out]: struct_size in, the rest out; may be NULL
 return: status
 since: 0.1""",
+    "bempd_until": """How far bempd_step_to_values() goes.
+
+since: 0.3""",
+    "BEMPD_UNTIL_VALUES": """To the values, whatever breaks on the way.""",
+    "BEMPD_UNTIL_EVENT": """One event, or to the values if none is left before them.""",
+    "BEMPD_UNTIL_SEPARATED": """Until the body is separated, or to the values.""",
+    "bempd_step_to_values": """\
+Go from the values with which the last step ended to those that loads and supports have now, on a
+straight line, breaking every bond that reaches its critical stretch on the way.
+
+All loads and supports move together, with those that were not given new values, while the load
+factor goes from where it is to the one given: it measures the way, in the history and in reports,
+and may be the time of the host. Values at the end are those that bempd_step() to the same load
+factor would have; a proportional part counts there with that load factor. Before the first step the
+body is at rest, and the way begins at zero.
+
+A step that ends before (at an event, separated, or without an admissible load) leaves loads and
+supports where they were on the way. The same call with the same load factor goes on from there, as
+if it had not stopped; with another one, or after new values, it begins a new straight line there;
+bempd_step() goes to the values at once. A call that fails or is cancelled leaves everything as it
+was before.
+
+model [in]: the model
+load_factor [in]: where the way ends, above or below the present one [-]
+until [in]: a bempd_until
+report [in,out]: struct_size in, the rest out; stop_reason is BEMPD_STOP_LOAD_FACTOR where the
+  values were reached; may be NULL
+return: status; the present load factor is an argument error
+since: 0.3""",
     "bempd_field": """A field on a region. Nodes are boundary nodes or material points.
 
 since: 0.1""",

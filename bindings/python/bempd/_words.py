@@ -62,6 +62,9 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_CRACK_END": "TipEnd.END",
     "BEMPD_COUNTER_CLOCKWISE": '"counter-clockwise"',
     "BEMPD_CLOCKWISE": '"clockwise"',
+    "BEMPD_UNTIL_VALUES": '"values"',
+    "BEMPD_UNTIL_EVENT": '"event"',
+    "BEMPD_UNTIL_SEPARATED": '"separated"',
     "BEMPD_FACE_LEFT": '"left"',
     "BEMPD_FACE_RIGHT": '"right"',
 }

@@ -6,8 +6,9 @@ import logging
 from types import TracebackType
 from typing import Any, Mapping, Optional, Type
 
+from . import _arguments as arguments
 from ._handle import Handle
-from ._library import check, ffi, invoke, new_struct
+from ._library import check, ffi, invoke, lib, new_struct
 from ._results import Results
 from ._scene import Scene
 from .callbacks import Log, Progress, callable_or_none, log_callback, progress_callback
@@ -15,6 +16,8 @@ from .errors import ArgumentError
 from .options import Options, OptionValue
 from .reports import StepReport, step_report
 from .state import State
+
+UNTIL = {"values": lib.BEMPD_UNTIL_VALUES, "event": lib.BEMPD_UNTIL_EVENT, "separated": lib.BEMPD_UNTIL_SEPARATED}
 
 
 class Model(Scene, Results):
@@ -123,6 +126,28 @@ class Model(Scene, Results):
         """Go on until the body is separated, no bond can break any more, or the limit is reached."""
         return self._run("bempd_run_to_separation", load_factor_limit)
 
+    def step_to_values(self, load_factor: float, *, until: str = "values") -> StepReport:
+        """Go from the values with which the last step ended to those that loads and supports have now, on a straight
+        line, while the load factor goes to the one given: the time of a host, say.
+
+        `until` is "values" (whatever breaks on the way), "event" (one event) or "separated". A step that ended on the way
+        is gone on with by the same call.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> support = model.fix_edge(plate, 4)
+        >>> load = model.add_traction(plate, 2, "x", constant=0)
+        >>> for time in (0.5, 1.0):
+        ...     model.set_load_values(load, constant=3e6 * time)
+        ...     report = model.step_to_values(time)
+        >>> round(model.reaction(support)[0])
+        -3000000
+        """
+        goal = arguments.choice("step_to_values: until", until, UNTIL)
+        return self._run("bempd_step_to_values", load_factor, goal, goal=load_factor if until == "values" else None)
+
     def save(self) -> State:
         """The state of a prepared model, to come back to or to keep.
 
@@ -156,13 +181,13 @@ class Model(Scene, Results):
 
         return plot.draw(self, quantity, **options)
 
-    def _run(self, name: str, load_factor: float, goal: Optional[float] = None) -> StepReport:
+    def _run(self, name: str, load_factor: float, *more: int, goal: Optional[float] = None) -> StepReport:
         report = new_struct("bempd_step_report", "bempd_step_report_init")
         start, finish = (getattr(self._progress, part, None) for part in ("start", "finish"))
         if start is not None:
             start(self.load_factor, goal)
         try:
-            self._open().call(name, load_factor, report, changes=True)
+            self._open().call(name, load_factor, *more, report, changes=True)
         finally:
             if finish is not None:
                 finish()

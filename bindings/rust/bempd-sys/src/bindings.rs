@@ -869,8 +869,12 @@ extern "C" {
     /// Give a traction or point force new values, at any time; a prepared model only changes its
     /// right-hand side.
     ///
-    /// The new load acts from the next step on: that step begins by finding equilibrium at the
-    /// present load factor.
+    /// Nothing breaks before the next step. bempd_step() and its kin begin by finding equilibrium
+    /// under the new values at the present load factor, and break what they overstretch there at
+    /// once; bempd_step_to_values() goes to them from the values with which the last step ended.
+    /// Results that are asked for in between (fields, reactions, tips) are those of equilibrium
+    /// under the new values with the present bonds; numbers of the last report and the history
+    /// stay.
     ///
     /// * model \[in\]: the model
     /// * load \[in\]: id of a load that was not given by a function
@@ -890,6 +894,10 @@ extern "C" {
 }
 extern "C" {
     /// Give a support new prescribed displacements, at any time; as bempd_set_load_values().
+    ///
+    /// Supports that share a node (a corner) may be given new values one after the other: whether
+    /// they agree there is asked when the next step or result needs it, which fails as an argument
+    /// error if they do not.
     ///
     /// * model \[in\]: the model
     /// * support \[in\]: id of a support that was not given by a function
@@ -1153,6 +1161,46 @@ extern "C" {
     pub fn bempd_run_to_separation(
         model: *mut bempd_model,
         load_factor_limit: f64,
+        report: *mut bempd_step_report,
+    ) -> bempd_status;
+}
+/// To the values, whatever breaks on the way.
+pub const BEMPD_UNTIL_VALUES: bempd_until = 1;
+/// One event, or to the values if none is left before them.
+pub const BEMPD_UNTIL_EVENT: bempd_until = 2;
+/// Until the body is separated, or to the values.
+pub const BEMPD_UNTIL_SEPARATED: bempd_until = 3;
+/// How far bempd_step_to_values() goes.
+///
+/// * since: 0.3
+pub type bempd_until = ::std::os::raw::c_uint;
+extern "C" {
+    /// Go from the values with which the last step ended to those that loads and supports have now,
+    /// on a straight line, breaking every bond that reaches its critical stretch on the way.
+    ///
+    /// All loads and supports move together, with those that were not given new values, while the
+    /// load factor goes from where it is to the one given: it measures the way, in the history and
+    /// in reports, and may be the time of the host. Values at the end are those that bempd_step()
+    /// to the same load factor would have; a proportional part counts there with that load factor.
+    /// Before the first step the body is at rest, and the way begins at zero.
+    ///
+    /// A step that ends before (at an event, separated, or without an admissible load) leaves loads
+    /// and supports where they were on the way. The same call with the same load factor goes on
+    /// from there, as if it had not stopped; with another one, or after new values, it begins a new
+    /// straight line there; bempd_step() goes to the values at once. A call that fails or is
+    /// cancelled leaves everything as it was before.
+    ///
+    /// * model \[in\]: the model
+    /// * load_factor \[in\]: where the way ends, above or below the present one \[-\]
+    /// * until \[in\]: a bempd_until
+    /// * report \[in,out\]: struct_size in, the rest out; stop_reason is BEMPD_STOP_LOAD_FACTOR where
+    ///   the values were reached; may be NULL
+    /// * return: status; the present load factor is an argument error
+    /// * since: 0.3
+    pub fn bempd_step_to_values(
+        model: *mut bempd_model,
+        load_factor: f64,
+        until: i32,
         report: *mut bempd_step_report,
     ) -> bempd_status;
 }

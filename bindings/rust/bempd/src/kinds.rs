@@ -32,6 +32,18 @@ pub enum FaceComponent {
     Shear = sys::BEMPD_SHEAR as i32,
 }
 
+/// How far [`Model::step_to_values`](crate::Model::step_to_values) goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Until {
+    /// To the values, whatever breaks on the way.
+    Values = sys::BEMPD_UNTIL_VALUES as i32,
+    /// One event, or to the values if none is left before them.
+    Event = sys::BEMPD_UNTIL_EVENT as i32,
+    /// Until the body is separated, or to the values.
+    Separated = sys::BEMPD_UNTIL_SEPARATED as i32,
+}
+
 /// Sense of turning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]

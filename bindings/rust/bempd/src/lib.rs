@@ -56,7 +56,7 @@ pub use error::{Error, Result};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
     BondState, Component, Face, FaceComponent, Field, LogLevel, Plane, SingularityKind, StopReason, TipEnd, TipMethod,
-    Turn,
+    Turn, Until,
 };
 pub use material::Material;
 pub use model::Model;

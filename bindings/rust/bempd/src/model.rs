@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::raw::Handle;
 use crate::{
     CancelToken, CrackId, Error, LogLevel, Material, MaterialId, Progress, RegionId, Result, State, StepReport, Turn,
+    Until,
 };
 
 /// A scene and its state. Dropping it frees everything.
@@ -212,6 +213,13 @@ impl Model {
     /// Goes on until the body is separated, no bond can break any more, or the limit is reached.
     pub fn run_to_separation(&mut self, load_factor_limit: f64) -> Result<StepReport> {
         Ok(StepReport::from_raw(&self.handle.run_to_separation(load_factor_limit)?))
+    }
+
+    /// Goes from the values with which the last step ended to those that loads and supports have now, on a straight
+    /// line, while the load factor goes to the one given: the time of a host, say. The same call goes on where a step
+    /// has ended on the way.
+    pub fn step_to_values(&mut self, load_factor: f64, until: Until) -> Result<StepReport> {
+        Ok(StepReport::from_raw(&self.handle.step_to_values(load_factor, until as i32)?))
     }
 
     /// Saves the state of a prepared model in memory, so that a host can repeat a step.

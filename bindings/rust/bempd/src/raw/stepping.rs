@@ -28,6 +28,12 @@ impl Handle {
         Ok(report)
     }
 
+    pub(crate) fn step_to_values(&mut self, load_factor: f64, until: i32) -> Result<sys::bempd_step_report> {
+        let mut report = filled(sys::bempd_step_report_init)?;
+        self.call(|model| unsafe { sys::bempd_step_to_values(model, load_factor, until, &mut report) })?;
+        Ok(report)
+    }
+
     pub(crate) fn set_option(&mut self, name: &str, value: f64) -> Result<()> {
         let name = terminated(name)?;
         self.call(|model| unsafe { sys::bempd_set_option(model, name.as_ptr(), value) })

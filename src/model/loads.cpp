@@ -1,0 +1,111 @@
+#include "error.hpp"
+#include "model/model.hpp"
+
+// Values of loads and supports, and when they act.
+namespace bempd::model {
+
+void Model::set_load_values(int load, scene::SampledValues values) {
+  scene_.set_values(scene_.load(load), "load", load, std::move(values));
+  values_were_set();
+}
+
+void Model::set_support_values(int support, scene::SampledValues values) {
+  scene_.set_values(scene_.support(support), "support", support, std::move(values));
+  values_were_set();
+}
+
+void Model::values_were_set() {
+  if (!prepared_) return;
+  loads_.acting = Acting::others;
+  ++generation_;
+}
+
+regions::DofConditions Model::conditions_under(scene::SceneValues values) {
+  scene_.exchange_values(values);
+  try {
+    regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
+    scene_.exchange_values(values);
+    return conditions;
+  } catch (...) {
+    scene_.exchange_values(values);
+    throw;
+  }
+}
+
+Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {
+  fracture::CrackEvolution& evolution = *prepared_->evolution;
+  LoadsBefore before{{}, evolution.loads(), loads_.acting};
+  evolution.set_load(conditions.force, conditions.displacement, conditions.work_within);
+  before.conditions = std::exchange(prepared_->conditions, std::move(conditions));
+  loads_.acting = acting;
+  ++generation_;
+  return before;
+}
+
+void Model::go_back_to(LoadsBefore before) noexcept {
+  prepared_->evolution->act_again(std::move(before.run));
+  prepared_->conditions = std::move(before.conditions);
+  loads_.acting = before.acting;
+  ++generation_;
+}
+
+void Model::act_as_said() {
+  replace_loads(regions::apply_conditions(scene_, prepared_->discretization), Acting::values);
+}
+
+StepResult Model::advance(double target, fracture::Goal goal) {
+  prepare();
+  std::optional<scene::SceneValues> said = scene_.values();
+  std::optional<LoadsBefore> before;
+  if (loads_.acting != Acting::values)
+    before = replace_loads(regions::apply_conditions(scene_, prepared_->discretization), Acting::values);
+  try {
+    const StepResult result = run(target, goal);
+    loads_.in_force.swap(said);
+    return result;
+  } catch (...) {
+    if (before) go_back_to(std::move(*before));
+    throw;
+  }
+}
+
+StepResult Model::advance_to_values(double target, fracture::Goal goal) {
+  prepare();
+  const double present = load_factor();
+  std::optional<scene::SceneValues> said = scene_.values();
+  regions::DofConditions at_end = regions::apply_conditions(scene_, prepared_->discretization);
+  std::optional<LoadsBefore> before;
+  std::optional<scene::SceneValues> way;
+  if (loads_.acting == Acting::on_a_way && target == loads_.end_of_way) {
+    way = loads_.in_force;
+  } else {
+    require(target != present, "load_factor is ", target,
+            ", where the model is already; values move with the load factor, so give another one, such as the time at "
+            "the end of the step");
+    way = scene::line_between(loads_.in_force ? *loads_.in_force : scene::at_rest(*said), present, *said, target);
+    before = replace_loads(conditions_under(*way), Acting::on_a_way);
+  }
+  try {
+    const StepResult result = run(target, goal);
+    loads_.in_force.swap(way);
+    loads_.end_of_way = target;
+    const bool arrived = goal == fracture::Goal::load_factor || result.reason == fracture::StopReason::load_factor;
+    if (arrived && load_factor() == target) arrive(std::move(at_end), std::move(said));
+    return result;
+  } catch (...) {
+    if (before) go_back_to(std::move(*before));
+    throw;
+  }
+}
+
+// At the end of the way, where what was set acts already. What fails now leaves the model there on its way.
+void Model::arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept {
+  say([&] {
+    prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within);
+    prepared_->conditions = std::move(conditions);
+    loads_.in_force.swap(said);
+    loads_.acting = Acting::values;
+  });
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/condition.hpp"
+
+namespace bempd::scene {
+
+// Values of all supports and loads, in their order.
+struct SceneValues {
+  std::vector<Values> supports, loads;
+};
+
+// Whether values are of one form: as many samples, or functions.
+bool are_alike(const Values& one, const Values& other);
+
+// Those of a body at rest, in the form of these.
+SceneValues at_rest(const SceneValues& like);
+
+// Values that go linearly from what `start` is at one load factor to what `end` is at another one. Both are of the same
+// supports and loads.
+SceneValues line_between(const SceneValues& start, double from, const SceneValues& end, double to);
+
+}  // namespace bempd::scene
