@@ -68,8 +68,8 @@ struct Terms {
   };
   Wide wide;
 
-  // Pairs of a term and one that follows it: as soon as the first is gone, so is the second. By leaders, ascending, once
-  // all are there; what follows does not break by itself.
+  // Pairs of a term and one that follows it: as soon as the first is gone, so is the second. By leaders, ascending,
+  // once all are there; what follows does not break by itself.
   struct Following {
     int leader, follower;
     auto operator<=>(const Following&) const = default;

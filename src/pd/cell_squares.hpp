@@ -16,9 +16,9 @@ namespace bempd::pd {
 //   lambda > mu: h (lambda - mu) / 4 (d1 + d2)^2
 //   lambda < mu: h m / 4 (d1 - d2)^2 + h m / 8 (a1 + a2 - b1 - b2)^2,  m = (mu - lambda) / 2
 // since d1 + d2 is the dilatation at the cell's centre times sqrt(2) and the spacing, d1 - d2 twice the shear strain
-// times the same, and a1 + a2 - b1 - b2 the difference of the normal strains times two spacings. Under a constant strain
-// the forces of the cells around a point add up to the stress times its surface vector: at faces, corners, holes and
-// interfaces nothing has to be corrected. All stiffnesses are positive for every ratio above -1.
+// times the same, and a1 + a2 - b1 - b2 the difference of the normal strains times two spacings. Under a constant
+// strain the forces of the cells around a point add up to the stress times its surface vector: at faces, corners, holes
+// and interfaces nothing has to be corrected. All stiffnesses are positive for every ratio above -1.
 //
 // Docs: materials.md.
 

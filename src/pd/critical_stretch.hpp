@@ -9,9 +9,9 @@
 namespace bempd::pd {
 
 // Energy per unit area that it takes to part a plane, G0 = factor E horizon s_c^2, from E' = E or, in plane strain,
-// E / (1 - nu^2): the kernel's number times 9/8 E' / E. At and below the Poisson's ratio of a bond-based solid it is what
-// all bonds across the plane take at the critical stretch: the number times C1111 / E of the bonds, 9/8 in plane stress
-// and 6/5 in plane strain at that ratio. Above it bonds take a part, and the squares of cells the rest.
+// E / (1 - nu^2): the kernel's number times 9/8 E' / E. At and below the Poisson's ratio of a bond-based solid it is
+// what all bonds across the plane take at the critical stretch: the number times C1111 / E of the bonds, 9/8 in plane
+// stress and 6/5 in plane strain at that ratio. Above it bonds take a part, and the squares of cells the rest.
 double fracture_energy_factor(const PlaneElasticity& elasticity, const BondKernel& kernel = quartic_kernel());
 
 // Stretch at which a bond breaks.

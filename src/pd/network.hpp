@@ -28,7 +28,8 @@ struct Network {
   bool reduced = false;                  // no such network was found at this horizon: nearest neighbours only
 };
 
-// 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Parts of the body one cell wide get the network of nearest neighbours. `threads`: 0 for one a core.
+// 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Parts of the body one cell wide get the
+// network of nearest neighbours. `threads`: 0 for one a core.
 Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads = 0,
                       const BondKernel& kernel = quartic_kernel());
 

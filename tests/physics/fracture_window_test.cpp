@@ -247,11 +247,11 @@ INSTANTIATE_TEST_SUITE_P(
 std::vector<Case> of_any_ratio() {
   std::vector<Case> cases;
   for (const double ratio : {0.0, 0.2, 0.45}) {
-    for (const Case& c : {Case{"centre_crack", centre_crack, 1e-3, 400}, Case{"inclined_crack", inclined_crack, 1e-3, 300},
-                          Case{"debonding_grips", debonding_grips, 1e-3, 120},
-                          Case{"constant_and_proportional", constant_and_proportional, 1e-3, 200, 0, 4},
-                          Case{"joined_lattices", joined_lattices, 1e-3, 400},
-                          Case{"falling_piece", falling_piece, 1e-3, 300}}) {
+    for (const Case& c :
+         {Case{"centre_crack", centre_crack, 1e-3, 400}, Case{"inclined_crack", inclined_crack, 1e-3, 300},
+          Case{"debonding_grips", debonding_grips, 1e-3, 120},
+          Case{"constant_and_proportional", constant_and_proportional, 1e-3, 200, 0, 4},
+          Case{"joined_lattices", joined_lattices, 1e-3, 400}, Case{"falling_piece", falling_piece, 1e-3, 300}}) {
       Case& added = cases.emplace_back(c);
       added.poisson_ratio = ratio;
       added.name += "_ratio_" + std::to_string(std::lround(100 * ratio)) + "_percent";

@@ -71,7 +71,8 @@ TEST(KirschField, converges_with_second_order) {
 }
 
 TEST(KirschField, converges_with_second_order_for_any_poissons_ratio) {
-  for (const double ratio : {-0.2, 0.2, 0.45}) EXPECT_GE(order_of_convergence(4, {1, ratio, PlaneState::stress, 1}), 1.9);
+  for (const double ratio : {-0.2, 0.2, 0.45})
+    EXPECT_GE(order_of_convergence(4, {1, ratio, PlaneState::stress, 1}), 1.9);
   for (const double ratio : {0.0, 0.49}) EXPECT_GE(order_of_convergence(3, {1, ratio, PlaneState::strain, 1}), 1.9);
 }
 

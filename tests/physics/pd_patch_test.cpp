@@ -48,7 +48,8 @@ TEST(PatchTest, constant_strain_is_exact_for_any_poissons_ratio) {
     for (const double ratio : {-0.2, 0.0, 0.2, 0.3, 0.4, 0.45, 0.49}) {
       for (const int m : {2, 3, 4}) {
         double largest = 0;
-        for (const Body& body : bodies()) largest = std::max(largest, patch_error(body, m, {2.1e11, ratio, state, 0.01}));
+        for (const Body& body : bodies())
+          largest = std::max(largest, patch_error(body, m, {2.1e11, ratio, state, 0.01}));
         std::printf("%s, nu %5.2f, m = %d: largest displacement error / displacement, %zu bodies, %.1e\n",
                     state == PlaneState::stress ? "plane stress" : "plane strain", ratio, m, bodies().size(), largest);
         EXPECT_LT(largest, 1e-11);

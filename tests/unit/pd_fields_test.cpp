@@ -152,7 +152,8 @@ TEST(CriticalStretch, follows_the_modulus_of_bonds_below_the_ratio_that_they_hav
     EXPECT_NEAR(fracture_energy(1, {1, nu, PlaneState::stress, 1}, 1) / expected, 1, 1e-14) << nu;
     const double modulus = 1 / (1 - nu * nu);
     if (nu > 0.25) {
-      EXPECT_NEAR(fracture_energy(1, {1, nu, PlaneState::strain, 1}, 1) / (105 / (64 * M_PI) * modulus), 1, 1e-14) << nu;
+      EXPECT_NEAR(fracture_energy(1, {1, nu, PlaneState::strain, 1}, 1) / (105 / (64 * M_PI) * modulus), 1, 1e-14)
+          << nu;
     }
   }
   // It has no jump where bonds alone make the material.
@@ -166,7 +167,8 @@ TEST(CriticalStretch, follows_the_modulus_of_bonds_below_the_ratio_that_they_hav
 // s_c = sqrt(1024 pi G0 / (7 (120 pi - 133) E horizon)).
 TEST(CriticalStretch, as_printed_is_a_little_smaller) {
   EXPECT_NEAR(std::pow(printed_critical_stretch(1, 1, 1), 2), 1.88355, 6e-6);
-  EXPECT_NEAR(1 - printed_critical_stretch(2, 3, 4) / critical_stretch(2, bond_based(3, PlaneState::stress, 1), 4), 0.0082, 5e-5);
+  EXPECT_NEAR(1 - printed_critical_stretch(2, 3, 4) / critical_stretch(2, bond_based(3, PlaneState::stress, 1), 4),
+              0.0082, 5e-5);
   EXPECT_NEAR(printed_fracture_energy(printed_critical_stretch(120, 3e10, 0.004), 3e10, 0.004), 120, 1e-10);
 }
 

@@ -35,14 +35,17 @@ Eigen::Matrix<double, 3, 6> williams_stress(double r, double t) {
 }  // namespace
 
 TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
-    : system_(system), positions_(positions), bonds_at_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
-        const coupling::Terms& terms = system.terms();
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-          if (terms.is_wide(t)) continue;
-          add(terms.first[t], static_cast<int>(t));
-          add(terms.second[t], static_cast<int>(t));
-        }
-      })),
+    : system_(system),
+      positions_(positions),
+      bonds_at_(linalg::make_adjacency(positions.size(),
+                                       [&](const auto& add) {
+                                         const coupling::Terms& terms = system.terms();
+                                         for (std::size_t t = 0; t < terms.size(); ++t) {
+                                           if (terms.is_wide(t)) continue;
+                                           add(terms.first[t], static_cast<int>(t));
+                                           add(terms.second[t], static_cast<int>(t));
+                                         }
+                                       })),
       wide_at_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
         const coupling::Terms& terms = system.terms();
         for (const int t : terms.wide.term)
@@ -78,7 +81,8 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     int nodes = 0;
     terms.for_each_entry(wide, [&](int at, double x, double y) {
-      const Point pull(x, y), arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
+      const Point pull(x, y),
+          arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
       const double along = pull.dot(direction), across = cross(direction, pull);
       const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
       moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);

@@ -21,9 +21,9 @@ struct TipIntensity {
 };
 
 // Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
-// either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of a
-// point). All that is asked of them is linear in the
-// displacements, and asked of points ahead of the tip only, none of which lies beside the crack.
+// either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
+// a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only, none
+// of which lies beside the crack.
 class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);

@@ -190,7 +190,8 @@ void ActiveWindow::narrow(const std::vector<char>& leaves) {
       if (scale > 0) add_form(terms_.pull(t), scale, ratios);
     }
   }
-  left_behind_.narrow(std::move(left_then), followed_then, flexibility_.block(left, stay), state().displacement, ratios);
+  left_behind_.narrow(std::move(left_then), followed_then, flexibility_.block(left, stay), state().displacement,
+                      ratios);
   terms_.keep(watched);
   keep_rows(stay);
   followed_ = std::move(followed_then);

@@ -63,7 +63,8 @@ class ActiveWindow {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
   }
 
-  // Of terms by their places; false, and nothing changed, if some motion would lose its resistance with these changes, or if one stiffens.
+  // Of terms by their places; false, and nothing changed, if some motion would lose its resistance with these changes,
+  // or if one stiffens.
   bool change(std::span<const coupling::StageChange> changes);
 
   // Where a term of the system is in the list; -1: it is not watched.

@@ -115,8 +115,6 @@ void WindowTerms::keep(const std::vector<char>& watched) {
   intact_.assign(to, 1);
 }
 
-void WindowTerms::renumber_rows(const std::vector<int>& row_after) {
-  pulls_.renumber(row_after);
-}
+void WindowTerms::renumber_rows(const std::vector<int>& row_after) { pulls_.renumber(row_after); }
 
 }  // namespace bempd::fracture
