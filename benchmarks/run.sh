@@ -3,6 +3,7 @@
 #   benchmarks/run.sh accuracy_cost   what accuracy costs, by every knob; peers that are installed take part
 #   benchmarks/run.sh speed [...]     what whole crack runs cost; options as in benchmarks/speed/README.md
 #   benchmarks/run.sh fracture        stress intensity factors against references, into docs/verification.md
+#   benchmarks/run.sh windows         what each number of the windows is worth, into docs/windows.md with --write
 #   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/materials.md
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
@@ -11,13 +12,15 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 name=${1:-}
+needed=()
 case "$name" in
   accuracy_cost) programs=(bempd_kernel_rate) peers=(freefem++ python3-dolfinx calculix-ccx python3-gmsh) ;;
   speed) programs=(bempd_explicit_pd bempd_kernel_rate) peers=(lammps python3-dolfinx) ;;
   fracture) programs=() peers=(python3-dolfinx python3-gmsh) ;;
+  windows) programs=() peers=() needed=(valgrind) ;;
   directions) programs=(bempd_directions) peers=() ;;
   materials) programs=() peers=() ;;
-  *) sed -n '2,8s/^# *//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,9s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi
@@ -25,10 +28,12 @@ if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ libeigen3-dev libsuitesparse-dev libopenblas-dev libbenchmark-dev \
-  python3 python3-cffi python3-numpy python3-matplotlib "${peers[@]}"
+  python3 python3-cffi python3-numpy python3-matplotlib "${needed[@]}" "${peers[@]}"
 
-cmake --preset release -Wno-dev -D BEMPD_BUILD_BENCHMARKS=ON >/dev/null
-cmake --build --preset release -j "$(nproc)" --target bempd "${programs[@]}"
+if [ "$name" != windows ]; then  # which builds a library of its own
+  cmake --preset release -Wno-dev -D BEMPD_BUILD_BENCHMARKS=ON >/dev/null
+  cmake --build --preset release -j "$(nproc)" --target bempd "${programs[@]}"
+fi
 
 export BEMPD_LIBRARY="$root/build/release/src/capi/libbempd.so"
 export BEMPD_BENCHMARKS="$root/build/release/benchmarks"

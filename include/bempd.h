@@ -26,7 +26,10 @@
  *
  * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A call on a model
  * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL); bempd_model_free()
- * then waits: the model is freed when the call that runs returns.
+ * then waits: the model is freed when the call that runs returns. While a call runs, the BLAS has one thread, or as
+ * many as the option "threads" says if that is not 0; then again what the host has set. (OpenBLAS with threads of its
+ * own has one number for the process: while calls overlap, the least asked for counts, for the host's own products
+ * too.)
  *
  * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or, unless the library was
  * built without it, "paper", the method of Yang and Liu (Int. J. Solids Struct., 2021) as published, in which material
@@ -498,6 +501,21 @@ typedef void (*bempd_log_function)(int32_t level, const char* message, void* use
  * @param[in] user handed to the function; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function function, void* user);
 
+/** @brief How far a long part of a call is, while a scene is prepared, a step factorizes, and the like.
+ *
+ * It is called by the thread that makes the call, ten times a second at most; parts that take less may go untold, and
+ * the last call for a part need not say 1.
+ * @param[in] phase what is done, such as "boundary integrals" or "sparse factorization"; valid during the call
+ * @param[in] share of it that is done, 0 to 1 @param[in] seconds that it has taken so far [s]
+ * @param[in] expected seconds that it will take in all by this share [s]; 0 if nothing is known yet
+ * @param[in] user the pointer given with the function
+ * @return 0 to go on; else the call is cancelled and leaves the model as it was @since 0.3 */
+typedef int32_t (*bempd_phase_function)(const char* phase, double share, double seconds, double expected, void* user);
+
+/** @brief Ask to be told of progress inside long parts of calls. @param[in] model the model
+ * @param[in] function NULL for none @param[in] user handed to the function; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_phase_progress(bempd_model* model, bempd_phase_function function, void* user);
+
 /** @brief Ask to receive the log. @param[in] model the model @param[in] function NULL for none
  * @param[in] user handed to the function; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user);
@@ -505,11 +523,17 @@ BEMPD_API bempd_status bempd_set_log(bempd_model* model, bempd_log_function func
 /** @brief Ask the call that runs in another thread to stop: preparing, a step, results. It fails as cancelled and
  * leaves the model as it was before. A request made while no call runs is forgotten.
  *
- * The request is heard within 0.3 s, but for single factorizations of the sparse system (CHOLMOD, UMFPACK) and of dense
- * matrices (of a boundary element region, of a window): these cannot be interrupted, and the call ends after the one
- * that runs.
+ * The request is heard within 0.3 s, but for the ordering of the sparse system, a whole factorization in a library
+ * built with Eigen's sparse solver, and one by UMFPACK in scheme paper: these end first (docs/reliability.md has the
+ * times).
  * @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_request_cancel(bempd_model* model);
+
+/** @brief Ask the step that runs in another thread, or calls back, to end after the event that it is at, and to keep
+ * what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not hear it. A request made
+ * while no call runs is forgotten.
+ * @param[in] model the model @return status @since 0.3 */
+BEMPD_API bempd_status bempd_request_stop(bempd_model* model);
 
 /* ---------------------------------------------------------------------------------------- Stepping */
 
@@ -529,7 +553,9 @@ typedef enum bempd_stop_reason {
   /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
    * step keeps the increments before. Where already its first one leaves none the step fails instead, as
    * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
-  BEMPD_STOP_NO_EQUILIBRIUM = 6
+  BEMPD_STOP_NO_EQUILIBRIUM = 6,
+  /** bempd_request_stop() asked for the end of the step, which keeps the events before. @since 0.3 */
+  BEMPD_STOP_REQUESTED = 7
 } bempd_stop_reason;
 
 /** @brief What a step did. Fill it with bempd_step_report_init().

@@ -20,7 +20,7 @@ module bempd
     BEMPD_ERROR_CONVERGENCE, BEMPD_ERROR_CANCELLED, BEMPD_ERROR_MEMORY, BEMPD_ERROR_IO, BEMPD_ERROR_INTERNAL, &
     BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, &
-    BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, &
+    BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, BEMPD_STOP_REQUESTED, &
     BEMPD_UNTIL_VALUES, BEMPD_UNTIL_EVENT, BEMPD_UNTIL_SEPARATED, BEMPD_POSITION, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
@@ -28,7 +28,7 @@ module bempd
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
     BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, bempd_step_report, bempd_statistics, &
     bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, &
-    bempd_boundary_function, bempd_progress_function, bempd_log_function
+    bempd_boundary_function, bempd_progress_function, bempd_phase_function, bempd_log_function
   implicit none
   private :: c_char, c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_null_ptr, c_ptr
 
@@ -51,7 +51,7 @@ module bempd
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
     procedure :: add_body_force, set_load_values, set_support_values
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
-    procedure :: set_progress, set_log, request_cancel
+    procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
     procedure :: load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds
     procedure :: reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
@@ -86,8 +86,8 @@ module bempd
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
     add_body_force, set_load_values, &
-    set_support_values, set_progress, set_log, request_cancel, prepare, step, step_to_next_event, run_to_separation, &
-    step_to_values, &
+    set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
+    step_to_next_event, run_to_separation, step_to_values, &
     load_factor, admissible_load_factors, generation, copy_field, view_field, copy_elements, copy_bonds, reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
@@ -384,6 +384,13 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_progress
+    module subroutine set_phase_progress(self, function, user, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      procedure(bempd_phase_function), optional :: function
+      type(c_ptr), intent(in), optional :: user
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_phase_progress
     module subroutine set_log(self, function, user, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       procedure(bempd_log_function), optional :: function
@@ -396,6 +403,11 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine request_cancel
+    module subroutine request_stop(self, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine request_stop
 
     ! Stepping.
     module subroutine prepare(self, stat, errmsg)

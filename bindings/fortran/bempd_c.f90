@@ -96,6 +96,10 @@ module bempd_c
   !>
   !> since: 0.3
   integer(c_int), parameter :: BEMPD_STOP_NO_EQUILIBRIUM = 6
+  !> bempd_request_stop() asked for the end of the step, which keeps the events before.
+  !>
+  !> since: 0.3
+  integer(c_int), parameter :: BEMPD_STOP_REQUESTED = 7
 
   !> How far bempd_step_to_values() goes.
   !>
@@ -576,6 +580,28 @@ module bempd_c
       character(kind=c_char), intent(in) :: message(*)
       type(c_ptr), value :: user
     end subroutine bempd_log_function
+
+    !> How far a long part of a call is, while a scene is prepared, a step factorizes, and the like.
+    !>
+    !> It is called by the thread that makes the call, ten times a second at most; parts that take less may go untold,
+    !> and the last call for a part need not say 1.
+    !>
+    !> phase [in]: what is done, such as "boundary integrals" or "sparse factorization"; valid during the call
+    !> share [in]: of it that is done, 0 to 1
+    !> seconds [in]: that it has taken so far [s]
+    !> expected [in]: seconds that it will take in all by this share [s]; 0 if nothing is known yet
+    !> user [in]: the pointer given with the function
+    !> return: 0 to go on; else the call is cancelled and leaves the model as it was
+    !> since: 0.3
+    function bempd_phase_function(phase, share, seconds, expected, user) bind(c)
+      import :: c_char, c_double, c_int32_t, c_ptr
+      character(kind=c_char), intent(in) :: phase(*)
+      real(c_double), value :: share
+      real(c_double), value :: seconds
+      real(c_double), value :: expected
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: bempd_phase_function
+    end function bempd_phase_function
   end interface
 
   interface
@@ -1435,6 +1461,21 @@ module bempd_c
       integer(c_int) :: bempd_set_progress
     end function bempd_set_progress
 
+    !> Ask to be told of progress inside long parts of calls.
+    !>
+    !> model [in]: the model
+    !> function [in]: NULL for none
+    !> user [in]: handed to the function; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_set_phase_progress(model, function, user) bind(c, name="bempd_set_phase_progress")
+      import :: c_funptr, c_int, c_ptr
+      type(c_ptr), value :: model
+      type(c_funptr), value :: function
+      type(c_ptr), value :: user
+      integer(c_int) :: bempd_set_phase_progress
+    end function bempd_set_phase_progress
+
     !> Ask to receive the log.
     !>
     !> model [in]: the model
@@ -1453,9 +1494,9 @@ module bempd_c
     !> Ask the call that runs in another thread to stop: preparing, a step, results. It fails as cancelled and leaves
     !> the model as it was before. A request made while no call runs is forgotten.
     !>
-    !> The request is heard within 0.3 s, but for single factorizations of the sparse system (CHOLMOD, UMFPACK) and of
-    !> dense matrices (of a boundary element region, of a window): these cannot be interrupted, and the call ends after
-    !> the one that runs.
+    !> The request is heard within 0.3 s, but for the ordering of the sparse system, a whole factorization in a library
+    !> built with Eigen's sparse solver, and one by UMFPACK in scheme paper: these end first (docs/reliability.md has
+    !> the times).
     !>
     !> model [in]: the model
     !> return: status
@@ -1465,6 +1506,19 @@ module bempd_c
       type(c_ptr), value :: model
       integer(c_int) :: bempd_request_cancel
     end function bempd_request_cancel
+
+    !> Ask the step that runs in another thread, or calls back, to end after the event that it is at, and to keep what
+    !> it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not hear it. A request made while
+    !> no call runs is forgotten.
+    !>
+    !> model [in]: the model
+    !> return: status
+    !> since: 0.3
+    function bempd_request_stop(model) bind(c, name="bempd_request_stop")
+      import :: c_int, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int) :: bempd_request_stop
+    end function bempd_request_stop
 
     !> Set struct_size and zeros.
     !>

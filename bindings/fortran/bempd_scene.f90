@@ -281,6 +281,14 @@ contains
     call finish(self, bempd_set_progress(self%handle, address, address_or_null(user)), stat, errmsg)
   end procedure set_progress
 
+  module procedure set_phase_progress
+    type(c_funptr) :: address
+
+    address = c_null_funptr
+    if (present(function)) address = c_funloc(function)
+    call finish(self, bempd_set_phase_progress(self%handle, address, address_or_null(user)), stat, errmsg)
+  end procedure set_phase_progress
+
   module procedure set_log
     type(c_funptr) :: address
 
@@ -292,4 +300,8 @@ contains
   module procedure request_cancel
     call finish(self, bempd_request_cancel(self%handle), stat, errmsg)
   end procedure request_cancel
+
+  module procedure request_stop
+    call finish(self, bempd_request_stop(self%handle), stat, errmsg)
+  end procedure request_stop
 end submodule bempd_scene

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bem/quadrature.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd::bem {
 
@@ -20,8 +21,6 @@ struct CauchyIntegrals {
 
 // Closer than this part of the element's length is on it.
 constexpr double on_crack = 1e-10;
-
-Point left_of(const Point& axis) { return {-axis.y(), axis.x()}; }
 
 // Logarithms with their cut on the crack only.
 CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {

@@ -5,6 +5,7 @@
 
 #include "bem/interior.hpp"
 #include "bem/pair_blocks.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd::bem {
 
@@ -12,8 +13,6 @@ namespace {
 
 // Of the tip element's length; the difference quotient is exact to some 1e-7.
 constexpr double step = 1e-3;
-
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
 
 // The elements of a body, and behind them for every tip its element with the tip moved on and back.
 class MovedTips {

@@ -8,6 +8,7 @@
 #include "cancellation.hpp"
 #include "error.hpp"
 #include "parallel.hpp"
+#include "phase.hpp"
 
 namespace bempd::bem {
 
@@ -143,9 +144,13 @@ GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements,
                                    double nu, const AssemblyOptions& options, const KnownBlocks* known) {
   Assembler assembler(elements, nodes, traction_nodes, nu, options, known);
   const int threads = options.threads_for(elements.size());
-  std::atomic<std::int64_t> evaluations = 0;
+  std::atomic<std::int64_t> evaluations = 0, done = 0;
+  const Phase phase("boundary integrals", static_cast<double>(elements.size()));
   for (const std::vector<int>& group : independent_groups(elements, nodes)) {
-    parallel_for(group.size(), threads, [&](std::size_t i) { evaluations += assembler.add_outer(group[i]); });
+    parallel_for(group.size(), threads, [&](std::size_t i) {
+      evaluations += assembler.add_outer(group[i]);
+      phase.reach(static_cast<double>(++done));
+    });
   }
   assembler.matrices.kernel_evaluations = evaluations;
   complete_lower(assembler.matrices.single_layer);

@@ -11,7 +11,9 @@
 
 #include "bempd.h"
 #include "error.hpp"
+#include "linalg/blas_threads.hpp"
 #include "model/model.hpp"
+#include "phase.hpp"
 
 namespace bempd::capi {
 
@@ -92,7 +94,9 @@ bempd_status without_model(const char* function, const Body& body) noexcept {
 template <class Body>
 void run(model::Model& engine, const Body& body) {
   const bool was_prepared = engine.prepared_or_null() != nullptr;
-  const CancellationScope cancellation = engine.hear_cancellation();
+  const CancellationScope cancellation = engine.hear_requests();
+  const ListeningScope listening(engine.phase_listener());
+  const linalg::BlasThreads blas_threads(engine.blas_threads());
   try {
     body(engine);
   } catch (const Error& error) {

@@ -26,6 +26,9 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
     case fracture::StopReason::no_equilibrium:
       r.stop_reason = BEMPD_STOP_NO_EQUILIBRIUM;
       break;
+    case fracture::StopReason::requested:
+      r.stop_reason = BEMPD_STOP_REQUESTED;
+      break;
   }
   r.separated = state.separated ? 1 : 0;
   r.events = result.events;
@@ -88,6 +91,18 @@ bempd_status bempd_set_progress(bempd_model* model, bempd_progress_function func
   });
 }
 
+bempd_status bempd_set_phase_progress(bempd_model* model, bempd_phase_function function, void* user) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    if (!function) {
+      m.set_phase_progress(nullptr);
+    } else {
+      m.set_phase_progress([=](const char* phase, double share, double seconds, double expected) {
+        return function(phase, share, seconds, expected, user) == 0;
+      });
+    }
+  });
+}
+
 bempd_status bempd_set_log(bempd_model* model, bempd_log_function function, void* user) {
   return with_model(model, __func__, [&](model::Model& m) {
     if (!function) {
@@ -102,6 +117,13 @@ bempd_status bempd_request_cancel(bempd_model* model) {
   // Runs beside another call on the same model, so it touches nothing but one atomic flag.
   if (!model) return with_model(model, __func__, [](model::Model&) {});
   model->engine.request_cancel();
+  return BEMPD_OK;
+}
+
+bempd_status bempd_request_stop(bempd_model* model) {
+  // As above.
+  if (!model) return with_model(model, __func__, [](model::Model&) {});
+  model->engine.request_stop();
   return BEMPD_OK;
 }
 

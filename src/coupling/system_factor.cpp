@@ -5,6 +5,7 @@
 
 #include "cancellation.hpp"
 #include "error.hpp"
+#include "phase.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::coupling {
@@ -67,7 +68,10 @@ void SystemFactor::factorize(const Matrix& matrix) {
   const Stopwatch watch(counters_.seconds_factorization);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   if (!solver_) solver_ = method_.make_solver();
-  choose_order();
+  {
+    const Phase phase("ordering of the sparse system");
+    choose_order();
+  }
   check_cancelled();
   linalg::SparseFactorization& factor = solver_->factorization();
   if (!factor.factorize(matrix)) {

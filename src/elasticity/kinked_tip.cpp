@@ -10,6 +10,8 @@ namespace bempd {
 
 namespace {
 
+constexpr double no_growth = std::numeric_limits<double>::infinity();
+
 constexpr double pi = std::numbers::pi;
 
 // Wide enough for every mixture of modes that opens: in pure shear the largest rate is at 75.6 degrees.
@@ -86,14 +88,13 @@ Kink kink_of(const Point& factors, KinkCriterion criterion) {
 }
 
 double growth_load_factor(const Point& constant, const Point& proportional, double toughness, KinkCriterion criterion) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(toughness > 0)) return never;
+  if (!(toughness > 0)) return no_growth;
   const auto excess = [&](double factor) {
     return kink_of(constant + factor * proportional, criterion).equivalent_factor - toughness;
   };
   if (excess(0) >= 0) return 0;
   const double slope = kink_of(proportional, criterion).equivalent_factor;
-  if (!(slope > 0)) return never;
+  if (!(slope > 0)) return no_growth;
   // Both measures are convex: they lie above the factor times `slope` less what the constant part can take away.
   double low = 0, high = 2 * (toughness + 2 * constant.norm()) / slope;
   for (int i = 0; i < 100; ++i) (excess(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);

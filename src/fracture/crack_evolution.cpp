@@ -152,6 +152,10 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   }
   for (;;) {
     if (goal == Goal::separation && state_.separated) return StopReason::separated;
+    if (options.stop && options.stop->load(std::memory_order_relaxed)) {
+      end_step();
+      return StopReason::requested;
+    }
     const Event* next = sources_.next(target, options);
     if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
       sources_.bring_up_to_date();

@@ -14,7 +14,15 @@
 namespace bempd::fracture {
 
 enum class Goal { load_factor, next_event, separation };
-enum class StopReason { load_factor, event, separated, no_further_event, no_admissible_load, no_equilibrium };
+enum class StopReason {
+  load_factor,
+  event,
+  separated,
+  no_further_event,
+  no_admissible_load,
+  no_equilibrium,
+  requested
+};
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
 // found in closed form; a break is a low-rank change of the system. An event is one batch of bonds broken at one load

@@ -21,7 +21,7 @@ constexpr double collinearity_tolerance = 1e-10;
 constexpr double balance_tolerance = 1e-9;
 
 // Components of a motion that differ by less are equal, so that rounding does not choose what is held.
-constexpr double tie_rounding = 1e-6;
+constexpr double motion_rounding = 1e-6;
 
 }  // namespace
 
@@ -157,7 +157,7 @@ HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eige
   int largest = -1;
   for (int dof = 0; dof < motion.size(); ++dof) {
     if (!system_.is_unknown(dof)) continue;
-    if (largest < 0 || std::abs(motion[dof]) > (1 + tie_rounding) * std::abs(motion[largest])) largest = dof;
+    if (largest < 0 || std::abs(motion[dof]) > (1 + motion_rounding) * std::abs(motion[largest])) largest = dof;
   }
   return spring(largest / 2, largest % 2 == 0 ? 1 : 0, largest % 2 == 0 ? 0 : 1, displacement);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 namespace bempd::fracture {
@@ -32,6 +33,7 @@ struct SteppingOptions {
   bool window = true;       // compute events ahead in a window around what breaks, where that is possible
   double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
   Control control = Control::load;
+  const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
 };
 
 }  // namespace bempd::fracture

@@ -4,16 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/turning.hpp"
+
 namespace bempd {
 
 namespace {
-
-Point rotated(const Point& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
-
-Point left_of(const Point& v) { return {-v.y(), v.x()}; }
 
 // Fractions of an arc, also beyond its ends, for a point of its circle; the one nearest to the arc's middle.
 double fraction_on_circle(const Arc& arc, const Point& p) {
@@ -90,12 +85,12 @@ Point Arc::at(double fraction) const {
   // From the nearer end, so that both ends are met exactly.
   const auto from = [](const Point& origin, const Point& towards, double turning, double part) -> Point {
     const double ratio = std::sin(0.5 * part * turning) / std::sin(0.5 * turning);
-    return origin + ratio * rotated(towards - origin, -0.5 * (1 - part) * turning);
+    return origin + ratio * turned(towards - origin, -0.5 * (1 - part) * turning);
   };
   return fraction < 0.5 ? from(start, end, sweep, fraction) : from(end, start, -sweep, 1 - fraction);
 }
 
-Point Arc::tangent(double fraction) const { return rotated((end - start).normalized(), (fraction - 0.5) * sweep); }
+Point Arc::tangent(double fraction) const { return turned((end - start).normalized(), (fraction - 0.5) * sweep); }
 
 Arc Arc::part(double from, double to) const { return {at(from), at(to), (to - from) * sweep}; }
 

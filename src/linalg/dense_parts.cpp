@@ -1,5 +1,7 @@
 #include "linalg/dense_parts.hpp"
 
+#include "phase.hpp"
+
 namespace bempd::linalg {
 
 namespace {
@@ -61,9 +63,15 @@ void solve_upper_from_right(const Lower& lower, Matrix x) {
 
 bool factorize_in_parts(Matrix lower) {
   const Eigen::Index n = lower.rows();
+  const auto done = [n](Eigen::Index j) {  // columns cost more the more there are before and below them
+    const double part = static_cast<double>(j) / static_cast<double>(n);
+    return part * part * (3 - 2 * part);
+  };
+  const Phase phase("dense factorization");
   for (Eigen::Index j = 0; j < n; j += width) {
     const Eigen::Index columns = std::min(width, n - j), below = n - j - columns;
     check_cancelled();
+    phase.reach(done(j));
     Matrix own = lower.block(j, j, columns, columns);
     if (j > 0) own.selfadjointView<Eigen::Lower>().rankUpdate(lower.block(j, 0, columns, j), -1);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(own);

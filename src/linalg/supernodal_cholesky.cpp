@@ -5,6 +5,7 @@
 
 #include "cancellation.hpp"
 #include "linalg/dense_parts.hpp"
+#include "phase.hpp"
 
 extern "C" void dpotrf_(const char* triangle, const int* size, double* matrix, const int* stride, int* info);
 
@@ -68,8 +69,12 @@ class Factorization {
   }
 
   bool run() {
+    const Phase phase("sparse factorization", operations(count_));
+    double done = 0;
     for (int s = 0; s < count_; ++s) {
       check_cancelled();
+      phase.reach(done);
+      done += operations_of(s);
       assemble(s);
       for (int d = head_[s]; d != none;) {
         const int following = next_[d];
@@ -87,6 +92,14 @@ class Factorization {
   int columns(int s) const { return first_column_[s + 1] - first_column_[s]; }
   int rows(int s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
   double* panel(int s) { return values_ + values_begin_[s]; }
+
+  // In proportion: what a supernode's own elimination and what it does to later ones take.
+  double operations_of(int s) const { return static_cast<double>(columns(s)) * rows(s) * rows(s); }
+  double operations(int count) const {
+    double sum = 0;
+    for (int s = 0; s < count; ++s) sum += operations_of(s);
+    return sum;
+  }
 
   void assemble(int s) {
     const int height = rows(s), first = first_column_[s];

@@ -4,6 +4,7 @@
 
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
+#include "geometry/turning.hpp"
 #include "model/crack_way.hpp"
 #include "model/model.hpp"
 
@@ -22,11 +23,6 @@ namespace {
 KinkCriterion criterion_of(const scene::Options& options) {
   return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
                                                             : KinkCriterion::hoop_stress;
-}
-
-Point turned(const Point& direction, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
 }
 
 Kink kink_at(const regions::TipValues& tip, double load_factor, KinkCriterion criterion) {

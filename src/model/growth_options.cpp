@@ -4,7 +4,7 @@ namespace bempd::model {
 
 namespace {
 
-const scene::OptionGroup group(scene::OptionPlace::growth, [] {
+const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
   return std::vector<scene::OptionDescription>{
       scene::text_option("growth.criterion",
                          "What decides when a crack of a BEM region grows and in which direction: hoop, the largest "

@@ -131,7 +131,8 @@ fracture::LoadInterval Model::admissible_load_factors() {
 
 StepResult Model::run(double target, fracture::Goal goal) {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
-  const fracture::SteppingOptions stepping = stepping_options(options_);
+  fracture::SteppingOptions stepping = stepping_options(options_);
+  stepping.stop = &stop_requested_;
   const auto& counters = prepared_->system->counters();
   const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
   const std::int64_t events = evolution.progress().events, broken = evolution.progress().broken_bonds;

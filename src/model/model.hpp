@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,7 @@
 #include "fracture/crack_evolution.hpp"
 #include "fracture/interface_bonds.hpp"
 #include "model/fingerprint.hpp"
+#include "model/host_listener.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 #include "regions/singular_places.hpp"
@@ -108,9 +110,14 @@ class Model {
   void set_progress(Progress progress) { progress_ = std::move(progress); }
   void set_log(Log log) { log_ = std::move(log); }
   void request_cancel() { cancel_requested_ = true; }
+  void request_stop() { stop_requested_ = true; }
+  void set_phase_progress(HostListener::Function function) { phases_ = HostListener(std::move(function)); }
+  PhaseListener* phase_listener() { return phases_.or_null(); }
+  // Threads that a call may let the BLAS have.
+  int blas_threads() const { return std::max(1, options_.whole_number("threads")); }
   // For the length of a call, which hears requests made while it runs.
-  [[nodiscard]] CancellationScope hear_cancellation() {
-    cancel_requested_ = false;
+  [[nodiscard]] CancellationScope hear_requests() {
+    cancel_requested_ = stop_requested_ = false;
     return CancellationScope(&cancel_requested_);
   }
 
@@ -232,7 +239,8 @@ class Model {
   results::Snapshots snapshots_;
   Progress progress_;
   Log log_;
-  std::atomic<bool> cancel_requested_{false};
+  HostListener phases_;
+  std::atomic<bool> cancel_requested_{false}, stop_requested_{false};
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
   std::vector<results::TipRecord> tip_history_;

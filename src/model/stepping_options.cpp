@@ -6,7 +6,7 @@ namespace bempd::model {
 
 namespace {
 
-const scene::OptionGroup group(scene::OptionPlace::stepping, [] {
+const scene::OptionGroup stepping_group(scene::OptionPlace::stepping, [] {
   return std::vector<scene::OptionDescription>{
       scene::text_option(
           "stepping.mode",

@@ -17,7 +17,7 @@ namespace {
 
 using Face = std::array<Point, 2>;
 
-constexpr double tolerance = 1e-9;
+constexpr double place_tolerance = 1e-9;
 
 // Square bins as wide as the horizon: the partners of a point lie in its own bin and the eight around it.
 class Bins {
@@ -36,7 +36,7 @@ class Bins {
 
   // Files a face with all bins from whose points a bond can reach it.
   void add(const Face& face, int number) {
-    const Point reach(width_ + tolerance, width_ + tolerance);
+    const Point reach(width_ + place_tolerance, width_ + place_tolerance);
     const Eigen::Array2i from = place(face[0].cwiseMin(face[1]) - reach).max(0);
     const Eigen::Array2i to = place(face[0].cwiseMax(face[1]) + reach).min(Eigen::Array2i(columns_ - 1, rows_ - 1));
     for (int y = from.y(); y <= to.y(); ++y)
@@ -67,7 +67,7 @@ class Bins {
   std::vector<std::vector<int>> points_, faces_;
 };
 
-int sign(double value) { return value > tolerance ? 1 : value < -tolerance ? -1 : 0; }
+int sign(double value) { return value > place_tolerance ? 1 : value < -place_tolerance ? -1 : 0; }
 
 // Whether a bond passes from one side of the boundary to the other. Where it passes through an end of faces, it does if
 // two faces leave that place to different sides of the bond.
@@ -87,9 +87,9 @@ bool crosses_boundary(const Point& from, const Point& to, const std::vector<Face
     if (sign(cross(face, from - a)) * sign(cross(face, to - a)) < 0) return true;
   }
   for (const auto& [place, side] : ends) {
-    if (place <= tolerance || place >= length - tolerance) continue;
+    if (place <= place_tolerance || place >= length - place_tolerance) continue;
     for (const auto& [other_place, other_side] : ends)
-      if (std::abs(other_place - place) <= tolerance && other_side == -side) return true;
+      if (std::abs(other_place - place) <= place_tolerance && other_side == -side) return true;
   }
   return false;
 }
@@ -100,8 +100,8 @@ class Offsets {
   explicit Offsets(double horizon) : horizon_(horizon) {}
 
   std::uint32_t find_or_add(const Point& step) {
-    const std::pair<std::int64_t, std::int64_t> key(std::llround(step.x() / tolerance),
-                                                    std::llround(step.y() / tolerance));
+    const std::pair<std::int64_t, std::int64_t> key(std::llround(step.x() / place_tolerance),
+                                                    std::llround(step.y() / place_tolerance));
     const auto [it, added] = number_.try_emplace(key, static_cast<std::uint32_t>(offsets.size()));
     if (added) offsets.push_back(describe(step));
     return it->second;
@@ -144,7 +144,7 @@ Network build_uncorrected_network(const std::vector<Point>& points, const std::v
     partners.clear();
     const std::vector<int>& near_faces = bins.faces_near(points[i]);
     bins.for_points_near(points[i], [&](int j) {
-      if (j <= i || (points[j] - points[i]).squaredNorm() >= horizon * horizon - tolerance) return;
+      if (j <= i || (points[j] - points[i]).squaredNorm() >= horizon * horizon - place_tolerance) return;
       if (near_faces.empty() || !crosses_boundary(points[i], points[j], faces, near_faces)) partners.push_back(j);
     });
     std::sort(partners.begin(), partners.end());

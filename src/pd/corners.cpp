@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2i;
 using Eigen::Vector4d;
 
-constexpr double smallest_ratio = 0.02;  // bound on a stiffness over its bulk value
+constexpr double least_corner_ratio = 0.02;  // bound on a stiffness over its bulk value
 constexpr double rounding = 1e-13;
 
 // Marks the points closer than `radius` to a given one.
@@ -81,7 +81,7 @@ linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const
   };
   const int count = static_cast<int>(cluster.size());
   linalg::LeastChange problem;
-  problem.lower = smallest_ratio;
+  problem.lower = least_corner_ratio;
   problem.start.resize(count);
   problem.scale.resize(count);
   problem.target.resize(4 * points.size());

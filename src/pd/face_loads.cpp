@@ -9,8 +9,8 @@ namespace bempd::pd {
 namespace {
 
 // Gauss rule on [-1, 1].
-constexpr double abscissa[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
-constexpr double weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+constexpr double gauss_abscissa[4] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+constexpr double gauss_weight[4] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
 
 }  // namespace
 
@@ -29,9 +29,9 @@ void for_forces_on_cell_edges(const Point& a, const Point& b, const std::functio
     const double start = std::max(from, static_cast<double>(edge)), half = 0.5 * (std::min(to, edge + 1.0) - start);
     for (int g = 0; g < 4; ++g) {
       Point at;
-      at[along] = start + half * (1 + abscissa[g]);
+      at[along] = start + half * (1 + gauss_abscissa[g]);
       at[across] = line;
-      visit(lower_end, along, at[along] - edge, weight[g] * half * traction(at));
+      visit(lower_end, along, at[along] - edge, gauss_weight[g] * half * traction(at));
     }
   }
 }

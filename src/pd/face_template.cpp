@@ -157,7 +157,7 @@ void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const
   }
 }
 
-constexpr double smallest_ratio = 0.02;
+constexpr double least_face_ratio = 0.02;
 
 double solve_face(int m, const std::vector<Kind>& kinds, FaceTemplate& face) {
   std::vector<int> number(static_cast<std::size_t>(m) * m * m, -1);
@@ -181,7 +181,7 @@ double solve_face(int m, const std::vector<Kind>& kinds, FaceTemplate& face) {
   for (int row = 0; row < 2 * m; ++row) add_moments(equations, kinds, half_plane, row, 1 << 20);
   add_face_fluxes(equations, kinds, half_plane, m);
   const linalg::LeastChangeResult result =
-      equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), smallest_ratio);
+      equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), least_face_ratio);
   for (const Kind& kind : kinds) {
     for (int row = 0; row < m; ++row) {
       face.ratio(row, kind.across, kind.away) = result.values[number[slot(row, kind.across, kind.away)]] / kind.bulk;
@@ -212,7 +212,7 @@ double solve_strip(int m, int cells, const std::vector<Kind>& kinds, FaceTemplat
   for (int row = 0; row <= cells; ++row) add_moments(equations, kinds, layers, row, cells);
   add_strip_fluxes(equations, kinds, layers, cells);
   const linalg::LeastChangeResult result =
-      equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), smallest_ratio);
+      equations.solve(Eigen::Map<Eigen::VectorXd>(bulk.data(), bulk.size()), least_face_ratio);
   for (const Kind& kind : kinds) {
     for (int row = 0; row + kind.away <= cells; ++row) {
       strip.ratio(row, kind.across, kind.away) = result.values[number[slot(row, kind.across, kind.away)]] / kind.bulk;

@@ -9,6 +9,7 @@
 #include "pd/cell_squares.hpp"
 #include "pd/corners.hpp"
 #include "pd/face_template.hpp"
+#include "phase.hpp"
 
 namespace bempd::pd {
 
@@ -80,8 +81,10 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
   const std::size_t expected = templates.family.size() * lattice.point_count();
   bonds.first.reserve(expected), bonds.second.reserve(expected), bonds.offset.reserve(expected);
   bonds.stiffness.reserve(expected), bonds.adjustable.reserve(expected);
+  const Phase phase("bonds of a lattice", lattice.point_count());
   for (int i = 0; i < lattice.point_count(); ++i) {
     check_cancelled();
+    if (i % 1024 == 0) phase.reach(i);
     const Vector2i p = lattice.point(i), deep(2 * m, 2 * m), near(m - 1, m - 1);
     const bool bulk = cells.filled(p - deep, p + deep);
     bonds.start.push_back(static_cast<int>(bonds.first.size()));

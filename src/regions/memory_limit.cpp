@@ -14,7 +14,7 @@ namespace {
 
 constexpr double gigabyte = 1e9;
 
-const scene::OptionGroup group(scene::OptionPlace::general, [] {
+const scene::OptionGroup memory_group(scene::OptionPlace::general, [] {
   scene::OptionDescription limit =
       scene::number_option("memory.limit",
                            "Memory that preparing may need by estimate, without the sparse factor; scenes that need "

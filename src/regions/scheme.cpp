@@ -38,7 +38,7 @@ std::vector<scene::OptionDescription> describe_options() {
   return all;
 }
 
-const scene::OptionGroup group(scene::OptionPlace::schemes, &describe_options);
+const scene::OptionGroup scheme_group(scene::OptionPlace::schemes, &describe_options);
 
 }  // namespace
 

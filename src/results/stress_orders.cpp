@@ -7,7 +7,7 @@ namespace bempd::results {
 
 namespace {
 
-const scene::OptionGroup group(scene::OptionPlace::results, [] {
+const scene::OptionGroup stress_group(scene::OptionPlace::results, [] {
   return std::vector<scene::OptionDescription>{scene::text_option(
       "results.singular_stress",
       "Stress that bempd_evaluate() is asked for where it is unbounded (bempd_get_singularity()): number, the one that "

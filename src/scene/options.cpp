@@ -22,7 +22,8 @@ const OptionGroup general(OptionPlace::general, [] {
                   "Defaults of bem.quadrature_tolerance and stepping.tie_band: draft, 1e-6 for the first; standard, "
                   "their own; fine, 1e-15 and 0. A value set by hand stands, before or after.",
                   "draft | standard | fine", "standard"),
-      number_option("threads", "Threads for the library's own loops; 0 for all cores.", 0, 0, 1024, true)};
+      number_option("threads", "Threads for the library's own loops, 0 for all cores; and for the BLAS, 0 for one.", 0,
+                    0, 1024, true)};
 });
 
 // Defaults that the option `accuracy` moves. A lattice's horizon is not among them: it is part of the material.

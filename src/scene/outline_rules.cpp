@@ -15,9 +15,9 @@ void require_points(const std::vector<Point>& points, const char* what) {
   }
 }
 
-namespace {
-
 std::string place_of(const Point& p) { return text("(", p.x(), ", ", p.y(), ")"); }
+
+namespace {
 
 std::string describe_short_edge(const Outline& outline, int edge, const Point& where) {
   const double length = outline.edge(edge).length();

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/outline.hpp"
 
 namespace bempd::scene {
+
+// "(x, y)" for sentences.
+std::string place_of(const Point& p);
 
 // Throws Error (argument) for coordinates that are not numbers; `what` names one of the points.
 void require_points(const std::vector<Point>& points, const char* what);

@@ -10,8 +10,6 @@ namespace bempd::scene {
 
 namespace {
 
-std::string place_of(const Point& p) { return text("(", p.x(), ", ", p.y(), ")"); }
-
 // An edge becomes an arc between its ends; a flat one stays straight.
 void bend(Region& region, int number, const Arc& arc, double tolerance) {
   Outline changed = region.outline();

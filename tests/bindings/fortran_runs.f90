@@ -26,6 +26,20 @@ contains
     stop_now = merge(1, 0, heard%calls == heard%cancel_at)
   end function listen
 
+  function hear_phase(phase, share, seconds, expected, user) bind(c) result(stop_now)
+    character(kind=c_char), intent(in) :: phase(*)
+    real(c_double), value :: share, seconds, expected
+    type(c_ptr), value :: user
+    integer(c_int32_t) :: stop_now
+    type(listener), pointer :: heard
+
+    call c_f_pointer(user, heard)
+    heard%calls = heard%calls + 1
+    heard%line = bempd_text(phase)
+    call check(share >= 0 .and. share <= 1 .and. seconds >= 0 .and. expected >= 0, "phases hear sensible numbers")
+    stop_now = merge(1, 0, heard%calls == heard%cancel_at)
+  end function hear_phase
+
   subroutine note(level, message, user) bind(c)
     integer(c_int32_t), value :: level
     character(kind=c_char), intent(in) :: message(*)
@@ -62,6 +76,7 @@ program fortran_runs
   call views_alias_the_memory_of_the_library()
   call generation_tells_when_a_view_is_old()
   call progress_cancels_and_the_step_returns_to_its_start()
+  call long_parts_are_told()
   call log_lines_arrive()
   call boundary_functions_give_what_arrays_give()
   call boundary_function_can_cancel()
@@ -114,6 +129,24 @@ contains
     call model%generation(now)
     call check(now /= stamp, "a step changes the generation")
   end subroutine generation_tells_when_a_view_is_old
+
+  subroutine long_parts_are_told()
+    type(bempd_model) :: model
+    type(listener), target :: heard
+    character(300) :: message
+    integer :: stat
+
+    call make_strip(model)
+    heard%cancel_at = 1
+    call model%set_phase_progress(hear_phase, c_loc(heard))
+    call model%step(.1_dp, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_CANCELLED, message, "bempd_step: the phase callback")
+    call check(heard%calls == 1 .and. len_trim(heard%line) > 0, "a phase has a name")
+    call model%set_phase_progress()
+    call model%request_stop()
+    call model%step(.1_dp)
+    call check(heard%calls == 1, "nobody hears of phases any more")
+  end subroutine long_parts_are_told
 
   subroutine progress_cancels_and_the_step_returns_to_its_start()
     type(bempd_model) :: model

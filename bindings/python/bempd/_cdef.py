@@ -139,15 +139,21 @@ typedef int32_t (*bempd_progress_function)(double load_factor, int64_t events, i
     void *user);
 typedef void (*bempd_log_function)(int32_t level, const char *message, void *user);
 bempd_status bempd_set_progress(bempd_model *model, bempd_progress_function function, void *user);
+typedef int32_t (*bempd_phase_function)(const char *phase, double share, double seconds,
+    double expected, void *user);
+bempd_status bempd_set_phase_progress(bempd_model *model, bempd_phase_function function,
+    void *user);
 bempd_status bempd_set_log(bempd_model *model, bempd_log_function function, void *user);
 bempd_status bempd_request_cancel(bempd_model *model);
+bempd_status bempd_request_stop(bempd_model *model);
 typedef enum bempd_stop_reason {
   BEMPD_STOP_LOAD_FACTOR = 1,
   BEMPD_STOP_EVENT = 2,
   BEMPD_STOP_SEPARATED = 3,
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
-  BEMPD_STOP_NO_EQUILIBRIUM = 6
+  BEMPD_STOP_NO_EQUILIBRIUM = 6,
+  BEMPD_STOP_REQUESTED = 7
 } bempd_stop_reason;
 typedef struct bempd_step_report {
   int64_t struct_size;
@@ -966,6 +972,28 @@ function [in]: NULL for none
 user [in]: handed to the function; may be NULL
 return: status
 since: 0.1""",
+    "bempd_phase_function": """\
+How far a long part of a call is, while a scene is prepared, a step factorizes, and the like.
+
+It is called by the thread that makes the call, ten times a second at most; parts that take less may
+go untold, and the last call for a part need not say 1.
+
+phase [in]: what is done, such as "boundary integrals" or "sparse factorization"; valid during the
+  call
+share [in]: of it that is done, 0 to 1
+seconds [in]: that it has taken so far [s]
+expected [in]: seconds that it will take in all by this share [s]; 0 if nothing is known yet
+user [in]: the pointer given with the function
+return: 0 to go on; else the call is cancelled and leaves the model as it was
+since: 0.3""",
+    "bempd_set_phase_progress": """\
+Ask to be told of progress inside long parts of calls.
+
+model [in]: the model
+function [in]: NULL for none
+user [in]: handed to the function; may be NULL
+return: status
+since: 0.3""",
     "bempd_set_log": """\
 Ask to receive the log.
 
@@ -978,13 +1006,21 @@ since: 0.1""",
 Ask the call that runs in another thread to stop: preparing, a step, results. It fails as cancelled
 and leaves the model as it was before. A request made while no call runs is forgotten.
 
-The request is heard within 0.3 s, but for single factorizations of the sparse system (CHOLMOD,
-UMFPACK) and of dense matrices (of a boundary element region, of a window): these cannot be
-interrupted, and the call ends after the one that runs.
+The request is heard within 0.3 s, but for the ordering of the sparse system, a whole factorization
+in a library built with Eigen's sparse solver, and one by UMFPACK in scheme paper: these end first
+(docs/reliability.md has the times).
 
 model [in]: the model
 return: status
 since: 0.1""",
+    "bempd_request_stop": """\
+Ask the step that runs in another thread, or calls back, to end after the event that it is at, and
+to keep what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not steps do not
+hear it. A request made while no call runs is forgotten.
+
+model [in]: the model
+return: status
+since: 0.3""",
     "bempd_stop_reason": """Why a step ended.
 
 since: 0.1""",
@@ -1001,6 +1037,10 @@ since: 0.3""",
 With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
 equilibrium. The step keeps the increments before. Where already its first one leaves none the step
 fails instead, as BEMPD_ERROR_UNSOLVABLE.
+
+since: 0.3""",
+    "BEMPD_STOP_REQUESTED": """\
+bempd_request_stop() asked for the end of the step, which keeps the events before.
 
 since: 0.3""",
     "bempd_step_report": """\

@@ -7,6 +7,7 @@ from typing import Any
 
 from ._library import call, check, ffi, invoke, lib
 from ._words import name_of
+from .callbacks import Interrupts
 from .errors import OrderError
 
 
@@ -23,8 +24,10 @@ class Handle:
         self.pointer = ffi.gc(created[0], lib.bempd_model_free)
         self.callbacks: list[Any] = []  # of supports and loads; the library may call them until it is freed
         self.progress: Any = None  # the callbacks in use
+        self.phases: Any = None
         self.log: Any = None
         self.raised: list[BaseException] = []  # by callbacks during the present call
+        self.interrupts = Interrupts(self.raised, self.pointer)
         self._lock = threading.Lock()
         self._views: set[object] = set()
 
@@ -39,6 +42,7 @@ class Handle:
                 raise OrderError(f"{short}: {len(self._views)} array(s) made by view_field() still look at the model's "
                                  "fields; drop them before the model changes, or use field()")
             self.raised.clear()
+            self.interrupts.events_told = False
             status = invoke(name, self.pointer, *arguments)
             if self.raised:
                 raise self.raised.pop(0)

@@ -19,6 +19,7 @@ NAMES: dict[str, str] = {
     "bempd_get_option_text": "Model.options",
     "bempd_material_init": "Model.add_material",
     "bempd_set_progress": "Model.progress",
+    "bempd_set_phase_progress": "Model.phase_progress",
     "bempd_set_log": "Model.log",
     "bempd_step_report_init": "Model.step",
     "bempd_element_count": "Model.elements",

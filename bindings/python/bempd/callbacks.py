@@ -16,6 +16,9 @@ from .errors import ArgumentError
 Pair = Tuple[float, float]
 #: Called as f(load_factor, events, broken_bonds) after every event; an exception cancels the step and is raised again.
 Progress = Callable[[float, int, int], object]
+#: Called as f(phase, share, seconds, expected) inside long parts of calls: what is done, the share of it, the seconds so
+#: far and those expected in all, 0 if nothing is known yet; an exception cancels the call and is raised again.
+PhaseProgress = Callable[[str, float, float, float], object]
 #: A logger, or a function called as f(level, message): level 1 warning, 2 information, 3 detail.
 Log = Union[logging.Logger, Callable[[int, str], object]]
 #: Called as f(x, y); gives (ux, uy), multiplied by the load factor, or a pair of pairs (constant, proportional).
@@ -36,16 +39,46 @@ def callable_or_none(name: str, function: Any) -> Any:
     return function
 
 
-def progress_callback(raised: List[BaseException], progress: Optional[Progress]) -> Any:
+class Interrupts:
+    """What becomes of exceptions in progress functions. Ctrl-C ends a step that has done something after its present
+    event and keeps that; pressed again, or before the first event, it cancels the call, as other exceptions do."""
+
+    def __init__(self, raised: List[BaseException], model: Any) -> None:
+        self._raised = raised
+        self._model = model
+        self.events_told = False  # in the present call
+
+    def __call__(self, kind: Any, error: BaseException, traceback: Any) -> Optional[int]:
+        again = any(isinstance(before, KeyboardInterrupt) for before in self._raised)
+        self._raised.append(error)
+        if not isinstance(error, KeyboardInterrupt) or again or not self.events_told:
+            return None  # the call is cancelled
+        lib.bempd_request_stop(self._model)
+        return 0
+
+
+def progress_callback(interrupts: Interrupts, progress: Optional[Progress]) -> Any:
     """What the library calls after every event. It is set even without a function of the user: it gives the interpreter
-    a chance to raise KeyboardInterrupt, which cancels the step."""
+    a chance to raise KeyboardInterrupt."""
 
     def told(load_factor: float, events: int, broken_bonds: int, _: Any) -> int:
+        interrupts.events_told = True
         if progress is not None:
             progress(load_factor, events, broken_bonds)
         return 0
 
-    return ffi.callback("bempd_progress_function", told, error=1, onerror=_keeper(raised))
+    return ffi.callback("bempd_progress_function", told, error=1, onerror=interrupts)
+
+
+def phase_callback(interrupts: Interrupts, progress: Optional[PhaseProgress]) -> Any:
+    """The same inside long parts of calls."""
+
+    def told(phase: Any, share: float, seconds: float, expected: float, _: Any) -> int:
+        if progress is not None:
+            progress(string(phase), share, seconds, expected)
+        return 0
+
+    return ffi.callback("bempd_phase_function", told, error=1, onerror=interrupts)
 
 
 def log_callback(raised: List[BaseException], model: Any, log: Log) -> Any:

@@ -11,7 +11,8 @@ from ._handle import Handle
 from ._library import check, ffi, invoke, lib, new_struct
 from ._results import Results
 from ._scene import Scene
-from .callbacks import Log, Progress, callable_or_none, log_callback, progress_callback
+from .callbacks import (Log, PhaseProgress, Progress, callable_or_none, log_callback, phase_callback,
+                        progress_callback)
 from .errors import ArgumentError
 from .options import Options, OptionValue
 from .reports import StepReport, step_report
@@ -44,8 +45,10 @@ class Model(Scene, Results):
         self._fields = {}
         self._fields_generation = 0
         self._progress: Optional[Progress] = None
+        self._phase_progress: Optional[PhaseProgress] = None
         self._log: Optional[Log] = None
         self.progress = progress
+        self.phase_progress = None
         if log is not None:
             self.log = log
         self.options.update(options or {})
@@ -76,8 +79,9 @@ class Model(Scene, Results):
     def progress(self) -> Optional[Progress]:
         """Function called as f(load_factor, events, broken_bonds) after every event, or None.
 
-        An exception cancels the step, which returns to its start, and is raised again; so is KeyboardInterrupt, with a
-        function or without. If the function has methods start(load_factor, goal) and finish(), they are called around
+        An exception cancels the step, which returns to its start, and is raised again. KeyboardInterrupt (Ctrl-C), with a
+        function or without, ends the step after its present event and is raised with the events before kept; a second
+        one, or one before the first event, cancels. If the function has methods start(load_factor, goal) and finish(), they are called around
         every run; progress_bar() makes such a one.
         """
         return self._progress
@@ -85,9 +89,24 @@ class Model(Scene, Results):
     @progress.setter
     def progress(self, function: Optional[Progress]) -> None:
         handle = self._open()
-        callback = progress_callback(handle.raised, callable_or_none("progress", function))
+        callback = progress_callback(handle.interrupts, callable_or_none("progress", function))
         handle.call("bempd_set_progress", callback, ffi.NULL)
         handle.progress, self._progress = callback, function
+
+    @property
+    def phase_progress(self) -> Optional[PhaseProgress]:
+        """Function called as f(phase, share, seconds, expected) inside long parts of calls, ten times a second at most,
+        or None: what is done, the share of it, the seconds so far and those expected in all. An exception cancels the
+        call and is raised again.
+        """
+        return self._phase_progress
+
+    @phase_progress.setter
+    def phase_progress(self, function: Optional[PhaseProgress]) -> None:
+        handle = self._open()
+        callback = phase_callback(handle.interrupts, callable_or_none("phase_progress", function))
+        handle.call("bempd_set_phase_progress", callback, ffi.NULL)
+        handle.phases, self._phase_progress = callback, function
 
     @property
     def log(self) -> Optional[Log]:
@@ -108,6 +127,11 @@ class Model(Scene, Results):
     def request_cancel(self) -> None:
         """Ask the step that runs in another thread to stop: it returns to its start and raises CancelledError."""
         check(invoke("bempd_request_cancel", self._open().pointer))
+
+    def request_stop(self) -> None:
+        """Ask the step that runs in another thread, or calls back, to end after its present event: its report has
+        StopReason.REQUESTED, and what it has done is kept."""
+        check(invoke("bempd_request_stop", self._open().pointer))
 
     def prepare(self) -> None:
         """Check the scene and build its operators; nothing can be added afterwards. The first step does it if you do

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "elasticity/kinked_tip.hpp"
+#include "geometry/turning.hpp"
 
 namespace bempd::fracture {
 
@@ -30,11 +31,6 @@ double correction(const GrowingTip& tip) {
 
 // Positive where c lies to the left of the way from a to b.
 double side(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
-
-Point turned(const Point& direction, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "cancellation.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/window/window_settings.hpp"
+#include "phase.hpp"
 
 namespace bempd::fracture {
 
@@ -39,12 +40,15 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
 }
 
 void Lookahead::build_window(const BodyState& state) {
+  const Phase phase("window around what breaks", 3);
   has_ended_ = needs_whole_body_ = system_has_changed_ = false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
   check_cancelled();
+  phase.reach(1);
   window_ =
       std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions_.list());
   check_cancelled();
+  phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
   certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
   whole_ = state.displacement;

@@ -26,7 +26,7 @@ Eigen::MatrixXd part_of_product(const Eigen::MatrixXd& factor, const std::vector
   const Eigen::Index columns = chosen.empty() ? 0 : chosen.back() + 1;
   const Eigen::MatrixXd rows = factor.leftCols(columns)(chosen, Eigen::all);
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(rows.rows(), rows.rows());
-  constexpr Eigen::Index at_once = WindowSettings::factor_columns_at_once;
+  const Eigen::Index at_once = WindowSettings::factor_columns_at_once;
   for (Eigen::Index c = 0; c < columns; c += at_once) {
     const auto reaching = std::lower_bound(chosen.begin(), chosen.end(), static_cast<int>(c));
     const Eigen::Index above = reaching - chosen.begin(), height = rows.rows() - above;

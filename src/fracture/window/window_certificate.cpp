@@ -8,7 +8,6 @@
 
 namespace bempd::fracture {
 
-using S = WindowSettings;
 using coupling::Affine;
 
 WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
@@ -16,7 +15,7 @@ WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
                                      const StretchRatios& ratios, bool proportional)
     : condensation_(condensation), window_(window), proportional_(proportional) {
   collect_bonds(system, ratios);
-  rounding_ = S::energy_rounding * window.outside_stiffness().diagonal().lpNorm<Eigen::Infinity>();
+  rounding_ = WindowSettings::energy_rounding * window.outside_stiffness().diagonal().lpNorm<Eigen::Infinity>();
 }
 
 void WindowCertificate::collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios) {
@@ -39,7 +38,7 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
   class_of_.assign(compliance.size(), 0);
   if (compliance.empty()) return;
   const auto [least, most] = std::minmax_element(compliance.begin(), compliance.end());
-  const double lowest = std::log(*least), width = std::max(std::log(*most) - lowest, S::least_class_width);
+  const double lowest = std::log(*least), width = std::max(std::log(*most) - lowest, WindowSettings::least_class_width);
   for (std::size_t b = 0; b < compliance.size(); ++b) {
     const int k =
         std::min(most_classes - 1, static_cast<int>(most_classes * (std::log(compliance[b]) - lowest) / width));
@@ -51,7 +50,7 @@ void WindowCertificate::classify(const std::vector<double>& compliance) {
 std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const Eigen::MatrixXd& displacements) const {
   std::vector<Classes> result;
   // Each bond's ends are fetched once for a batch of states.
-  constexpr Eigen::Index batch = S::states_swept_at_once;
+  constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
   Eigen::Array<double, batch, Eigen::Dynamic> u;
   for (Eigen::Index first = 0; first < displacements.rows(); first += batch) {
@@ -74,8 +73,8 @@ std::vector<WindowCertificate::Classes> WindowCertificate::largest_ratios(const 
 }
 
 void WindowCertificate::take(const std::vector<int>& states) {
-  for (std::size_t begin = 0; begin < states.size(); begin += S::states_solved_at_once) {
-    const std::size_t end = std::min(states.size(), begin + S::states_solved_at_once);
+  for (std::size_t begin = 0; begin < states.size(); begin += WindowSettings::states_solved_at_once) {
+    const std::size_t end = std::min(states.size(), begin + WindowSettings::states_solved_at_once);
     take_together(
         {states.begin() + static_cast<std::ptrdiff_t>(begin), states.begin() + static_cast<std::ptrdiff_t>(end)});
   }
@@ -204,7 +203,7 @@ std::vector<int> WindowCertificate::uncertified() const {
 
 // A third of every run of states in doubt; in the end all.
 std::vector<int> WindowCertificate::between_snapshots(const std::vector<int>& states, int round) const {
-  if (round >= S::most_rounds) return states;
+  if (round >= WindowSettings::most_rounds) return states;
   std::vector<int> chosen;
   for (std::size_t begin = 0; begin < states.size();) {
     std::size_t end = begin + 1;
@@ -243,9 +242,10 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
     highest_ = std::max(highest_, check.load_factor);
   }
   std::vector<int> wanted;
-  int counted = -S::breaks_between_snapshots;
+  int counted = -WindowSettings::breaks_between_snapshots;
   for (int s = 0; s < static_cast<int>(states.size()); ++s) {
-    if (breaks[s] - counted < S::breaks_between_snapshots && s + 1 < static_cast<int>(states.size())) continue;
+    if (breaks[s] - counted < WindowSettings::breaks_between_snapshots && s + 1 < static_cast<int>(states.size()))
+      continue;
     wanted.push_back(s);
     counted = breaks[s];
   }

@@ -61,10 +61,10 @@ void WindowPlace::keep(std::vector<Zone> zones, std::vector<int> nodes) {
 }
 
 double WindowPlace::length_ahead(double wanted) const {
-  using S = WindowSettings;
   if (wanted > 0) return wanted;
   const double size = static_cast<double>(system_.counters().sparse_unknowns);
-  return std::clamp(S::length_at_20000_unknowns * std::sqrt(size / 20000), S::least_length, S::most_length);
+  return std::clamp(WindowSettings::length_at_20000_unknowns * std::sqrt(size / 20000), WindowSettings::least_length,
+                    WindowSettings::most_length);
 }
 
 bool WindowPlace::is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const {

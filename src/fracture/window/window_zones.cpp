@@ -9,8 +9,6 @@ namespace bempd::fracture {
 
 namespace {
 
-using S = WindowSettings;
-
 // Groups of points each of which is near to another one of its group.
 std::vector<std::vector<int>> crowds(const std::vector<Point>& points, double distance) {
   std::vector<char> taken(points.size(), 0);
@@ -38,11 +36,12 @@ void fit(Zone& zone, const std::vector<Point>& points, double back, const ZoneSh
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - S::beside_hot * dx)};
-  zone.high = {high.x() + shape.ahead * dx, std::max(shape.half_width * dx, high.y() + S::beside_hot * dx)};
+  zone.low = {low.x() - back * dx, std::min(-shape.half_width * dx, low.y() - WindowSettings::beside_hot * dx)};
+  zone.high = {high.x() + shape.ahead * dx,
+               std::max(shape.half_width * dx, high.y() + WindowSettings::beside_hot * dx)};
   // Behind the tip nothing is expected to break.
-  zone.inner_low = zone.low + Point(back == shape.back ? 0 : S::front_rim * dx, 0);
-  zone.inner_high = zone.high - Point(S::front_rim * dx, 0);
+  zone.inner_low = zone.low + Point(back == shape.back ? 0 : WindowSettings::front_rim * dx, 0);
+  zone.inner_high = zone.high - Point(WindowSettings::front_rim * dx, 0);
 }
 
 class Builder {
@@ -61,18 +60,19 @@ class Builder {
     double weight = 0;
     for (int b : crowd) {
       const double ratio = ratios_.at(b, load_factor_);
-      if (ratio < S::centre_share * largest) continue;
+      if (ratio < WindowSettings::centre_share * largest) continue;
       zone.centre += ratio * middle(b);
       weight += ratio;
     }
     zone.centre /= weight;
     const double dx = spacing_[bonds().first[crowd.front()]];
     // A crack runs across the direction in which it opens.
-    zone.axis =
-        linalg::symmetric_modes(opening(zone.centre, S::opening_reach * dx, S::opening_share * largest)).vectors.col(0);
+    zone.axis = linalg::symmetric_modes(
+                    opening(zone.centre, WindowSettings::opening_reach * dx, WindowSettings::opening_share * largest))
+                    .vectors.col(0);
     Point crack = Point::Zero();
     for (const Point& p : parted) {
-      if ((p - zone.centre).norm() < S::crack_distance * dx) crack += p - zone.centre;
+      if ((p - zone.centre).norm() < WindowSettings::crack_distance * dx) crack += p - zone.centre;
     }
     if (zone.axis.dot(crack) > 0) zone.axis = -zone.axis;
     const bool one_way = -zone.axis.dot(crack) > 0.5 * crack.norm() && crack.norm() > 0;
@@ -129,7 +129,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   for (int b : hot) middles.push_back(builder.middle(b));
   const double dx = hot.empty() ? 0 : spacing[ratios.terms().first[hot.front()]];
   std::vector<Zone> zones;
-  for (const std::vector<int>& crowd : crowds(middles, S::crowd_distance * dx)) {
+  for (const std::vector<int>& crowd : crowds(middles, WindowSettings::crowd_distance * dx)) {
     std::vector<int> members;
     members.reserve(crowd.size());
     for (int k : crowd) members.push_back(hot[k]);
@@ -146,7 +146,7 @@ std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Ter
   for (int b : cut) middles.push_back(0.5 * (positions[bonds.first[b]] + positions[bonds.second[b]]));
   const double dx = spacing[bonds.first[cut.front()]];
   std::vector<Zone> zones;
-  for (const std::vector<int>& crowd : crowds(middles, S::crowd_distance * dx)) {
+  for (const std::vector<int>& crowd : crowds(middles, WindowSettings::crowd_distance * dx)) {
     Point mean = Point::Zero();
     for (int k : crowd) mean += middles[k] / static_cast<double>(crowd.size());
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();

@@ -4,7 +4,7 @@ namespace bempd::regions {
 
 namespace {
 
-const scene::OptionGroup group(scene::OptionPlace::boundaries, [] {
+const scene::OptionGroup boundary_group(scene::OptionPlace::boundaries, [] {
   return std::vector<scene::OptionDescription>{
       scene::shaping(scene::number_option(
           "bem.quadrature_tolerance",

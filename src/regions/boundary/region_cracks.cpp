@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "error.hpp"
+#include "geometry/turning.hpp"
 #include "linalg/disjoint_sets.hpp"
 
 namespace bempd::regions {
@@ -24,8 +25,6 @@ double way_to(const CrackPath& path, int point) {
   for (int i = 0; i < point; ++i) sum += (path.points[i + 1] - path.points[i]).norm();
   return sum;
 }
-
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
 
 // Values of the element's functions at a part of its length.
 std::array<double, 3> shape_at(const bem::CrackElement& element, double part) {

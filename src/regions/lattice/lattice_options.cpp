@@ -4,7 +4,7 @@ namespace bempd::regions {
 
 namespace {
 
-const scene::OptionGroup group(scene::OptionPlace::lattices, [] {
+const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
                            2, 8, true),

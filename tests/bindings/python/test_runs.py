@@ -85,7 +85,7 @@ def test_progress_is_told_of_every_event(strip):
     assert strip.model.progress is None
 
 
-@pytest.mark.parametrize("kind", [ZeroDivisionError, KeyboardInterrupt, SystemExit])
+@pytest.mark.parametrize("kind", [ZeroDivisionError, SystemExit])
 def test_an_exception_in_progress_cancels_the_step_and_comes_out(strip, kind):
     strip.model.step(50)
 
@@ -99,6 +99,57 @@ def test_an_exception_in_progress_cancels_the_step_and_comes_out(strip, kind):
     assert strip.model.load_factor == 50 and strip.model.statistics().broken_bonds == 0
     strip.model.progress = None
     assert strip.model.run_to_separation(1e4).separated
+
+
+def test_an_interrupt_keeps_the_events_and_comes_out(strip):
+    def interrupted(load_factor, events, broken_bonds):
+        if events == 2:
+            raise KeyboardInterrupt("enough")
+
+    strip.model.progress = interrupted
+    with pytest.raises(KeyboardInterrupt, match="enough"):
+        strip.model.run_to_separation(1e4)
+    assert strip.model.statistics().broken_bonds > 0 and strip.model.load_factor > 0
+    strip.model.progress = None
+    report = strip.model.run_to_separation(1e4)
+    assert report.separated and report.total_events == report.events + 2
+
+
+def test_a_step_can_be_asked_to_stop(strip):
+    def enough(load_factor, events, broken_bonds):
+        if events == 2:
+            strip.model.request_stop()
+
+    strip.model.progress = enough
+    report = strip.model.run_to_separation(1e4)
+    assert report.stop_reason == bempd.StopReason.REQUESTED and report.events == 2
+    strip.model.progress = None
+    assert strip.model.run_to_separation(1e4).separated
+
+
+def test_long_parts_say_how_far_they_are():
+    told = []
+    scene = make_plate()
+    scene.model.phase_progress = lambda *words: told.append(words)
+    scene.model.prepare()
+    scene.model.step(1)
+    assert told
+    for phase, share, seconds, expected in told:
+        assert phase and 0 <= share <= 1 and seconds >= 0 and (expected >= seconds if share > 0 else expected == 0)
+
+
+def test_an_interrupt_while_preparing_cancels():
+    scene = make_plate()
+
+    def interrupted(phase, share, seconds, expected):
+        raise KeyboardInterrupt(phase)
+
+    scene.model.phase_progress = interrupted
+    with pytest.raises(KeyboardInterrupt):
+        scene.model.step(1)
+    scene.model.phase_progress = None
+    assert scene.model.phase_progress is None
+    scene.model.step(1)
 
 
 def test_an_exception_in_the_log_comes_out():

@@ -975,6 +975,42 @@ extern "C" {
         user: *mut ::std::os::raw::c_void,
     ) -> bempd_status;
 }
+/// How far a long part of a call is, while a scene is prepared, a step factorizes, and the like.
+///
+/// It is called by the thread that makes the call, ten times a second at most; parts that take less
+/// may go untold, and the last call for a part need not say 1.
+///
+/// * phase \[in\]: what is done, such as "boundary integrals" or "sparse factorization"; valid during
+///   the call
+/// * share \[in\]: of it that is done, 0 to 1
+/// * seconds \[in\]: that it has taken so far \[s\]
+/// * expected \[in\]: seconds that it will take in all by this share \[s\]; 0 if nothing is known yet
+/// * user \[in\]: the pointer given with the function
+/// * return: 0 to go on; else the call is cancelled and leaves the model as it was
+/// * since: 0.3
+pub type bempd_phase_function = ::std::option::Option<
+    unsafe extern "C" fn(
+        phase: *const ::std::os::raw::c_char,
+        share: f64,
+        seconds: f64,
+        expected: f64,
+        user: *mut ::std::os::raw::c_void,
+    ) -> i32,
+>;
+extern "C" {
+    /// Ask to be told of progress inside long parts of calls.
+    ///
+    /// * model \[in\]: the model
+    /// * function \[in\]: NULL for none
+    /// * user \[in\]: handed to the function; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_phase_progress(
+        model: *mut bempd_model,
+        function: bempd_phase_function,
+        user: *mut ::std::os::raw::c_void,
+    ) -> bempd_status;
+}
 extern "C" {
     /// Ask to receive the log.
     ///
@@ -994,14 +1030,24 @@ extern "C" {
     /// cancelled and leaves the model as it was before. A request made while no call runs is
     /// forgotten.
     ///
-    /// The request is heard within 0.3 s, but for single factorizations of the sparse system
-    /// (CHOLMOD, UMFPACK) and of dense matrices (of a boundary element region, of a window): these
-    /// cannot be interrupted, and the call ends after the one that runs.
+    /// The request is heard within 0.3 s, but for the ordering of the sparse system, a whole
+    /// factorization in a library built with Eigen's sparse solver, and one by UMFPACK in scheme
+    /// paper: these end first (docs/reliability.md has the times).
     ///
     /// * model \[in\]: the model
     /// * return: status
     /// * since: 0.1
     pub fn bempd_request_cancel(model: *mut bempd_model) -> bempd_status;
+}
+extern "C" {
+    /// Ask the step that runs in another thread, or calls back, to end after the event that it is
+    /// at, and to keep what it has done: it succeeds with BEMPD_STOP_REQUESTED. Calls that are not
+    /// steps do not hear it. A request made while no call runs is forgotten.
+    ///
+    /// * model \[in\]: the model
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_request_stop(model: *mut bempd_model) -> bempd_status;
 }
 /// The load factor asked for was reached.
 pub const BEMPD_STOP_LOAD_FACTOR: bempd_stop_reason = 1;
@@ -1023,6 +1069,10 @@ pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
+/// bempd_request_stop() asked for the end of the step, which keeps the events before.
+///
+/// * since: 0.3
+pub const BEMPD_STOP_REQUESTED: bempd_stop_reason = 7;
 /// Why a step ended.
 ///
 /// * since: 0.1

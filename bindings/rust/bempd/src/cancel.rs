@@ -20,6 +20,12 @@ impl CancelToken {
     pub fn cancel(&self) {
         self.0.request();
     }
+
+    /// Asks the step that runs to end after the event that it is at and to keep what it has done: it succeeds with
+    /// [`StopReason::Requested`](crate::StopReason::Requested). A request made while no step runs is forgotten.
+    pub fn stop(&self) {
+        self.0.request_stop();
+    }
 }
 
 impl fmt::Debug for CancelToken {

@@ -206,6 +206,8 @@ pub enum StopReason {
     NoAdmissibleLoad,
     /// In increments: what breaks at the end of the next one leaves no equilibrium.
     NoEquilibrium,
+    /// The host asked for the end of the step, which keeps the events before.
+    Requested,
     /// A reason that this version of the crate does not know.
     Other(i32),
 }
@@ -219,6 +221,7 @@ impl StopReason {
             sys::BEMPD_STOP_NO_FURTHER_EVENT => StopReason::NoFurtherEvent,
             sys::BEMPD_STOP_NO_ADMISSIBLE_LOAD => StopReason::NoAdmissibleLoad,
             sys::BEMPD_STOP_NO_EQUILIBRIUM => StopReason::NoEquilibrium,
+            sys::BEMPD_STOP_REQUESTED => StopReason::Requested,
             _ => StopReason::Other(reason),
         }
     }

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::raw::Handle;
 use crate::{
-    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, Progress, RegionId, Result, State, StepReport, Turn,
-    Until,
+    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, PhaseProgress, Progress, RegionId, Result, State,
+    StepReport, Turn, Until,
 };
 
 /// A scene and its state. Dropping it frees everything.
@@ -173,6 +173,30 @@ impl Model {
     /// No longer tells of progress.
     pub fn clear_progress(&mut self) -> Result<()> {
         self.handle.set_progress(None)
+    }
+
+    /// Tells `function` how far a long part of a call is, ten times a second at most. If it breaks off, the call fails
+    /// with [`Error::Cancelled`] and leaves the model as it was.
+    ///
+    /// ```
+    /// # let mut model = bempd::Model::new()?;
+    /// use std::ops::ControlFlow;
+    /// model.set_phase_progress(|now| {
+    ///     eprintln!("{}: {:.0} %", now.phase, 100.0 * now.share);
+    ///     ControlFlow::Continue(())
+    /// })?;
+    /// # Ok::<(), bempd::Error>(())
+    /// ```
+    pub fn set_phase_progress(
+        &mut self,
+        function: impl FnMut(PhaseProgress) -> ControlFlow<()> + Send + 'static,
+    ) -> Result<()> {
+        self.handle.set_phase_progress(Some(Box::new(function)))
+    }
+
+    /// No longer tells of long parts.
+    pub fn clear_phase_progress(&mut self) -> Result<()> {
+        self.handle.set_phase_progress(None)
     }
 
     /// Gives `function` the lines of the log.

@@ -13,6 +13,19 @@ pub struct Progress {
     pub broken_bonds: i64,
 }
 
+/// How far a long part of a call is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhaseProgress<'a> {
+    /// What is done, such as "boundary integrals" or "sparse factorization".
+    pub phase: &'a str,
+    /// Share of it that is done, 0 to 1.
+    pub share: f64,
+    /// Seconds that it has taken so far [s].
+    pub seconds: f64,
+    /// Seconds that it will take in all by this share [s]; 0 if nothing is known yet.
+    pub expected: f64,
+}
+
 /// A struct whose members are those of a C struct, with the conversions that the members' types ask for.
 macro_rules! mirror {
     ($(#[$documentation:meta])* $name:ident of $raw:ident { $($(#[$about:meta])* $member:ident: $kind:ty,)* }) => {

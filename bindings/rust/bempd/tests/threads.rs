@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::mpsc;
 use std::thread;
 
-use bempd::{CancelToken, Model, State};
+use bempd::{CancelToken, Model, State, StopReason};
 use common::{block, plate};
 
 fn movable<T: Send>() {}
@@ -64,6 +64,43 @@ fn a_token_stops_a_step_from_another_thread() {
     assert_fails!(plate.model.run_to_separation(1000.0), Cancelled, "on request");
     other.join().unwrap();
     assert_eq!(plate.outcome(), before);
+}
+
+#[test]
+fn a_stopped_step_keeps_its_events() {
+    let mut plate = plate();
+    let token = plate.model.cancel_token();
+    plate
+        .model
+        .set_progress(move |now| {
+            if now.events == 2 {
+                token.stop();
+            }
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+    let report = plate.model.run_to_separation(1000.0).unwrap();
+    assert_eq!((report.stop_reason, report.events), (StopReason::Requested, 2));
+    plate.model.clear_progress().unwrap();
+    assert!(plate.model.run_to_separation(1000.0).unwrap().separated);
+}
+
+#[test]
+fn long_parts_say_how_far_they_are_and_can_cancel() {
+    let mut plate = plate();
+    let (tell, told) = mpsc::channel();
+    plate
+        .model
+        .set_phase_progress(move |now| {
+            tell.send((now.phase.to_owned(), now.share)).unwrap();
+            ControlFlow::Break(())
+        })
+        .unwrap();
+    assert_fails!(plate.model.step(0.01), Cancelled, "the phase callback asked to stop");
+    let (phase, share) = told.recv().unwrap();
+    assert!(!phase.is_empty() && (0.0..=1.0).contains(&share));
+    plate.model.clear_phase_progress().unwrap();
+    plate.model.step(0.01).unwrap();
 }
 
 #[test]

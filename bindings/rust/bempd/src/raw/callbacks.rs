@@ -10,9 +10,10 @@ use bempd_sys as sys;
 
 use super::cancel::CancelTarget;
 use super::Handle;
-use crate::{BoundaryValue, LogLevel, Progress, Result};
+use crate::{BoundaryValue, LogLevel, PhaseProgress, Progress, Result};
 
 pub(crate) type ProgressFunction = Box<dyn FnMut(Progress) -> ControlFlow<()> + Send>;
+pub(crate) type PhaseFunction = Box<dyn FnMut(PhaseProgress) -> ControlFlow<()> + Send>;
 pub(crate) type LogFunction = Box<dyn FnMut(LogLevel, &str) + Send>;
 pub(crate) type BoundaryFunction = Box<dyn FnMut(f64, f64) -> Option<BoundaryValue> + Send>;
 
@@ -85,6 +86,7 @@ unsafe fn run<F, T>(user: *mut c_void, body: impl FnOnce(&mut F) -> T) -> Option
 #[derive(Default)]
 pub(super) struct Callbacks {
     progress: Option<Kept<ProgressFunction>>,
+    phases: Option<Kept<PhaseFunction>>,
     log: Option<Kept<LogClosure>>,
     boundary: Vec<Kept<BoundaryFunction>>,
 }
@@ -97,6 +99,18 @@ struct LogClosure {
 unsafe extern "C" fn progress(load_factor: f64, events: i64, broken_bonds: i64, user: *mut c_void) -> i32 {
     let report = Progress { load_factor, events, broken_bonds };
     match run(user, |function: &mut ProgressFunction| function(report)) {
+        Some(ControlFlow::Continue(())) => 0,
+        _ => 1,
+    }
+}
+
+unsafe extern "C" fn phase(name: *const c_char, share: f64, seconds: f64, expected: f64, user: *mut c_void) -> i32 {
+    let told = |function: &mut PhaseFunction| {
+        // SAFETY: the library gives a string that ends with a zero and lives during the call.
+        let phase = CStr::from_ptr(name).to_string_lossy();
+        function(PhaseProgress { phase: &phase, share, seconds, expected })
+    };
+    match run(user, told) {
         Some(ControlFlow::Continue(())) => 0,
         _ => 1,
     }
@@ -135,6 +149,20 @@ impl Handle {
             None => self.call(|model| unsafe { sys::bempd_set_progress(model, None, std::ptr::null_mut()) })?,
         }
         self.callbacks.progress = kept;
+        Ok(())
+    }
+
+    pub(crate) fn set_phase_progress(&mut self, function: Option<PhaseFunction>) -> Result<()> {
+        let kept = function.map(|function| Kept::new(function, &self.panic));
+        match &kept {
+            // SAFETY: as in `set_progress`.
+            Some(kept) => {
+                self.call(|model| unsafe { sys::bempd_set_phase_progress(model, Some(phase), kept.user()) })?
+            }
+            // SAFETY: no function takes no pointer.
+            None => self.call(|model| unsafe { sys::bempd_set_phase_progress(model, None, std::ptr::null_mut()) })?,
+        }
+        self.callbacks.phases = kept;
         Ok(())
     }
 

@@ -8,7 +8,7 @@ pub(crate) struct CancelTarget(Mutex<ModelPointer>);
 
 struct ModelPointer(*mut sys::bempd_model);
 
-// SAFETY: the pointer is used for `bempd_request_cancel` only, which is allowed from any thread at any time.
+// SAFETY: the pointer is used for `bempd_request_cancel` and `bempd_request_stop` only, which are allowed from any thread at any time.
 unsafe impl Send for ModelPointer {}
 
 impl CancelTarget {
@@ -21,10 +21,18 @@ impl CancelTarget {
     }
 
     pub(crate) fn request(&self) {
+        self.with_model(sys::bempd_request_cancel);
+    }
+
+    pub(crate) fn request_stop(&self) {
+        self.with_model(sys::bempd_request_stop);
+    }
+
+    fn with_model(&self, call: unsafe extern "C" fn(*mut sys::bempd_model) -> sys::bempd_status) {
         let model = self.lock();
         if !model.0.is_null() {
             // SAFETY: the model is freed only after `forget_model`, which waits for the lock held here.
-            let status = unsafe { sys::bempd_request_cancel(model.0) };
+            let status = unsafe { call(model.0) };
             debug_assert_eq!(status, sys::BEMPD_OK);
         }
     }

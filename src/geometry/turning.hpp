@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cmath>
+
+#include "geometry/point.hpp"
+
+namespace bempd {
+
+// A direction turned counterclockwise by an angle in radians.
+inline Point turned(const Point& direction, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
+}
+
+inline Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
+
+}  // namespace bempd

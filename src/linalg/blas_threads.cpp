@@ -1,0 +1,99 @@
+#include "linalg/blas_threads.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace bempd::linalg {
+
+namespace {
+
+using Get = int (*)();
+using Set = void (*)(int);
+using Exchange = int (*)(int);
+
+// A way to say how many threads the BLAS uses; looked for by name, so that any other BLAS can take its place.
+struct ThreadControl {
+  Get get = nullptr;
+  Set set = nullptr;
+  Exchange exchange = nullptr;  // MKL's: sets the number of this thread and says what it was
+  bool whole_process = false;
+};
+
+template <class Function>
+Function find(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+}
+
+ThreadControl find_control() {
+  ThreadControl control;
+  if (const auto parallel = find<Get>("openblas_get_parallel")) {
+    constexpr int own_threads = 1, open_mp = 2;  // OpenBLAS's cblas.h
+    if (parallel() == own_threads) {
+      control.get = find<Get>("openblas_get_num_threads");
+      control.set = find<Set>("openblas_set_num_threads");
+      control.whole_process = true;
+    } else if (parallel() == open_mp) {
+      control.get = find<Get>("omp_get_max_threads");
+      control.set = find<Set>("omp_set_num_threads");
+    }
+  } else if (const auto exchange = find<Exchange>("MKL_Set_Num_Threads_Local")) {
+    control.exchange = exchange;
+  } else {
+    control.get = find<Get>("bli_thread_get_num_threads");
+    control.set = find<Set>("bli_thread_set_num_threads");
+  }
+  if (!control.get || !control.set) control.get = nullptr, control.set = nullptr;
+  return control;
+}
+
+const ThreadControl& control() {
+  static const ThreadControl found = find_control();
+  return found;
+}
+
+// Of the whole process: how many scopes there are, the number before the first, and the one that they have set.
+struct Shared {
+  std::mutex mutex;
+  int scopes = 0, before = 0, now = 0;
+};
+
+Shared& shared() {
+  static Shared only;
+  return only;
+}
+
+}  // namespace
+
+BlasThreads::BlasThreads(int threads) noexcept {
+  const ThreadControl& blas = control();
+  if (blas.exchange) {
+    before_ = blas.exchange(threads);
+  } else if (blas.whole_process && blas.get) {
+    Shared& all = shared();
+    const std::lock_guard<std::mutex> lock(all.mutex);
+    if (all.scopes++ == 0) all.before = all.now = blas.get();
+    const int wanted = std::min(all.now, threads);
+    if (wanted != all.now) blas.set(all.now = wanted);
+  } else if (blas.get) {
+    before_ = blas.get();
+    blas.set(threads);
+  }
+}
+
+BlasThreads::~BlasThreads() {
+  const ThreadControl& blas = control();
+  if (blas.exchange) {
+    blas.exchange(before_);
+  } else if (blas.whole_process && blas.get) {
+    Shared& all = shared();
+    const std::lock_guard<std::mutex> lock(all.mutex);
+    // What the host has set meanwhile, in another thread or a callback, is its last word.
+    if (--all.scopes == 0 && all.now != all.before && blas.get() == all.now) blas.set(all.before);
+  } else if (blas.get) {
+    blas.set(before_);
+  }
+}
+
+}  // namespace bempd::linalg
