@@ -268,7 +268,7 @@ def main() -> None:
     tables["tips"] = table(["material", "felt ahead, m = 3", "K_I", "felt ahead, m = 4", "K_I"],
                            [[name(*of), *tip_errors(*of, 3), *tip_errors(*of, 4)] for of in materials()])
     rows, costs = [], []
-    for m in (3, 4, 5):
+    for m in (3, 4):
         for of in materials():
             values, statistics, seconds = strip(*of, m)
             rows.append([f"{m}", name(*of), *(f"{first_break(*of, m, slanted):.2f}" for slanted in (False, True)),

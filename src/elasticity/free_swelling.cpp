@@ -9,7 +9,7 @@ namespace bempd {
 namespace {
 
 // Of the largest strain: a field given by formulas is linear up to its rounding.
-constexpr double rounding = 1e-10;
+constexpr double least_bend = 1e-10;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::optional<FreeSwelling> FreeSwelling::through(const std::vector<Point>& plac
   if ((values.rowwise() - values.row(0)).cwiseAbs().maxCoeff() > 0) {
     found = (terms.transpose() * terms).ldlt().solve(terms.transpose() * values);
     const double largest = values.cwiseAbs().maxCoeff();
-    if ((terms * found - values).cwiseAbs().maxCoeff() > rounding * largest) return std::nullopt;
+    if ((terms * found - values).cwiseAbs().maxCoeff() > least_bend * largest) return std::nullopt;
   }
   found.bottomRows<2>() /= size;
   return FreeSwelling(centre, found);

@@ -66,8 +66,8 @@ LatticeOutline require_lattice(const Outline& outline, double spacing) {
 }
 
 void require_ratio(int material_id, const PlaneElasticity& elasticity) {
-  const double ratio = elasticity.poisson_ratio;
-  require(ratio >= least_ratio && ratio <= largest_ratio, "material ", material_id, " has Poisson's ratio ", ratio,
+  const double given = elasticity.poisson_ratio;
+  require(given >= least_ratio && given <= largest_ratio, "material ", material_id, " has Poisson's ratio ", given,
           "; peridynamic regions take ", least_ratio, " to ", largest_ratio,
           ": choose one in this range, or make the region a BEM region");
 }
