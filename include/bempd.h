@@ -180,14 +180,15 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  * bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2
  * in plane stress. @since 0.1 */
 typedef struct bempd_material {
-  int64_t struct_size;     /**< sizeof(bempd_material), set by bempd_material_init() */
-  double young_modulus;    /**< Young's modulus E [Pa], > 0 */
-  double poisson_ratio;    /**< Poisson's ratio [-]; -1 < nu <= 1/2 */
-  double thickness;        /**< thickness [m], > 0; default 1 */
-  double critical_stretch; /**< critical bond stretch [-], > 0, or 0 for not given */
-  double fracture_energy;  /**< fracture energy G0 [J/m^2], > 0, or 0 for not given */
-  int32_t plane;           /**< a bempd_plane; default plane stress; the same for all materials of a model */
-  int32_t reserved;        /**< 0 */
+  int64_t struct_size;      /**< sizeof(bempd_material), set by bempd_material_init() */
+  double young_modulus;     /**< Young's modulus E [Pa], > 0 */
+  double poisson_ratio;     /**< Poisson's ratio [-]; -1 < nu <= 1/2 */
+  double thickness;         /**< thickness [m], > 0; default 1 */
+  double critical_stretch;  /**< critical bond stretch [-], > 0, or 0 for not given */
+  double fracture_energy;   /**< fracture energy G0 [J/m^2], > 0, or 0 for not given */
+  int32_t plane;            /**< a bempd_plane; default plane stress; the same for all materials of a model */
+  int32_t reserved;         /**< 0 */
+  double thermal_expansion; /**< linear thermal expansion [1/K]; default 0 @since 0.3 */
 } bempd_material;
 
 /** @brief Set struct_size and the defaults. @param[out] material the struct to fill
@@ -431,6 +432,26 @@ BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, doubl
  * [N/m^3] @param[out] load its id; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_add_body_force(bempd_model* model, int32_t region, int32_t component, double constant,
                                             double proportional, int32_t* load);
+
+/** @brief Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would
+ * lengthen by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
+ *
+ * Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part of the prepared
+ * model, so that they change with the load factor but take no new values, and with one there are no windows
+ * (stepping.solver): every event is found in the whole body.
+ * @param[in] model the model @param[in] region id of a region @param[in] constant constant part [K]
+ * @param[in] proportional part multiplied by the load factor [K] @param[out] load its id; may be NULL
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_temperature(bempd_model* model, int32_t region, double constant, double proportional,
+                                             int32_t* load);
+
+/** @brief The same with values from a function of the place. In a BEM region they have to be linear in x and y.
+ * @param[in] model the model @param[in] region id of a region
+ * @param[in] function called once for each place while the model is prepared: it writes the constant part [K] to
+ * constant[0] and the one multiplied by the load factor to proportional[0] @param[in] user handed to it; may be NULL
+ * @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_temperature_function(bempd_model* model, int32_t region,
+                                                      bempd_boundary_function function, void* user, int32_t* load);
 
 /** @brief What acts on the faces of a crack. @since 0.3 */
 typedef enum bempd_face_component {

@@ -242,6 +242,10 @@ module bempd_c
     integer(c_int32_t) :: plane
     !> 0
     integer(c_int32_t) :: reserved
+    !> linear thermal expansion [1/K]; default 0
+    !>
+    !> since: 0.3
+    real(c_double) :: thermal_expansion
   end type bempd_material
 
   !> What a step did. Fill it with bempd_step_report_init().
@@ -1346,6 +1350,51 @@ module bempd_c
       type(c_ptr), value :: load
       integer(c_int) :: bempd_add_body_force
     end function bempd_add_body_force
+
+    !> Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would lengthen
+    !> by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
+    !>
+    !> Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part of the
+    !> prepared model, so that they change with the load factor but take no new values, and with one there are no
+    !> windows (stepping.solver): every event is found in the whole body.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> constant [in]: constant part [K]
+    !> proportional [in]: part multiplied by the load factor [K]
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_temperature(model, region, constant, proportional, load) bind(c, name="bempd_add_temperature")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      real(c_double), value :: constant
+      real(c_double), value :: proportional
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_temperature
+    end function bempd_add_temperature
+
+    !> The same with values from a function of the place. In a BEM region they have to be linear in x and y.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> function [in]: called once for each place while the model is prepared: it writes the constant part [K] to
+    !>   constant[0] and the one multiplied by the load factor to proportional[0]
+    !> user [in]: handed to it; may be NULL
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_temperature_function(model, region, function, user, load) &
+        bind(c, name="bempd_add_temperature_function")
+      import :: c_funptr, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      type(c_funptr), value :: function
+      type(c_ptr), value :: user
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_temperature_function
+    end function bempd_add_temperature_function
 
     !> Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
     !>

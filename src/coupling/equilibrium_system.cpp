@@ -80,6 +80,12 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       operators_have_rest_[part] = operators_have_rest_[part] || !op.rest.col(part).isZero(0);
     }
   }
+  for (int part = 0; part < 2; ++part) {
+    for (const double rest : terms_.rest_elongation[part])
+      rest_motion_[part] = std::max(rest_motion_[part], std::abs(rest));
+    for (const DenseOperator& op : operators)
+      rest_motion_[part] = std::max(rest_motion_[part], op.rest.col(part).lpNorm<Eigen::Infinity>());
+  }
   const StiffnessRange range = stiffness_range(node_count, operators, terms_);
   largest_stiffness_ = range.largest;
   stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;

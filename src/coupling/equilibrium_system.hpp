@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -96,6 +97,9 @@ class EquilibriumSystem {
   // How far supports move at most: proportionally, and at a load factor [m]. Asked for at every event.
   double support_motion() const;
   double support_motion(double load_factor) const;
+  // How far terms and operators want to be from where they are without heat at most, likewise [m].
+  double rest_motion() const { return rest_motion_[1]; }
+  double rest_motion(double load_factor) const { return rest_motion_[0] + std::abs(load_factor) * rest_motion_[1]; }
   const NodeTies& ties() const { return ties_; }
 
   // A change of stages takes two calls, so that the parts it frees can be found in between and held before the matrix
@@ -189,7 +193,8 @@ class EquilibriumSystem {
   double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
   bool operators_have_rest_[2] = {false, false};  // in its two parts
-  std::vector<DenseOperator> pending_;            // until condensed
+  double rest_motion_[2] = {0, 0};
+  std::vector<DenseOperator> pending_;  // until condensed
   std::vector<CondensedOperator> operators_;
   std::vector<std::vector<int>> bodies_;
   std::vector<char> in_body_;  // per node

@@ -32,6 +32,7 @@ void Material::check() const {
           "; it must be > 0, or 0 for not given");
   require(std::isfinite(fracture_energy) && fracture_energy >= 0, "fracture_energy is ", fracture_energy,
           "; it must be > 0, or 0 for not given");
+  require(std::isfinite(thermal_expansion), "thermal_expansion is ", thermal_expansion, "; it must be a finite number");
   require(critical_stretch == 0 || fracture_energy == 0,
           "both critical_stretch and fracture_energy are given; give one and set the other to 0");
 }

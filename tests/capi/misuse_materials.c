@@ -43,6 +43,9 @@ static void numbers_out_of_range_are_refused(void) {
     material.critical_stretch = 0.0;
     material.fracture_energy = never[k];
     REFUSED("fracture", material);
+    material = sound_material();
+    material.thermal_expansion = k < 3 ? never[k] : NAN;
+    REFUSED("thermal_expansion", material);
   }
   material = sound_material();
   material.young_modulus = 0.0;

@@ -61,6 +61,7 @@ typedef struct bempd_material {
   double fracture_energy;
   int32_t plane;
   int32_t reserved;
+  double thermal_expansion;
 } bempd_material;
 bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
 bempd_status bempd_add_material(bempd_model *model, const bempd_material *material, int32_t *id);
@@ -123,6 +124,10 @@ bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32
     double constant, double proportional, int32_t *load);
 bempd_status bempd_add_body_force(bempd_model *model, int32_t region, int32_t component,
     double constant, double proportional, int32_t *load);
+bempd_status bempd_add_temperature(bempd_model *model, int32_t region, double constant,
+    double proportional, int32_t *load);
+bempd_status bempd_add_temperature_function(bempd_model *model, int32_t region,
+    bempd_boundary_function function, void *user, int32_t *load);
 typedef enum bempd_face_component {
   BEMPD_PRESSURE = 1,
   BEMPD_SHEAR = 2
@@ -537,6 +542,9 @@ since: 0.1""",
     "bempd_material.fracture_energy": """fracture energy G0 [J/m^2], > 0, or 0 for not given""",
     "bempd_material.plane": """a bempd_plane; default plane stress; the same for all materials of a model""",
     "bempd_material.reserved": """0""",
+    "bempd_material.thermal_expansion": """linear thermal expansion [1/K]; default 0
+
+since: 0.3""",
     "bempd_material_init": """\
 Set struct_size and the defaults.
 
@@ -879,6 +887,34 @@ region [in]: id of a region
 component [in]: BEMPD_X or BEMPD_Y
 constant [in]: constant part, along the axis [N/m^3]
 proportional [in]: part multiplied by the load factor [N/m^3]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
+    "bempd_add_temperature": """\
+Change the temperature of a whole region, the same everywhere in it. Its material, free to do so,
+would lengthen by the thermal_expansion times that; in plane strain what is held across the plane
+pushes, too.
+
+Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part
+of the prepared model, so that they change with the load factor but take no new values, and with one
+there are no windows (stepping.solver): every event is found in the whole body.
+
+model [in]: the model
+region [in]: id of a region
+constant [in]: constant part [K]
+proportional [in]: part multiplied by the load factor [K]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
+    "bempd_add_temperature_function": """\
+The same with values from a function of the place. In a BEM region they have to be linear in x and
+y.
+
+model [in]: the model
+region [in]: id of a region
+function [in]: called once for each place while the model is prepared: it writes the constant part
+  [K] to constant[0] and the one multiplied by the load factor to proportional[0]
+user [in]: handed to it; may be NULL
 load [out]: its id; may be NULL
 return: status
 since: 0.3""",

@@ -42,7 +42,7 @@ class Scene:
 
     def add_material(self, *, young_modulus: float, poisson_ratio: float, thickness: float = 1.0,
                      critical_stretch: Optional[float] = None, fracture_energy: Optional[float] = None,
-                     plane: str = "stress") -> int:
+                     plane: str = "stress", thermal_expansion: float = 0.0) -> int:
         """Add an isotropic elastic material; returns its id.
 
         Give the critical bond stretch or the fracture energy [J/m^2], or neither for a material that does not break.
@@ -55,7 +55,8 @@ class Scene:
         material = new_struct("bempd_material", "bempd_material_init")
         material.plane = arguments.choice("add_material: plane", plane, PLANES)
         given = {"young_modulus": young_modulus, "poisson_ratio": poisson_ratio, "thickness": thickness,
-                 "critical_stretch": critical_stretch, "fracture_energy": fracture_energy}
+                 "critical_stretch": critical_stretch, "fracture_energy": fracture_energy,
+                 "thermal_expansion": thermal_expansion}
         for name, value in given.items():
             if value is not None:
                 setattr(material, name, arguments.real(f"add_material: {name}", value))
@@ -247,6 +248,19 @@ class Scene:
         return self._added("bempd_add_body_force", region,
                            arguments.choice("add_body_force: component", component, ONE_COMPONENT), constant,
                            proportional)
+
+    def add_temperature(self, region: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
+        """Change the temperature [K] of a whole region; returns the id of the load."""
+        return self._added("bempd_add_temperature", region, constant, proportional)
+
+    def add_temperature_function(self, region: int, function: BoundaryFunction) -> int:
+        """Change the temperature [K] of a region by a function f(x, y), asked once for each place; returns the id of the
+        load.
+
+        It returns the part that is multiplied by the load factor and, unused, 0, or two pairs, constant and
+        proportional, of which the first numbers count. In a BEM region it has to be linear.
+        """
+        return self._added("bempd_add_temperature_function", region, self._kept(function), ffi.NULL)
 
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:

@@ -59,6 +59,11 @@ class LatticeRegion : public Region {
     return LatticeGrid{origin_, spacing(), horizon_ratio_ * spacing()};
   }
 
+  // lattice_swelling.cpp
+  void swell(const Swelling& strain, LatticeSwelling& lattices) override;
+  void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
+  std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
+
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
   std::int64_t cell_count() const override { return grid_->cell_count(); }
@@ -143,7 +148,9 @@ class LatticeRegion : public Region {
   Point origin_ = Point::Zero();           // place of the grid's point (0, 0) [m]
   int horizon_ratio_;
   RegionBonds bonds_;
-  std::shared_ptr<LatticeGroup> group_;  // null if it is alone, and when bonds are there
+  bool is_swollen_ = false;
+  std::optional<FreeSwelling> free_swelling_;  // none if it cannot follow
+  std::shared_ptr<LatticeGroup> group_;        // null if it is alone, and when bonds are there
 };
 
 }  // namespace bempd::regions

@@ -145,7 +145,8 @@ void LatticeRegion::correct_at_losses(const Solution& solution, const std::vecto
 FieldValues LatticeRegion::bond_stretch(const Solution& solution) const {
   FieldValues field{{}, 1};
   for (std::size_t b = bonds_.first; b < bonds_.first + bonds_.listed; ++b)
-    field.values.push_back(solution.bonds.elongation(b, solution.displacement.data()) / solution.bonds.length[b]);
+    field.values.push_back(solution.bonds.elastic_elongation(b, solution.displacement.data(), solution.load_factor) /
+                           solution.bonds.length[b]);
   return field;
 }
 

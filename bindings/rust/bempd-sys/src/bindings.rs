@@ -253,6 +253,10 @@ pub struct bempd_material {
     pub plane: i32,
     /// 0
     pub reserved: i32,
+    /// linear thermal expansion \[1/K\]; default 0
+    ///
+    /// * since: 0.3
+    pub thermal_expansion: f64,
 }
 extern "C" {
     /// Set struct_size and the defaults.
@@ -829,6 +833,52 @@ extern "C" {
         component: i32,
         constant: f64,
         proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Change the temperature of a whole region, the same everywhere in it. Its material, free to
+    /// do so, would lengthen by the thermal_expansion times that; in plane strain what is held
+    /// across the plane pushes, too.
+    ///
+    /// Bonds break by what they are stretched beyond that. Temperatures of a region add up; they
+    /// are a part of the prepared model, so that they change with the load factor but take no new
+    /// values, and with one there are no windows (stepping.solver): every event is found in the
+    /// whole body.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * constant \[in\]: constant part \[K\]
+    /// * proportional \[in\]: part multiplied by the load factor \[K\]
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_temperature(
+        model: *mut bempd_model,
+        region: i32,
+        constant: f64,
+        proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// The same with values from a function of the place. In a BEM region they have to be linear in
+    /// x and y.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * function \[in\]: called once for each place while the model is prepared: it writes the
+    ///   constant part \[K\] to constant\[0\] and the one multiplied by the load factor to
+    ///   proportional\[0\]
+    /// * user \[in\]: handed to it; may be NULL
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_temperature_function(
+        model: *mut bempd_model,
+        region: i32,
+        function: bempd_boundary_function,
+        user: *mut ::std::os::raw::c_void,
         load: *mut i32,
     ) -> bempd_status;
 }
