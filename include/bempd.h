@@ -223,14 +223,24 @@ BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material
 BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, double y, double radius,
                                           double element_length, int32_t* region);
 
-/** @brief Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
+/** @brief Add a region treated by peridynamics: a polygon, its edges straight at first.
  *
- * Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges. Peridynamic
- * regions that touch along edges act as one, with bonds across, if spacing, horizon and the numbers of the material are
- * the same (not in scheme "paper"); others only share the points of the common edge.
- * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49
- * @param[in] vertex_count number of vertices, >= 4
- * @param[in] vertices shape [vertex_count][2], counter-clockwise, edges parallel to the axes [m]
+ * If all edges are parallel to the axes it is filled with square lattice cells, and material points lie on their
+ * corners, also on the boundary; the spacing must divide all edges. Such regions that touch along edges act as one,
+ * with bonds across, if spacing, horizon and the numbers of the material are the same (not in scheme "paper"); others
+ * only share the points of the common edge.
+ *
+ * With slanted or round edges, round holes, an option pd.lattice_angle other than 0 or pd.outline_points "always" (not
+ * in scheme "paper"), edges are divided into equal parts about a spacing long, with material points between them, and
+ * inside are those of a square lattice; round edges count as the chords between their points. Constant stress is exact
+ * there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings of width, radii a
+ * spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull. Elements
+ * of BEM regions follow the material points on common edges, also round ones, unless bempd_set_edge_mesh() is called
+ * for a straight edge; peridynamic regions of the same spacing share the points of a common edge, without bonds across.
+ * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49,
+ * or, with points on such an outline, of bonds alone, 1/3 in plane stress and 1/4 in plane strain
+ * @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  * @param[in] spacing lattice spacing [m], > 0
  * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
  * @param[out] region its id; may be NULL @return status @since 0.1 */
@@ -245,44 +255,45 @@ BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material,
 BEMPD_API bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
                                       int32_t* first_edge);
 
-/** @brief Cut a circular hole into a BEM region. Its edges are four quarter circles: the first begins at the place with
+/** @brief Cut a circular hole into a region. Its edges are four quarter circles: the first begins at the place with
  * the largest x, and they run clockwise.
- * @param[in] model the model @param[in] region id of a BEM region @param[in] x centre [m] @param[in] y centre [m]
+ * @param[in] model the model @param[in] region id of a region @param[in] x centre [m] @param[in] y centre [m]
  * @param[in] radius radius [m], > 0
  * @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,
                                                int32_t* first_edge);
 
-/** @brief Make an edge of a BEM region the circular arc through a place between its ends.
+/** @brief Make an edge the circular arc through a place between its ends.
  *
  * Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give both
- * edges a place on the same arc. Peridynamic regions and interfaces with them have straight edges only.
- * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ * edges a place on the same arc. So may those with peridynamic regions that have points on their outline; there
+ * elements are straight between these points.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
  * @param[in] x place on the arc, best half way [m] @param[in] y [m] @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_arc(bempd_model* model, int32_t region, int32_t edge, double x, double y);
 
 /** @brief Sense of turning. @since 0.3 */
 typedef enum bempd_turn { BEMPD_COUNTER_CLOCKWISE = 1, BEMPD_CLOCKWISE = 2 } bempd_turn;
 
-/** @brief Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
+/** @brief Make an edge the circular arc about a centre, from its first vertex to its last one.
  *
  * Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It may
  * be any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or bempd_add_circular_hole(), or
  * edges that share it. An edge of an outer loop that bulges out of the body turns counter-clockwise, and so does one of
  * a hole that bulges into the hole.
- * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
  * @param[in] x centre [m] @param[in] y centre [m] @param[in] radius radius [m], > 0
  * @param[in] turn a bempd_turn: the way from the first vertex to the last one, about the centre
  * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_edge_arc_about(bempd_model* model, int32_t region, int32_t edge, double x, double y,
                                                 double radius, int32_t turn);
 
-/** @brief Make a row of edges of a BEM region a smooth curve through their vertices.
+/** @brief Make a row of edges a smooth curve through their vertices.
  *
  * Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one where that is enough.
  * The tangent at a vertex is that of the circle through it and its two neighbours in the row, so vertices on a circle
  * give that circle. All edges of a loop make a closed curve without a corner.
- * @param[in] model the model @param[in] region id of a BEM region @param[in] first_edge first edge of the row
+ * @param[in] model the model @param[in] region id of a region @param[in] first_edge first edge of the row
  * @param[in] last_edge last edge of the row, > first_edge, on the same loop @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region, int32_t first_edge,
                                               int32_t last_edge);
@@ -743,7 +754,8 @@ BEMPD_API bempd_status bempd_node_count(bempd_model* model, int32_t region, int6
  * @param[in] model the model @param[in] region id of a region @param[out] count number @return status @since 0.1 */
 BEMPD_API bempd_status bempd_element_count(bempd_model* model, int32_t region, int64_t* count);
 
-/** @brief Nodes of the boundary elements (start, mid, end) or of the lattice cells (counter-clockwise).
+/** @brief Nodes of the boundary elements (start, mid, end) or of the lattice cells (counter-clockwise). Between slanted
+ * and round edges and the lattice there are triangles, which have their last node twice.
  * @param[in] model the model @param[in] region id of a region @param[in] capacity integers in nodes
  * @param[out] nodes shape [elements][3] for BEM, [cells][4] for PD; indices from 0 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_copy_elements(bempd_model* model, int32_t region, int64_t capacity, int32_t* nodes);

@@ -852,16 +852,27 @@ module bempd_c
       integer(c_int) :: bempd_add_bem_disc
     end function bempd_add_bem_disc
 
-    !> Add a region treated by peridynamics: a rectilinear polygon, filled with square lattice cells.
+    !> Add a region treated by peridynamics: a polygon, its edges straight at first.
     !>
-    !> Material points lie on the corners of the cells, also on the boundary. The spacing must divide all edges.
-    !> Peridynamic regions that touch along edges act as one, with bonds across, if spacing, horizon and the numbers of
-    !> the material are the same (not in scheme "paper"); others only share the points of the common edge.
+    !> If all edges are parallel to the axes it is filled with square lattice cells, and material points lie on their
+    !> corners, also on the boundary; the spacing must divide all edges. Such regions that touch along edges act as one,
+    !> with bonds across, if spacing, horizon and the numbers of the material are the same (not in scheme "paper");
+    !> others only share the points of the common edge.
+    !>
+    !> With slanted or round edges, round holes, an option pd.lattice_angle other than 0 or pd.outline_points "always"
+    !> (not in scheme "paper"), edges are divided into equal parts about a spacing long, with material points between
+    !> them, and inside are those of a square lattice; round edges count as the chords between their points. Constant
+    !> stress is exact there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings
+    !> of width, radii a spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds
+    !> that only pull. Elements of BEM regions follow the material points on common edges, also round ones, unless
+    !> bempd_set_edge_mesh() is called for a straight edge; peridynamic regions of the same spacing share the points of
+    !> a common edge, without bonds across.
     !>
     !> model [in]: the model
-    !> material [in]: id of a material with a Poisson's ratio from -0.2 to 0.49
-    !> vertex_count [in]: number of vertices, >= 4
-    !> vertices [in]: shape [vertex_count][2], counter-clockwise, edges parallel to the axes [m]
+    !> material [in]: id of a material with a Poisson's ratio from -0.2 to 0.49, or, with points on such an outline, of
+    !>   bonds alone, 1/3 in plane stress and 1/4 in plane strain
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
     !> spacing [in]: lattice spacing [m], > 0
     !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
     !> region [out]: its id; may be NULL
@@ -899,11 +910,11 @@ module bempd_c
       integer(c_int) :: bempd_add_hole
     end function bempd_add_hole
 
-    !> Cut a circular hole into a BEM region. Its edges are four quarter circles: the first begins at the place with the
+    !> Cut a circular hole into a region. Its edges are four quarter circles: the first begins at the place with the
     !> largest x, and they run clockwise.
     !>
     !> model [in]: the model
-    !> region [in]: id of a BEM region
+    !> region [in]: id of a region
     !> x [in]: centre [m]
     !> y [in]: centre [m]
     !> radius [in]: radius [m], > 0
@@ -921,13 +932,14 @@ module bempd_c
       integer(c_int) :: bempd_add_circular_hole
     end function bempd_add_circular_hole
 
-    !> Make an edge of a BEM region the circular arc through a place between its ends.
+    !> Make an edge the circular arc through a place between its ends.
     !>
     !> Elements lie on the exact arc and turn by 45 degrees at most. Interfaces between BEM regions may be arcs: give
-    !> both edges a place on the same arc. Peridynamic regions and interfaces with them have straight edges only.
+    !> both edges a place on the same arc. So may those with peridynamic regions that have points on their outline;
+    !> there elements are straight between these points.
     !>
     !> model [in]: the model
-    !> region [in]: id of a BEM region
+    !> region [in]: id of a region
     !> edge [in]: edge number
     !> x [in]: place on the arc, best half way [m]
     !> y [in]: [m]
@@ -943,7 +955,7 @@ module bempd_c
       integer(c_int) :: bempd_set_edge_arc
     end function bempd_set_edge_arc
 
-    !> Make an edge of a BEM region the circular arc about a centre, from its first vertex to its last one.
+    !> Make an edge the circular arc about a centre, from its first vertex to its last one.
     !>
     !> Both vertices must lie on the circle up to 1e-9 of the diagonal of the region; the arc ends exactly at them. It
     !> may be any part of the circle short of all of it: a full circle is bempd_add_bem_disc() or
@@ -951,7 +963,7 @@ module bempd_c
     !> counter-clockwise, and so does one of a hole that bulges into the hole.
     !>
     !> model [in]: the model
-    !> region [in]: id of a BEM region
+    !> region [in]: id of a region
     !> edge [in]: edge number
     !> x [in]: centre [m]
     !> y [in]: centre [m]
@@ -972,14 +984,14 @@ module bempd_c
       integer(c_int) :: bempd_set_edge_arc_about
     end function bempd_set_edge_arc_about
 
-    !> Make a row of edges of a BEM region a smooth curve through their vertices.
+    !> Make a row of edges a smooth curve through their vertices.
     !>
     !> Every edge becomes two circular arcs with a common tangent where they join (a biarc), or one where that is
     !> enough. The tangent at a vertex is that of the circle through it and its two neighbours in the row, so vertices
     !> on a circle give that circle. All edges of a loop make a closed curve without a corner.
     !>
     !> model [in]: the model
-    !> region [in]: id of a BEM region
+    !> region [in]: id of a region
     !> first_edge [in]: first edge of the row
     !> last_edge [in]: last edge of the row, > first_edge, on the same loop
     !> return: status
@@ -1758,7 +1770,8 @@ module bempd_c
       integer(c_int) :: bempd_element_count
     end function bempd_element_count
 
-    !> Nodes of the boundary elements (start, mid, end) or of the lattice cells (counter-clockwise).
+    !> Nodes of the boundary elements (start, mid, end) or of the lattice cells (counter-clockwise). Between slanted and
+    !> round edges and the lattice there are triangles, which have their last node twice.
     !>
     !> model [in]: the model
     !> region [in]: id of a region

@@ -2,7 +2,7 @@
 
 #include "capi/guard.hpp"
 #include "regions/boundary/boundary_description.hpp"
-#include "regions/lattice/lattice_description.hpp"
+#include "regions/outlined/outlined_description.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
@@ -62,7 +62,9 @@ bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t v
   return with_model(model, __func__, [&](model::Model& m) {
     const auto points = points_from(vertices, vertex_count, "vertices");
     const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
-    const int added = regions::add_lattice_region(m.editable_scene(), material, points, spacing, ratio);
+    const regions::PointChoice choice{m.options().text_value("pd.outline_points") == "always",
+                                      m.options().number("pd.lattice_angle")};
+    const int added = regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice);
     if (region) *region = added;
   });
 }

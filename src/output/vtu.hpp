@@ -14,6 +14,7 @@ namespace bempd::output {
 enum class VtuCell : std::uint8_t {
   vertex = 1,
   line = 3,
+  triangle = 5,
   quad = 9,            // corners counter-clockwise
   quadratic_edge = 21  // both ends, then the middle
 };

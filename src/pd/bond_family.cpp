@@ -39,6 +39,10 @@ Eigen::Vector3d constants_of(const BondOffset& offset) {
 
 }  // namespace
 
+double kernel_stiffness(const BondKernel& kernel, double length, double horizon) {
+  return kernel_weight(kernel, length, horizon) / length;
+}
+
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel) {
   assert(horizon_ratio >= 2);
   std::vector<BondOffset> family = half_family(horizon_ratio);

@@ -24,4 +24,7 @@ struct BondOffset {
 // sense of relative weights, so that the lattice has the elastic constants C1111 = 1, C1122 = C1212 = 1/3 exactly.
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 
+// Stiffness that the kernel alone gives a bond of some length between full cells, for C1111 = thickness = 1.
+double kernel_stiffness(const BondKernel& kernel, double length, double horizon);
+
 }  // namespace bempd::pd

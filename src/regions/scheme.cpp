@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "error.hpp"
 #include "regions/symmetric_scheme.hpp"
 
 namespace bempd::regions {
@@ -41,6 +42,12 @@ std::vector<scene::OptionDescription> describe_options() {
 const scene::OptionGroup scheme_group(scene::OptionPlace::schemes, &describe_options);
 
 }  // namespace
+
+std::unique_ptr<Region> Scheme::outlined_region(int id, const OutlinedDescription&, const scene::Material&) const {
+  fail(Failure::argument, "peridynamic region ", id,
+       " has edges that are not parallel to the axes, or points on its outline were asked for; the chosen scheme has "
+       "lattices only, scheme symmetric has both");
+}
 
 SchemeRegistration::SchemeRegistration(SchemeEntry entry) { entries().push_back(std::move(entry)); }
 

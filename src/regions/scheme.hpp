@@ -11,6 +11,7 @@ namespace bempd::regions {
 
 class BoundaryDescription;
 class LatticeDescription;
+class OutlinedDescription;
 
 // How the kinds of regions that schemes differ in become equations.
 class Scheme {
@@ -21,6 +22,9 @@ class Scheme {
                                                   const scene::Material& material) const = 0;
   virtual std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
                                                  const scene::Material& material) const = 0;
+  // Throws Error (argument) where regions have to lie on the rows of a lattice.
+  virtual std::unique_ptr<Region> outlined_region(int id, const OutlinedDescription& described,
+                                                  const scene::Material& material) const;
 
   // Throws Error (argument) if two regions with grids of nodes cannot share an interface.
   virtual void require_grids_can_touch(int /*region*/, int /*other_region*/) const {}

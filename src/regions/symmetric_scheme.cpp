@@ -2,6 +2,7 @@
 
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/lattice/lattice_region.hpp"
+#include "regions/outlined/outlined_region.hpp"
 
 namespace bempd::regions {
 
@@ -16,6 +17,10 @@ class SymmetricScheme final : public Scheme {
   std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
                                          const scene::Material& material) const override {
     return std::make_unique<LatticeRegion>(id, described, material);
+  }
+  std::unique_ptr<Region> outlined_region(int id, const OutlinedDescription& described,
+                                          const scene::Material& material) const override {
+    return std::make_unique<OutlinedRegion>(id, described, material);
   }
 };
 

@@ -46,7 +46,10 @@ class GridBuilder {
       for (int k = 0; k < cells.nodes_per_cell; ++k) nodes.push_back(first + cells.nodes[e + k]);
       // VTK lists the ends of a quadratic edge before its middle.
       if (block_.cell == output::VtuCell::quadratic_edge) std::swap(nodes[1], nodes[2]);
-      grid_.add_cell(block_.cell, nodes);
+      // The last corner of a triangle among quadrangles stands there twice.
+      const bool triangle = block_.cell == output::VtuCell::quad && nodes[2] == nodes[3];
+      if (triangle) nodes.pop_back();
+      grid_.add_cell(triangle ? output::VtuCell::triangle : block_.cell, nodes);
       std::get<std::vector<std::int32_t>>(grid_.cell_data[0].values).push_back(region.id());
     }
   }

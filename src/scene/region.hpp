@@ -47,8 +47,9 @@ class Region {
   // Takes over a sound outline. Throws Error (argument) if the kind cannot have it, and stays as it was.
   virtual void set_outline(Outline outline) { outline_ = std::move(outline); }
 
-  // Whether edges may be curved and are divided into elements.
+  // Whether edges are divided into elements.
   virtual bool has_elements() const { return false; }
+  virtual bool may_be_curved() const { return has_elements(); }
   // The host's choice of the elements of an edge; asked for where has_elements().
   virtual void set_edge_mesh(int /*edge*/, const EdgeMesh& /*mesh*/) {}
   // The host has chosen this edge's elements; they need not match the nodes of a neighbour's grid then.

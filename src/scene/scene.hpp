@@ -73,7 +73,8 @@ class Scene {
 
  private:
   Region& mutable_region(int id);
-  Region& region_with_edge(int id, int edge, const char* purpose);
+  Region& region_with_edge(int id, int edge);
+  Region& region_to_bend(int id, int edge);
   void check_condition(const Condition& condition, bool is_support) const;
   // What no later call can mend (scene_checks.cpp); the rest is found when the scene is prepared.
   void require_no_overlap(const Region& added) const;

@@ -34,7 +34,7 @@ int Scene::add_hole(int region_id, const std::vector<Point>& vertices) {
 
 int Scene::add_circular_hole(int region_id, const Point& centre, double radius) {
   Region& region = mutable_region(region_id);
-  require(region.has_elements(), "region ", region_id, " is ", region.adjective(), "; its holes are rectilinear");
+  require(region.may_be_curved(), "region ", region_id, " is ", region.adjective(), "; its holes are rectilinear");
   Outline changed = region.outline();
   const int first_edge = region.edge_count() + 1;
   append_circle(changed, centre, radius, true);
@@ -43,16 +43,21 @@ int Scene::add_circular_hole(int region_id, const Point& centre, double radius) 
   return first_edge;
 }
 
-Region& Scene::region_with_edge(int id, int edge, const char* purpose) {
+Region& Scene::region_with_edge(int id, int edge) {
   Region& region = mutable_region(id);
-  require(region.has_elements(), "region ", id, " is ", region.adjective(), "; only edges of BEM regions ", purpose);
   require(edge >= 1 && edge <= region.edge_count(), "edge ", edge, " does not exist; region ", id, " has edges 1 .. ",
           region.edge_count());
   return region;
 }
 
+Region& Scene::region_to_bend(int id, int edge) {
+  Region& region = region_with_edge(id, edge);
+  require(region.may_be_curved(), "region ", id, " is ", region.adjective(), "; its edges are straight");
+  return region;
+}
+
 void Scene::set_edge_arc(int region_id, int number, const Point& between) {
-  Region& region = region_with_edge(region_id, number, "can be arcs");
+  Region& region = region_to_bend(region_id, number);
   require(between.allFinite(), "the place is (", between.x(), ", ", between.y(),
           "); coordinates must be finite numbers");
   const Edge edge = region.edge(number);
@@ -65,7 +70,7 @@ void Scene::set_edge_arc(int region_id, int number, const Point& between) {
 }
 
 void Scene::set_edge_arc_about(int region_id, int number, const Point& centre, double radius, bool clockwise) {
-  Region& region = region_with_edge(region_id, number, "can be arcs");
+  Region& region = region_to_bend(region_id, number);
   require_circle(centre, radius);
   const Edge edge = region.edge(number);
   const double tolerance = geometric_tolerance(bempd::bounding_box(region.outline()));
@@ -80,8 +85,8 @@ void Scene::set_edge_arc_about(int region_id, int number, const Point& centre, d
 }
 
 void Scene::set_edges_smooth(int region_id, int first_edge, int last_edge) {
-  Region& region = region_with_edge(region_id, first_edge, "can be smooth");
-  region_with_edge(region_id, last_edge, "can be smooth");
+  Region& region = region_to_bend(region_id, first_edge);
+  region_to_bend(region_id, last_edge);
   int loop_start = 1;
   const std::vector<Point>* loop = nullptr;
   for (const auto& candidate : region.outline().loops) {
@@ -110,7 +115,10 @@ void Scene::set_edges_smooth(int region_id, int first_edge, int last_edge) {
 }
 
 void Scene::set_edge_mesh(int region_id, int edge, const EdgeMesh& mesh) {
-  region_with_edge(region_id, edge, "have elements").set_edge_mesh(edge, mesh);
+  Region& region = region_with_edge(region_id, edge);
+  require(region.has_elements(), "region ", region_id, " is ", region.adjective(),
+          "; only edges of BEM regions have elements");
+  region.set_edge_mesh(edge, mesh);
 }
 
 }  // namespace bempd::scene

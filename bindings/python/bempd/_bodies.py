@@ -49,7 +49,7 @@ class Body:
     triangles: IntArray  #: shape (m, 3)
     outline: list[IntArray]  #: closed loops of points of a BEM region; empty for a lattice
     nodes: IntArray  #: those of the points that are nodes
-    cells: IntArray  #: shape (c, 4): lattice cells; empty in BEM regions
+    cells: IntArray  #: shape (c, 4): lattice cells, and triangles with their last corner twice; empty in BEM regions
     cut: npt.NDArray[np.bool_]  #: shape (c,): cells that a crack cuts
     crack: FloatArray  #: shape (k, 2, 2): segments of the crack
 
@@ -96,14 +96,16 @@ def pair_keys(pairs: IntArray, count: int) -> npt.NDArray[np.int64]:
 def free_sides(cells: IntArray) -> IntArray:
     """Pairs of points of the sides that belong to one cell only."""
     sides = np.sort(np.concatenate([cells[:, [k, (k + 1) % 4]] for k in range(4)]), axis=1)
+    sides = sides[sides[:, 0] != sides[:, 1]]
     unique, count = np.unique(sides, axis=0, return_counts=True)
     outer: IntArray = unique[count == 1]
     return outer
 
 
 def halves(cells: IntArray) -> IntArray:
-    """Two triangles for each cell."""
-    return np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
+    """Two triangles for each cell; one for a cell whose last two corners are the same."""
+    squares = cells[cells[:, 2] != cells[:, 3]]
+    return np.concatenate([cells[:, [0, 1, 2]], squares[:, [0, 2, 3]]])
 
 
 def crack_segments(points: FloatArray, cells: IntArray, broken: npt.NDArray[np.bool_]) -> FloatArray:

@@ -77,9 +77,10 @@ class Scene:
                            element_length)
 
     def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0) -> int:
-        """Add a rectilinear polygon treated by peridynamics; returns its id.
+        """Add a polygon treated by peridynamics; returns its id.
 
-        Material points lie on the corners of square cells of size `spacing`, also on the boundary. `horizon_ratio` is
+        With edges parallel to the axes material points lie on the corners of square cells of size `spacing`, also on the
+        boundary; with others they lie on the edges, about `spacing` apart, and on a lattice inside. `horizon_ratio` is
         the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio.
         """
         points = arguments.point_array("add_pd_region: vertices", vertices)
@@ -92,16 +93,16 @@ class Scene:
         return self._added("bempd_add_hole", region, len(points), arguments.doubles(points))
 
     def add_circular_hole(self, region: int, centre: Sequence[float], radius: float) -> int:
-        """Cut a circular hole into a BEM region; returns the number of its first edge, a quarter circle."""
+        """Cut a circular hole into a region; returns the number of its first edge, a quarter circle."""
         return self._added("bempd_add_circular_hole", region, *arguments.place("add_circular_hole: centre", centre),
                            radius)
 
     def set_edge_arc(self, region: int, edge: int, point: Sequence[float]) -> None:
-        """Make an edge of a BEM region the circular arc through a point between its ends."""
+        """Make an edge the circular arc through a point between its ends."""
         self._open().call("bempd_set_edge_arc", region, edge, *arguments.place("set_edge_arc: point", point))
 
     def set_edge_arc_about(self, region: int, edge: int, centre: Sequence[float], radius: float, turn: str) -> None:
-        """Make an edge of a BEM region the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
+        """Make an edge the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -117,7 +118,7 @@ class Scene:
                           arguments.choice("set_edge_arc_about: turn", turn, TURNS))
 
     def set_edges_smooth(self, region: int, first_edge: int, last_edge: int) -> None:
-        """Make a row of edges of a BEM region a smooth curve through their vertices."""
+        """Make a row of edges a smooth curve through their vertices."""
         self._open().call("bempd_set_edges_smooth", region, first_edge, last_edge)
 
     def set_edge_mesh(self, region: int, edge: int, element_length: float, grading: float = 1.0) -> None:

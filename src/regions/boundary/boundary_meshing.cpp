@@ -5,6 +5,7 @@
 
 #include "error.hpp"
 #include "regions/boundary/corner_grading.hpp"
+#include "regions/outlined/outlined_region.hpp"
 
 namespace bempd::regions {
 
@@ -25,9 +26,17 @@ const Contact* contact_at(const Arrangement& arrangement, int region, int edge, 
   return nullptr;
 }
 
-Border border_of(const Scene& scene, const Contact* contact) {
+// The neighbour at a contact, if it has points on its outline that elements follow.
+OutlinedRegion* outlined_at(const Preparation& p, const Contact& contact) {
+  const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
+  const auto found = std::lower_bound(p.regions.begin(), p.regions.end(), contact.other_region + 1, reaches);
+  return dynamic_cast<OutlinedRegion*>(found->get());
+}
+
+Border border_of(const Preparation& p, const Contact* contact) {
   if (!contact) return Border::free;
-  return scene.region(contact->other_region + 1).node_grid() ? Border::grid : Border::elements;
+  const bool has_places = p.scene.region(contact->other_region + 1).node_grid() || outlined_at(p, *contact);
+  return has_places ? Border::grid : Border::elements;
 }
 
 // Places where panels of an edge end, without those that its neighbours ask for.
@@ -39,8 +48,7 @@ std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
       if (condition.removed()) continue;
       for (double fraction : condition.place->breaks_on(p.scene, region, edge, p.tolerance)) {
         // At a grid the elements follow its nodes.
-        if (border_of(p.scene, contact_at(p.arrangement, region, edge, fraction)) != Border::grid)
-          breaks.push_back(fraction);
+        if (border_of(p, contact_at(p.arrangement, region, edge, fraction)) != Border::grid) breaks.push_back(fraction);
       }
     }
   }
@@ -54,7 +62,7 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
     if (distance(whole, mouth) <= 8 * p.tolerance) breaks.push_back(closest_fraction(whole, mouth));
   for (const Contact& contact : p.arrangement.contacts) {
     if (contact.region != region - 1 || contact.edge != edge - 1) continue;
-    if (border_of(p.scene, &contact) != Border::elements) continue;
+    if (border_of(p, &contact) != Border::elements) continue;
     const double span = contact.other_to - contact.other_from;
     for (double theirs : own_breaks(p, contact.other_region + 1, contact.other_edge + 1)) {
       const double share = (theirs - contact.other_from) / span;
@@ -149,6 +157,45 @@ std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules,
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
+// Elements between the points on a neighbour's outline, one a chord, or of the host's choosing on a straight edge.
+void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource source, const Contact& contact,
+                    const Arc& piece, BoundaryPanels& result) {
+  const scene::Region& described = p.scene.region(contact.region + 1);
+  const auto add = [&](const Panel& panel) {
+    result.loops.back().push_back(panel);
+    result.sources.push_back(source);
+  };
+  if (described.has_own_mesh(source.edge)) {
+    require(piece.straight(), "edge ", source.edge, " of region ", contact.region + 1,
+            " is round and an interface with the peridynamic region ", contact.other_region + 1,
+            "; there its elements follow the material points: leave out bempd_set_edge_mesh() for it");
+    const EdgeMesh mesh = described.edge_mesh(source.edge);
+    source.tied = true;
+    return add({piece.start, piece.end, element_stations(piece.length(), mesh.element_length, mesh.grading, 0), 0});
+  }
+  const auto theirs = [&](double fraction) {
+    const double part = (fraction - contact.from) / (contact.to - contact.from);
+    return contact.other_from + part * (contact.other_to - contact.other_from);
+  };
+  const Contact seen{contact.other_region, contact.other_edge, theirs(source.to), theirs(source.from),
+                     contact.region,       contact.edge,       source.to,         source.from};
+  std::vector<Point> points = other.points_on(p, seen);
+  std::reverse(points.begin(), points.end());
+  points.front() = piece.start, points.back() = piece.end;
+  const std::size_t count = points.size() - 1;
+  if (piece.straight()) {
+    std::vector<double> stations;
+    for (const Point& at : points) stations.push_back((at - piece.start).norm() / piece.length());
+    stations.back() = 1;
+    return add({piece.start, piece.end, stations, 0});
+  }
+  const double from = source.from, step = (source.to - from) / static_cast<double>(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    source.from = from + step * static_cast<double>(k), source.to = source.from + step;
+    add({points[k], points[k + 1], {0, 1}, 0});
+  }
+}
+
 void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int edge, const std::vector<Point>& mouths,
                BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(region);
@@ -157,7 +204,12 @@ void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int 
   for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
     const Arc piece = whole.part(breaks[b], breaks[b + 1]);
     const Contact* contact = contact_at(p.arrangement, region, edge, 0.5 * (breaks[b] + breaks[b + 1]));
-    const Border border = border_of(p.scene, contact);
+    const Border border = border_of(p, contact);
+    if (OutlinedRegion* other = contact ? outlined_at(p, *contact) : nullptr) {
+      const PanelSource source{edge, breaks[b], breaks[b + 1], border, contact->other_region + 1, false};
+      follow_outline(p, *other, source, *contact, piece, result);
+      continue;
+    }
     if (border == Border::grid) require_grid_ends(p.scene, region, *contact, piece, p.tolerance);
     const bool tied = border == Border::grid && described.has_own_mesh(edge) && !rules.nodes_on_grids;
     const PanelSource source{edge, breaks[b], breaks[b + 1], border, contact ? contact->other_region + 1 : 0, tied};

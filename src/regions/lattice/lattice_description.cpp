@@ -78,8 +78,6 @@ Outline checked_outline(int material_id, const scene::Material& material, const 
   require(horizon_ratio >= 2 && horizon_ratio <= 8, "horizon_ratio is ", horizon_ratio, "; it must be 2 .. 8");
   require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
   scene::require_points(vertices, "vertex");
-  require(vertices.size() >= 4, "the outline has ", vertices.size(),
-          " vertices; a rectilinear outline has at least 4, without repeating the first at the end");
   Outline outline{{vertices}};
   scene::require_sound(outline);
   const double cells = cells_of(outline, spacing);
@@ -93,10 +91,17 @@ Outline checked_outline(int material_id, const scene::Material& material, const 
 
 LatticeDescription::LatticeDescription(int material_id, const scene::Material& material,
                                        const std::vector<Point>& vertices, double spacing, int horizon_ratio)
+    : LatticeDescription(material_id, material, vertices, spacing, horizon_ratio, true) {}
+
+LatticeDescription::LatticeDescription(int material_id, const scene::Material& material,
+                                       const std::vector<Point>& vertices, double spacing, int horizon_ratio,
+                                       bool on_rows)
     : Region(material_id, checked_outline(material_id, material, vertices, spacing, horizon_ratio)),
       horizon_ratio_(horizon_ratio),
-      squares_per_cell_(static_cast<double>(pd::cell_squares(material.elasticity).size())),
-      lattice_(require_lattice(outline(), spacing)) {}
+      squares_per_cell_(static_cast<double>(pd::cell_squares(material.elasticity).size())) {
+  lattice_.spacing = spacing;
+  if (on_rows) lattice_ = require_lattice(outline(), spacing);
+}
 
 void LatticeDescription::set_outline(Outline changed) {
   lattice_ = require_lattice(changed, lattice_.spacing);

@@ -27,6 +27,11 @@ class LatticeDescription : public scene::Region {
   void identify(Hash& hash) const override;
   std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
 
+ protected:
+  // Without `on_rows` the outline may be any one, and the lattice has a spacing only.
+  LatticeDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
+                     double spacing, int horizon_ratio, bool on_rows);
+
  private:
   int horizon_ratio_;
   double squares_per_cell_;

@@ -1,13 +1,30 @@
+#include <numbers>
+
 #include "scene/options.hpp"
 
 namespace bempd::regions {
 
 namespace {
 
+scene::OptionDescription in_radians(scene::OptionDescription option) {
+  option.unit = "rad";
+  return option;
+}
+
 const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
                            2, 8, true),
+      scene::text_option(
+          "pd.outline_points",
+          "Where peridynamic regions that are added from now on have points on their outline instead of lattice rows: "
+          "slanted, where an edge is round or not parallel to the axes; always.",
+          "slanted | always", "slanted"),
+      in_radians(
+          scene::number_option("pd.lattice_angle",
+                               "Angle between the rows of the lattice and the x axis in peridynamic regions that "
+                               "are added from now on; other than 0 they have points on their outline.",
+                               0, -std::numbers::pi, std::numbers::pi, false)),
       scene::shaping(scene::text_option(
           "critical_stretch",
           "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "

@@ -6,13 +6,13 @@
 
 #include "coupling/interface_trace.hpp"
 #include "error.hpp"
-#include "pd/critical_stretch.hpp"
 #include "regions/lattice/lattice_group.hpp"
 
 namespace bempd::regions {
 
 LatticeRegion::LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material)
-    : Region(id, material), outline_(described.lattice()), horizon_ratio_(described.horizon_ratio()) {
+    : BondedRegion(id, material, described.lattice().spacing, described.horizon_ratio()),
+      outline_(described.lattice()) {
   use_grid(pd::CellLattice(outline_.loops), outline_.origin);
 }
 
@@ -77,34 +77,16 @@ void LatticeRegion::build(const Preparation& preparation, Contributions& contrib
 }
 
 bool LatticeRegion::acts_as_one_with(const LatticeRegion& other) const {
-  return typeid(other) == typeid(*this) && horizon_ratio_ == other.horizon_ratio_ && material() == other.material();
+  return typeid(other) == typeid(*this) && horizon_ratio() == other.horizon_ratio() && material() == other.material();
 }
 
 bool LatticeRegion::is_alike(const LatticeRegion& other) const {
-  return outline_.loops == other.outline_.loops && points_ == other.points_ && horizon_ratio_ == other.horizon_ratio_ &&
-         elasticity() == other.elasticity();
+  return outline_.loops == other.outline_.loops && points_ == other.points_ &&
+         horizon_ratio() == other.horizon_ratio() && elasticity() == other.elasticity();
 }
 
 pd::Network LatticeRegion::make_network(const pd::CellLattice& cells, int threads) const {
-  return pd::build_network(cells, horizon_ratio_, elasticity(), threads);
-}
-
-double LatticeRegion::critical_stretch(const scene::Options& options) const {
-  const bool as_printed = options.text_value("critical_stretch") == "printed";
-  return material().critical_stretch_for(horizon_ratio_ * spacing(), as_printed);
-}
-
-double LatticeRegion::critical_stretch(const Preparation& preparation) const {
-  return critical_stretch(preparation.options);
-}
-
-std::optional<pd::TipLaw> LatticeRegion::tip_law(const scene::Options& options) const {
-  const double horizon = horizon_ratio_ * spacing();
-  const PlaneElasticity& e = elasticity();
-  const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
-  const double modulus =
-      e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
-  return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};
+  return pd::build_network(cells, horizon_ratio(), elasticity(), threads);
 }
 
 // The network of a region before that differs by a translation or the spacing only, or one of its own.
@@ -123,20 +105,13 @@ void LatticeRegion::take_network(const Preparation& preparation, std::vector<std
   }
   if (network()->reduced) {
     warnings.push_back(text("region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
-                            horizon_ratio_, " was found; it has bonds between nearest neighbours only"));
+                            horizon_ratio(), " was found; it has bonds between nearest neighbours only"));
   }
 }
 
 void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& contributions) {
   take_network(preparation, contributions.warnings);
-  bonds_.first = contributions.bonds.size();
-  bonds_.listed = network()->bonds.size();
-  const double limit = critical_stretch(preparation);
-  const int law = contributions.bonds.add_law(material().bond_law);
-  for (const pd::Bond& bond : network()->bonds) {
-    const Point step = points_[bond.second] - points_[bond.first];
-    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), limit, law);
-  }
+  add_own_bonds(preparation, contributions);
   const auto node = [&](int point) { return nodes_[point]; };
   const auto term = [&](int bond) { return static_cast<int>(bonds_.first) + bond; };
   bonds_.squares = contributions.add_squares(*grid_, network()->bonds, elasticity(), spacing(), node, term);
@@ -161,11 +136,6 @@ void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling:
       masters.push_back({leading.nodes[static_cast<std::size_t>(it.col())], it.value()});
     ties.add(nodes_[points[i]], std::move(masters));
   }
-}
-
-void LatticeRegion::add_statistics(RegionStatistics& statistics) const {
-  statistics.material_points += point_count();
-  statistics.seconds_lattice += seconds_preparing;
 }
 
 }  // namespace bempd::regions

@@ -7,8 +7,8 @@
 
 namespace bempd::regions {
 
-void LatticeSwelling::add(const LatticeRegion& region, const Swelling& strain) {
-  const auto is_same = [&](const Body& body) { return body.first->acts_as_one_with(region); };
+void LatticeSwelling::add(const BondedRegion& region, const Swelling& strain) {
+  const auto is_same = [&](const Body& body) { return body.first->shares_bonds_with(region); };
   auto body = std::find_if(bodies_.begin(), bodies_.end(), is_same);
   if (body == bodies_.end()) {
     const auto nodes = static_cast<Eigen::Index>(positions_.size());
@@ -20,17 +20,17 @@ void LatticeSwelling::add(const LatticeRegion& region, const Swelling& strain) {
   }
 }
 
-const LatticeSwelling::Body& LatticeSwelling::body_of(const LatticeRegion& region) const {
+const LatticeSwelling::Body& LatticeSwelling::body_of(const BondedRegion& region) const {
   return *std::find_if(bodies_.begin(), bodies_.end(),
-                       [&](const Body& body) { return body.first->acts_as_one_with(region); });
+                       [&](const Body& body) { return body.first->shares_bonds_with(region); });
 }
 
-Eigen::RowVector2d LatticeSwelling::at(const LatticeRegion& region, int node) const {
+Eigen::RowVector2d LatticeSwelling::at(const BondedRegion& region, int node) const {
   const Body& body = body_of(region);
   return body.sum.row(node) / body.count[static_cast<std::size_t>(node)];
 }
 
-void LatticeRegion::swell(const Swelling& strain, LatticeSwelling& lattices) {
+void BondedRegion::swell(const Swelling& strain, LatticeSwelling& lattices) {
   lattices.add(*this, strain);
   is_swollen_ = true;
   std::vector<Point> places;
@@ -38,22 +38,29 @@ void LatticeRegion::swell(const Swelling& strain, LatticeSwelling& lattices) {
   free_swelling_ = FreeSwelling::through(places, strain);
 }
 
+std::vector<Eigen::RowVector2d> BondedRegion::strains_of_points(const LatticeSwelling& lattices) const {
+  std::vector<Eigen::RowVector2d> strains;
+  for (const int node : nodes_) strains.push_back(lattices.at(*this, node));
+  for (const int node : bonds_.far_nodes) strains.push_back(lattices.at(*this, node));
+  return strains;
+}
+
 // A bond wants the mean of the strains at its ends, a square that of its corners: so a strain that is linear, which the
 // body follows freely, leaves all of them without force.
-void LatticeRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
-  const auto strain_at = [&](int point) {
-    const int own = point_count();
-    return lattices.at(*this, point < own ? nodes_[point] : bonds_.far_nodes[point - own]);
-  };
-  std::vector<Eigen::RowVector2d> strains;
-  for (int i = 0; i < point_count() + static_cast<int>(bonds_.far_nodes.size()); ++i) strains.push_back(strain_at(i));
+void BondedRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
+  const std::vector<Eigen::RowVector2d> strains = strains_of_points(lattices);
   for (std::size_t b = 0; b < network()->bonds.size(); ++b) {
     const pd::Bond& bond = network()->bonds[b];
     const auto term = scene_bond(b);
     const Eigen::RowVector2d rest = 0.5 * terms.length[term] * (strains[bond.first] + strains[bond.second]);
     if (!rest.isZero(0)) terms.set_rest_elongation(static_cast<int>(term), rest[0], rest[1]);
   }
+}
+
+void LatticeRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
+  BondedRegion::set_rests(lattices, terms);
   if (bonds_.squares.empty()) return;
+  const std::vector<Eigen::RowVector2d> strains = strains_of_points(lattices);
   const std::vector<pd::CellSquare> squares = pd::cell_squares(elasticity());
   for (int i = 0; i < grid_->point_count(); ++i) {
     int term = bonds_.squares[i];
@@ -68,7 +75,12 @@ void LatticeRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& 
   }
 }
 
-std::optional<Eigen::Matrix2d> LatticeRegion::free_displacement(const Point& place) const {
+bool LatticeRegion::shares_bonds_with(const BondedRegion& other) const {
+  const auto* lattice = dynamic_cast<const LatticeRegion*>(&other);
+  return lattice && acts_as_one_with(*lattice);
+}
+
+std::optional<Eigen::Matrix2d> BondedRegion::free_displacement(const Point& place) const {
   if (!is_swollen_) return Eigen::Matrix2d::Zero();
   if (!free_swelling_) return std::nullopt;
   return free_swelling_->displacement(place);

@@ -8,7 +8,7 @@
 
 namespace bempd::regions {
 
-class LatticeRegion;
+class BondedRegion;
 
 // Strains that lattices want at the scene's nodes: one field for all that act as one where they touch, since bonds
 // cross from one to the other; their mean where they differ.
@@ -16,18 +16,18 @@ class LatticeSwelling {
  public:
   explicit LatticeSwelling(const std::vector<Point>& positions) : positions_(positions) {}
 
-  void add(const LatticeRegion& region, const Swelling& strain);
+  void add(const BondedRegion& region, const Swelling& strain);
   // Constant and proportional part.
-  Eigen::RowVector2d at(const LatticeRegion& region, int node) const;
+  Eigen::RowVector2d at(const BondedRegion& region, int node) const;
 
  private:
   struct Body {
-    const LatticeRegion* first;
+    const BondedRegion* first;
     coupling::Affine sum;
     std::vector<int> count;
   };
 
-  const Body& body_of(const LatticeRegion& region) const;
+  const Body& body_of(const BondedRegion& region) const;
 
   const std::vector<Point>& positions_;
   std::vector<Body> bodies_;

@@ -70,8 +70,9 @@ impl Model {
         self.handle.add_bem_disc(material.0, centre, radius, element_length).map(RegionId)
     }
 
-    /// Adds a polygon with edges along the axes treated by peridynamics: square lattice cells of size `spacing` [m],
-    /// which must divide all edges, with material points on their corners. `vertices` run counter-clockwise [m].
+    /// Adds a polygon treated by peridynamics. With edges parallel to the axes it is square lattice cells of size
+    /// `spacing` [m], which must divide all edges, with material points on their corners; with others material points
+    /// lie on the edges, about `spacing` apart, and on a lattice inside. `vertices` run counter-clockwise [m].
     ///
     /// `horizon_ratio` is horizon over spacing, 2 to 8; `None` takes the option `pd.horizon_ratio`.
     pub fn add_pd_region(

@@ -1,0 +1,127 @@
+"""What peridynamic regions with slanted and round edges are good for, as tables.
+
+usage: benchmarks/run.sh outlines [--write]      --write: into docs/outlines.md
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+import bempd
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+NU, SHEAR = 1 / 3, 1 / (2 + 2 / 3)
+
+
+def turned(points, angle: float) -> np.ndarray:
+    c, s = math.cos(angle), math.sin(angle)
+    return np.asarray(points, float) @ np.array([[c, s], [-s, c]])
+
+
+def kirsch_stress(x: float, y: float) -> tuple[float, float, float]:
+    """Plate with a hole of radius 1 under unit tension along x (Timoshenko and Goodier, art. 35)."""
+    r2, t = x * x + y * y, math.atan2(y, x)
+    c2, c4, s2, s4 = math.cos(2 * t), math.cos(4 * t), math.sin(2 * t), math.sin(4 * t)
+    return (1 - (1.5 * c2 + c4) / r2 + 1.5 * c4 / r2**2, -(0.5 * c2 - c4) / r2 - 1.5 * c4 / r2**2,
+            -(0.5 * s2 + s4) / r2 + 1.5 * s4 / r2**2)
+
+
+def kirsch_displacement(x, y):
+    kappa, r, t = (3 - NU) / (1 + NU), np.hypot(x, y), np.arctan2(y, x)
+    return np.array([r * (kappa + 1) * np.cos(t) + 2 / r * ((1 + kappa) * np.cos(t) + np.cos(3 * t))
+                     - 2 / r**3 * np.cos(3 * t),
+                     r * (kappa - 3) * np.sin(t) + 2 / r * ((1 - kappa) * np.sin(t) + np.sin(3 * t))
+                     - 2 / r**3 * np.sin(3 * t)]).T / (8 * SHEAR)
+
+
+def plate_with_hole(spacings: int, horizon_ratio: int, angle: float) -> tuple[float, float]:
+    """Relative error of the displacement and the largest stress at the hole."""
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=NU)
+    corners = turned(bempd.rectangle(-3, -3, 3, 3), angle)
+    plate = model.add_pd_region(material, corners, 1 / spacings, horizon_ratio)
+    model.add_circular_hole(plate, (0, 0), 1)
+    for k in range(4):
+        nx, ny = math.cos(angle + (k - 1) * math.pi / 2), math.sin(angle + (k - 1) * math.pi / 2)
+
+        def traction(x, y, nx=nx, ny=ny):
+            xx, yy, xy = kirsch_stress(x, y)
+            return xx * nx + xy * ny, xy * nx + yy * ny
+
+        model.add_traction_function(plate, k + 1, traction)
+    for corner, components in ((corners[0], "xy"), (corners[1], "y")):
+        for component in components:
+            model.prescribe_point(corner, component, kirsch_displacement(*corner)["xy".index(component)])
+    model.step(1)
+    x, u, s = (model.field(plate, name) for name in ("position", "displacement", "stress"))
+    exact = kirsch_displacement(x[:, 0], x[:, 1])
+    on = abs(np.hypot(*x.T) - 1) < 1e-9
+    c, n = x[on, 0], x[on, 1]
+    hoop = s[on, 0] * n**2 + s[on, 1] * c**2 - 2 * s[on, 2] * c * n
+    return float(np.linalg.norm(u - exact) / np.linalg.norm(exact)), float(hoop.max())
+
+
+def kirsch_table() -> str:
+    lines = ["| horizon ratio, edges turned by | " + " | ".join(f"radius {n} spacings" for n in (4, 8, 16, 32))
+             + " | order |", "|---|---|---|---|---|---|"]
+    for horizon_ratio, angle in ((3, 0), (4, 0), (4, 17), (4, 45), (5, 0)):
+        found = [plate_with_hole(n, horizon_ratio, math.radians(angle)) for n in (4, 8, 16, 32)]
+        order = math.log2(found[1][0] / found[3][0]) / 2
+        lines.append(f"| {horizon_ratio}, {angle} degrees | " + " | ".join(f"{e:.1e}, {s:.2f}" for e, s in found)
+                     + f" | {order:.1f} |")
+    return "\n".join(lines)
+
+
+def costs(points: str, angle: float, side: int) -> tuple[int, float, float]:
+    best = (math.inf, math.inf)
+    for _ in range(3):
+        model = bempd.Model(options={"pd.outline_points": points, "threads": 1})
+        material = model.add_material(young_modulus=1, poisson_ratio=NU)
+        plate = model.add_pd_region(material, turned(bempd.rectangle(0, 0, side, side), angle), 1, 4)
+        model.fix_edge(plate, 1)
+        model.prescribe_edge(plate, 3, "y", [1e-3])
+        start = time.perf_counter()
+        model.prepare()
+        prepared = time.perf_counter()
+        model.step(1)
+        best = (min(best[0], prepared - start), min(best[1], time.perf_counter() - prepared))
+    return model.node_count(plate), *best
+
+
+def cost_table() -> str:
+    lines = ["| square plate, m = 4 | points | preparing [s] | over lattice rows | elastic solve [s] | over lattice rows |",
+             "|---|---|---|---|---|---|"]
+    for side in (50, 100, 200):
+        rows = None
+        for name, points, angle in (("lattice rows", "slanted", 0.0), ("points on its outline", "always", 0.0),
+                                    ("turned by 17 degrees", "slanted", math.radians(17))):
+            count, prepare, solve = costs(points, angle, side)
+            rows = rows or (prepare, solve)
+            lines.append(f"| {side} x {side}, {name} | {count} | {prepare:.3f} | {prepare / rows[0]:.2f} | {solve:.3f} "
+                         f"| {solve / rows[1]:.2f} |")
+    return "\n".join(lines)
+
+
+def main() -> None:
+    program = pathlib.Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_outlines"
+    tables = {"networks": subprocess.run([program], check=True, capture_output=True, text=True).stdout.strip(),
+              "kirsch": kirsch_table(), "cost": cost_table()}
+    for name, table in tables.items():
+        print(f"{name}\n{table}\n")
+    if "--write" in sys.argv:
+        path = ROOT / "docs" / "outlines.md"
+        text = path.read_text(encoding="utf-8")
+        for name, table in tables.items():
+            text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)", lambda m: f"{m[1]}\n{table}\n\n{m[2]}", text,
+                          flags=re.DOTALL)
+        path.write_text(text, encoding="utf-8")
+
+
+main()

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/edge.hpp"
+#include "pd/outlined/chords.hpp"
+
+namespace bempd::pd {
+
+// Places by squares of a grid, for what is near.
+class Buckets {
+ public:
+  Buckets() = default;
+  Buckets(const Box& box, double side);
+
+  void add(const Box& box, int item);
+  // Calls visit(item) for what may meet a box, an item perhaps several times, until it returns true.
+  template <class Visit>
+  bool any_near(const Box& box, const Visit& visit) const {
+    const Eigen::Array2i low = square_of(box.min()), high = square_of(box.max());
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x)
+        for (const int item : items_[static_cast<std::size_t>(y) * columns_ + x])
+          if (visit(item)) return true;
+    return false;
+  }
+
+ private:
+  Eigen::Array2i square_of(const Point& p) const;
+
+  Point origin_ = Point::Zero();
+  double side_ = 1;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::vector<int>> items_;
+};
+
+// What lies in the polygon of the chords and what sees what within it.
+class ChordSearch {
+ public:
+  explicit ChordSearch(const Chords& chords);
+
+  // Closed polygon, up to 1e-9.
+  bool inside(const Point& p) const;
+  // Whether the segment between two points of the closed polygon stays in it; along a chord is inside.
+  bool in_sight(const Point& from, const Point& to) const;
+
+ private:
+  std::vector<double> meetings(const Point& from, const Point& to) const;
+  bool on_chord(const Point& p) const;
+
+  const Chords& chords_;
+  Buckets buckets_;
+  double low_ = 0;
+  std::vector<std::vector<int>> rows_;  // chords by the spacings of height that they cross
+};
+
+}  // namespace bempd::pd

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/arc.hpp"
+
+namespace bempd::pd {
+
+// Straight piece between neighbouring material points of an outline, with the body on its left.
+struct Chord {
+  int first, second;
+  int piece;        // of the outline, counted through all loops
+  double from, to;  // fractions of the piece
+};
+
+// The outline of a body as equal chords on every piece of it, in units of the spacing. Node k is where chord k starts.
+struct Chords {
+  std::vector<Point> nodes;  // exactly on the outline
+  std::vector<char> kept{};  // nodes whose surface vectors others rely on; empty for none
+  std::vector<Chord> chords;
+  std::vector<int> loop_start;   // of the nodes, and the end of the last loop
+  std::vector<int> piece_start;  // of the chords, and the end of the last piece
+
+  int count() const { return static_cast<int>(nodes.size()); }
+  int loop_count() const { return static_cast<int>(loop_start.size()) - 1; }
+  int chord_before(int node) const;
+  Point along(int chord) const { return nodes[chords[chord].second] - nodes[chords[chord].first]; }
+  double length(int chord) const { return along(chord).norm(); }
+  // Outward normal times length.
+  Point normal(int chord) const { return {along(chord).y(), -along(chord).x()}; }
+  // Half of both chords' normals.
+  Point surface_vector(int node) const { return 0.5 * (normal(node) + normal(chord_before(node))); }
+  // Of the body at a node [rad].
+  double angle(int node) const;
+};
+
+// Pieces of loops that have the body on their left. Every piece gets as many chords as it is spacings long. They are
+// equal, but for pieces that `may_vary` (by number): where a loop can be balanced as it is (surface_balance.hpp) by
+// chords of different lengths within some of these they have such.
+Chords make_chords(const std::vector<std::vector<Arc>>& loops, const std::vector<char>& may_vary = {});
+
+}  // namespace bempd::pd

@@ -1,0 +1,160 @@
+#include "pd/outlined/filling_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "cancellation.hpp"
+
+namespace bempd::pd {
+
+namespace {
+
+using Eigen::Vector2i;
+using Side = std::pair<int, int>;  // directed
+
+// Triangles from a front of directed sides that have what is to be filled on their left. Each takes the point that sees
+// its side under the largest angle, so that the triangulation is Delaunay's but for the front (Shewchuk, 1997). Points
+// on one circle tie; what is there already decides then.
+class Front {
+ public:
+  Front(const std::vector<Point>& points, const Box& box)
+      : points_(points), near_points_(box, 2), near_sides_(box, 2) {}
+
+  void add_point(int i) { near_points_.add(Box(points_[i]), i); }
+  // What is on its right is filled or outside.
+  void add_side(int a, int b) {
+    open_.insert({a, b});
+    taken_.insert({b, a});
+    list(a, b);
+  }
+
+  FillingCells close() {
+    FillingCells triangles;
+    while (!open_.empty()) {
+      check_cancelled();
+      const auto [a, b] = *open_.begin();
+      open_.erase(open_.begin());
+      taken_.insert({a, b});
+      const int c = best_point(a, b);
+      if (c < 0) continue;  // no body there: chords that lie on each other up to rounding
+      triangles.push_back({a, b, c, c});
+      put(b, c), put(c, a);
+    }
+    return triangles;
+  }
+
+ private:
+  void list(int a, int b) {
+    Box box(points_[a]);
+    box.extend(points_[b]);
+    near_sides_.add(box, static_cast<int>(sides_.size()));
+    sides_.push_back({a, b});
+  }
+  // A side of a new triangle, which lies on its left.
+  void put(int a, int b) {
+    if (open_.erase({a, b}) == 0) {
+      open_.insert({b, a});
+      list(a, b);
+    }
+    taken_.insert({a, b});
+  }
+
+  bool is_free(int a, int b) const {
+    if (taken_.count({a, b}) > 0) return false;
+    Box box(points_[a]);
+    box.extend(points_[b]);
+    return !near_sides_.any_near(box, [&](int s) {
+      const auto [c, d] = sides_[static_cast<std::size_t>(s)];
+      if (c == a || c == b || d == a || d == b) return false;
+      return proper_crossing({points_[a], points_[b]}, {points_[c], points_[d]}).has_value();
+    });
+  }
+
+  int best_point(int a, int b) const {
+    for (double reach = 2; reach < 40; reach *= 2)
+      if (const int found = best_within(a, b, reach); found >= 0) return found;
+    return -1;
+  }
+  int best_within(int a, int b, double reach) const {
+    const Point &pa = points_[a], &pb = points_[b], middle = 0.5 * (pa + pb);
+    const Box box(middle - Point::Constant(reach), middle + Point::Constant(reach));
+    std::vector<std::pair<double, int>> candidates;  // by the cotangent of the angle
+    near_points_.any_near(box, [&](int c) {
+      const Point to_a = pa - points_[c], to_b = pb - points_[c];
+      const double height = cross(to_a, to_b);
+      if (c != a && c != b && height > 1e-9) candidates.emplace_back(to_a.dot(to_b) / height, c);
+      return false;
+    });
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto& [angle, c] : candidates)
+      if (is_free(b, c) && is_free(c, a)) return c;
+    return -1;
+  }
+
+  const std::vector<Point>& points_;
+  Buckets near_points_, near_sides_;
+  std::vector<Side> sides_;
+  std::set<Side> open_, taken_;
+};
+
+void add_cell_sides(const OutlinedPoints& points, const Vector2i& at, Front& front, std::set<int>& used) {
+  // Sides of the cell, counter-clockwise, with the neighbour behind each.
+  const std::array<Vector2i, 4> corners{at, at + Vector2i(1, 0), at + Vector2i(1, 1), at + Vector2i(0, 1)};
+  const std::array<Vector2i, 4> behind{Vector2i(0, -1), Vector2i(1, 0), Vector2i(0, 1), Vector2i(-1, 0)};
+  for (int k = 0; k < 4; ++k) {
+    if (points.has_cell(at + behind[k])) continue;
+    const int a = points.find_point(corners[k]), b = points.find_point(corners[(k + 1) % 4]);
+    front.add_side(b, a);
+    used.insert({a, b});
+  }
+}
+
+}  // namespace
+
+FillingCells fill_with_cells(const Chords& chords, const OutlinedPoints& points) {
+  Box box;
+  for (const Point& p : points.points()) box.extend(p);
+  Front front(points.points(), box);
+  FillingCells cells;
+  std::set<int> at_front;
+  std::vector<char> has_cell(points.points().size(), 0);
+  for (const Chord& chord : chords.chords) {
+    front.add_side(chord.first, chord.second);
+    at_front.insert(chord.first);
+  }
+  for (int y = points.lower().y(); y < points.upper().y(); ++y) {
+    for (int x = points.lower().x(); x < points.upper().x(); ++x) {
+      const Vector2i at(x, y);
+      if (!points.has_cell(at)) continue;
+      cells.push_back({points.find_point(at), points.find_point(at + Vector2i(1, 0)),
+                       points.find_point(at + Vector2i(1, 1)), points.find_point(at + Vector2i(0, 1))});
+      for (const int corner : cells.back()) has_cell[corner] = 1;
+      add_cell_sides(points, at, front, at_front);
+    }
+  }
+  for (int i = points.outline_count(); i < points.count(); ++i)
+    if (!has_cell[i]) at_front.insert(i);
+  for (const int i : at_front) front.add_point(i);
+  const FillingCells triangles = front.close();
+  cells.insert(cells.end(), triangles.begin(), triangles.end());
+  return cells;
+}
+
+std::vector<double> areas_of_points(const std::vector<Point>& points, const FillingCells& cells) {
+  std::vector<double> areas(points.size(), 0.0);
+  for (const auto& cell : cells) {
+    if (is_triangle(cell)) {
+      const double area = 0.5 * cross(points[cell[1]] - points[cell[0]], points[cell[2]] - points[cell[0]]);
+      for (int k = 0; k < 3; ++k) areas[cell[k]] += area / 3;
+    } else {
+      for (const int corner : cell) areas[corner] += 0.25;
+    }
+  }
+  return areas;
+}
+
+}  // namespace bempd::pd

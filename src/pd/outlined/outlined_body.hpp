@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "pd/network.hpp"
+#include "pd/outlined/filling_cells.hpp"
+
+namespace bempd::pd {
+
+// A body with any outline as material points and bonds, in units of the spacing. Nodes of the outline come first.
+struct OutlinedBody {
+  Chords chords;
+  std::vector<Point> points;
+  FillingCells cells;
+  std::vector<double> areas;    // of the points
+  std::vector<double> factors;  // of the surface vectors of the outline's nodes, close to 1
+  Network network;
+  LatticePlace place;
+
+  // Whether the bonds are positive and reproduce every linear displacement field.
+  bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
+};
+
+// Bonds between all points closer than the horizon that see each other. Far from the outline they have the lattice's
+// own stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the
+// area of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline.
+// Where that does not succeed other gaps between the outline and the points inside are tried, and other places of
+// these; the result is that of the best try. 3 <= horizon_ratio <= 8.
+OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
+                                 const PlaneElasticity& elasticity, int threads = 0,
+                                 const BondKernel& kernel = quartic_kernel());
+
+// A corner at which positive bonds cannot carry the surface vector: those of a corner of the angle alpha <= 180 degrees
+// pull in directions from 30 degrees off one edge to 30 degrees off the other, because the third harmonic of what they
+// carry vanishes (sum of k L f(theta) with f = sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0).
+struct ImpossibleCorner {
+  int node;
+  double angle;           // [rad]
+  double before, behind;  // lengths of its chords
+};
+std::optional<ImpossibleCorner> find_impossible_corner(const Chords& chords);
+
+}  // namespace bempd::pd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "pd/bond_family.hpp"
+#include "pd/outlined/outlined_points.hpp"
+
+namespace bempd::pd {
+
+// A bond during set-up, for C1111 = thickness = 1.
+struct OutlinedBond {
+  int first, second;
+  int offset;  // in the list of offsets
+  double stiffness;
+  bool free;  // near the outline
+};
+
+struct OutlinedBonds {
+  std::vector<BondOffset>
+      offsets;  // those of the lattice, turned, then one for each bond that has an end on the outline
+  std::vector<OutlinedBond> bonds;  // by first and second point
+};
+
+// All pairs closer than the horizon that see each other, with the stiffness of the bulk or, on the outline, of the
+// kernel at their length. Those with an end less deep than `free_depth` are free.
+OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
+                                   double free_depth, const BondKernel& kernel);
+
+// Multiplies the free ones by factors of their ends, so that every point resists a change of volume as its area asks
+// for: half of the sum of k L^2 is 8/3 C1111 times the area.
+void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds);
+
+// For every point the four third moments 111, 112, 122, 222 that its bonds lack. `surface`: outward vectors of points.
+std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const OutlinedBonds& bonds);
+
+}  // namespace bempd::pd

@@ -1,0 +1,120 @@
+#include "pd/outlined/surface_balance.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace bempd::pd {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double negligible_number = 1e-15;  // number over the perimeter's fourth power
+constexpr double largest_factor_change = 0.02;
+
+// Trace of the symmetric product of three vectors, times 3.
+Point trace_of(const Point& u, const Point& v, const Point& w) { return u * v.dot(w) + v * u.dot(w) + w * u.dot(v); }
+
+class LoopBalance {
+ public:
+  LoopBalance(const Chords& chords, int loop)
+      : chords_(chords), first_(chords.loop_start[loop]), count_(chords.loop_start[loop + 1] - first_) {
+    for (int i = 0; i < count_; ++i) centre_ += chords.nodes[first_ + i] / count_;
+    for (int i = 0; i < count_; ++i) size_ = std::max(size_, (chords.nodes[first_ + i] - centre_).norm());
+  }
+
+  // What the node adds to the three numbers, lengths in units of the loop's size.
+  std::array<double, 3> numbers(int i) const {
+    const Point x = place(i), r(-x.y(), x.x()), n = vector(i);
+    return {trace_of({1, 0}, r, r).dot(n), trace_of({0, 1}, r, r).dot(n), trace_of(r, r, r).dot(n)};
+  }
+  Eigen::Vector3d sums(const std::vector<double>& factors) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < count_; ++i)
+      for (int k = 0; k < 3; ++k) sum[k] += factors[first_ + i] * numbers(i)[k];
+    return sum;
+  }
+
+  // `moments_a_piece`: of a constant load that are kept, none, the zeroth, or the first one too.
+  bool change(int moments_a_piece, std::vector<double>& factors) const {
+    const std::vector<int> pieces = own_pieces();
+    const Eigen::Index rows = 9 + static_cast<Eigen::Index>(pieces.size()) * moments_a_piece;
+    MatrixXd equations = MatrixXd::Zero(rows, count_);
+    for (int i = 0; i < count_; ++i) {
+      const Point n = vector(i), x = place(i);
+      const std::array<double, 3> three = numbers(i);
+      equations.col(i).head<9>() << n.x(), n.y(), n.x() * x.x(), n.x() * x.y(), n.y() * x.x(), n.y() * x.y(), three[0],
+          three[1], three[2];
+    }
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      add_piece(pieces[p], 9 + p * moments_a_piece, moments_a_piece, equations);
+    for (int i = 0; i < count_ && !chords_.kept.empty(); ++i)
+      if (chords_.kept[first_ + i]) equations.col(i).setZero();
+    VectorXd wanted = VectorXd::Zero(rows);
+    wanted.segment<3>(6) = -sums(factors);
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+    solver.setThreshold(1e-12);
+    solver.compute(equations);
+    VectorXd a = solver.solve(wanted);
+    a += solver.solve(VectorXd(wanted - equations * a));
+    if ((equations * a - wanted).lpNorm<Eigen::Infinity>() > 1e-14 ||
+        a.lpNorm<Eigen::Infinity>() > largest_factor_change)
+      return false;
+    for (int i = 0; i < count_; ++i) factors[first_ + i] += a[i];
+    return true;
+  }
+
+ private:
+  Point place(int i) const { return (chords_.nodes[first_ + i] - centre_) / size_; }
+  Point vector(int i) const { return chords_.surface_vector(first_ + i) / size_; }
+
+  std::vector<int> own_pieces() const {
+    std::vector<int> pieces;
+    for (int i = 0; i < count_; ++i) {
+      const int piece = chords_.chords[first_ + i].piece;
+      if (pieces.empty() || pieces.back() != piece) pieces.push_back(piece);
+    }
+    return pieces;
+  }
+  void add_piece(int piece, std::size_t row, int moments, MatrixXd& equations) const {
+    for (int c = chords_.piece_start[piece]; moments > 0 && c < chords_.piece_start[piece + 1]; ++c) {
+      for (const int node : {chords_.chords[c].first, chords_.chords[c].second}) {
+        const double half = 0.5 * chords_.length(c) / size_;
+        const double along = (chords_.nodes[node] - chords_.nodes[chords_.piece_start[piece]]).norm() / size_;
+        const auto at = static_cast<Eigen::Index>(row);
+        equations(at, node - first_) += half;
+        if (moments > 1) equations(at + 1, node - first_) += half * along;
+      }
+    }
+  }
+
+  const Chords& chords_;
+  int first_, count_;
+  Point centre_ = Point::Zero();
+  double size_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> balancing_factors(const Chords& chords) {
+  std::vector<double> factors(chords.nodes.size(), 1.0);
+  for (int loop = 0; loop < chords.loop_count(); ++loop) {
+    const LoopBalance balance(chords, loop);
+    if (balance.sums(factors).lpNorm<Eigen::Infinity>() <= negligible_number) continue;
+    for (int moments = 2; moments >= 0; --moments)
+      if (balance.change(moments, factors)) break;
+  }
+  return factors;
+}
+
+double imbalance(const Chords& chords, const std::vector<double>& factors) {
+  double largest = 0;
+  for (int loop = 0; loop < chords.loop_count(); ++loop)
+    largest = std::max(largest, LoopBalance(chords, loop).sums(factors).lpNorm<Eigen::Infinity>());
+  return largest;
+}
+
+}  // namespace bempd::pd

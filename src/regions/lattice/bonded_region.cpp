@@ -1,0 +1,98 @@
+#include "regions/lattice/bonded_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "pd/crack.hpp"
+#include "pd/critical_stretch.hpp"
+
+namespace bempd::regions {
+
+double BondedRegion::critical_stretch(const scene::Options& options) const {
+  const bool as_printed = options.text_value("critical_stretch") == "printed";
+  return material().critical_stretch_for(horizon_ratio_ * spacing(), as_printed);
+}
+
+double BondedRegion::critical_stretch(const Preparation& preparation) const {
+  return critical_stretch(preparation.options);
+}
+
+std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) const {
+  const double horizon = horizon_ratio_ * spacing();
+  const PlaneElasticity& e = elasticity();
+  const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
+  const double modulus =
+      e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
+  return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};
+}
+
+void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {
+  bonds_.first = contributions.bonds.size();
+  bonds_.listed = network()->bonds.size();
+  const double limit = critical_stretch(preparation);
+  const int law = contributions.bonds.add_law(material().bond_law);
+  for (const pd::Bond& bond : network()->bonds) {
+    const Point step = points_[bond.second] - points_[bond.first];
+    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), limit, law);
+  }
+}
+
+// The edge's part of the force that the stress at the node makes on all of it.
+std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
+                                                const FieldsOfRegion& fields) const {
+  const std::vector<double>& stress = fields(Field::stress).values;
+  const auto normal_at = [&](const Point& p) {
+    const Edge& edge = span.geometry;
+    const Point along = edge.straight() ? edge.direction().normalized() : edge.tangent(closest_fraction(edge, p));
+    return Point(along.y(), -along.x());
+  };
+  std::vector<Point> forces;
+  for (const int node : nodes_of_scene) {
+    const auto place = static_cast<std::size_t>(std::find(nodes_.begin(), nodes_.end(), node) - nodes_.begin());
+    const double* s = &stress[3 * place];
+    const auto traction = [&](const Point& p) {
+      const Point normal = normal_at(p);
+      return Point(s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y());
+    };
+    Eigen::VectorXd of_edge = Eigen::VectorXd::Zero(2 * (1 + *std::max_element(nodes_.begin(), nodes_.end())));
+    add_traction({span.edge, span.geometry, 0, 1}, traction, of_edge);
+    forces.emplace_back(of_edge.segment<2>(2 * node));
+  }
+  return forces;
+}
+
+void BondedRegion::add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
+  const Point of_cell = elasticity().thickness * spacing() * spacing() * body_force;
+  const std::vector<double> shares = cell_shares();
+  for (std::size_t i = 0; i < shares.size(); ++i) force.segment<2>(2 * nodes_[i]) += shares[i] * of_cell;
+}
+
+void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
+                       std::vector<std::string>& warnings) const {
+  std::vector<Point> polyline;
+  for (const Point& p : crack.points) polyline.push_back(to_grid(p));
+  const std::vector<int> touched = pd::points_on(points_, polyline);
+  if (!touched.empty()) {
+    const Point where = position(touched.front());
+    const std::string finding =
+        text("crack ", number, " passes through ", touched.size(), " material points of region ", id(),
+             ", the first at (", where.x(), ", ", where.y(), ")");
+    require(cracks_may_meet_points(), finding,
+            "; a point on a crack belongs to neither side: shift the crack or the region by half a spacing (",
+            0.5 * spacing(), ")");
+    warnings.push_back(finding + "; they stay bonded to both of its faces and bridge it");
+  }
+  const pd::Touching touching = cracks_may_meet_points() ? pd::Touching::of_ends_keeps : pd::Touching::cuts;
+  std::vector<Point> ends = points_;
+  ends.insert(ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
+  for (int bond : pd::bonds_cut_by(ends, network()->bonds, polyline, touching))
+    bonds.push_back(static_cast<int>(scene_bond(bond)));
+}
+
+void BondedRegion::add_statistics(RegionStatistics& statistics) const {
+  statistics.material_points += point_count();
+  statistics.seconds_lattice += seconds_preparing;
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "regions/lattice/lattice_description.hpp"
+
+namespace bempd::regions {
+
+// What a host may choose of the material points of a region.
+struct PointChoice {
+  bool on_outline = false;  // points on the outline even where it is one of lattice rows
+  double angle = 0;         // of the lattice's rows [rad]
+
+  bool is_plain() const { return !on_outline && angle == 0; }
+};
+
+// A peridynamic region as described, with any outline: on the rows of a lattice where all edges are parallel to the
+// axes, else with points on its outline.
+class OutlinedDescription final : public LatticeDescription {
+ public:
+  OutlinedDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
+                      double spacing, int horizon_ratio, const PointChoice& choice);
+
+  const PointChoice& choice() const { return choice_; }
+
+  void set_outline(Outline outline) override;
+  bool may_be_curved() const override { return true; }
+  std::optional<scene::NodeGrid> node_grid() const override;
+  double resolution() const override { return lattice().spacing; }
+  void identify(Hash& hash) const override;
+  std::unique_ptr<regions::Region> build(int id, const Preparation& preparation) const override;
+
+ private:
+  // Whether all edges are parallel to the axes, and the host has not chosen otherwise.
+  bool is_on_rows(const Outline& outline) const;
+
+  PointChoice choice_;
+  bool on_rows_;
+};
+
+// Adds one to the scene and returns its id.
+int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
+                           int horizon_ratio, const PointChoice& choice = {});
+
+}  // namespace bempd::regions

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/interface_trace.hpp"
+#include "error.hpp"
+#include "regions/outlined/outlined_region.hpp"
+
+namespace bempd::regions {
+
+// With a peridynamic neighbour, which has points of its own.
+void OutlinedRegion::require_common_points(const Preparation& preparation, const Contact& contact) const {
+  const int other = contact.other_region + 1;
+  const auto* points = dynamic_cast<const LatticeDescription*>(&preparation.scene.region(other));
+  if (!points) return;
+  require(std::abs(points->lattice().spacing / spacing() - 1) < 1e-9, "peridynamic regions ", id(), " and ", other,
+          " touch, but their spacings are ", spacing(), " and ", points->lattice().spacing, "; give them the same one");
+  const auto grid = points->node_grid();
+  const Edge edge = preparation.scene.region(id()).edge(contact.edge + 1);
+  for (const Point& end : {edge.at(contact.from), edge.at(contact.to)}) {
+    const Point scaled = grid ? Point((end - grid->origin) / grid->spacing) : Point::Zero();
+    const Point nearest = scaled.array().round();
+    require((scaled - nearest).norm() < 1e-6, "peridynamic regions ", id(), " and ", other, " touch as far as (",
+            end.x(), ", ", end.y(), "), which is not a lattice point of region ", other,
+            "; move that corner to a multiple of the spacing ", spacing(), " from the region's corner");
+  }
+}
+
+std::vector<Point> OutlinedRegion::points_on(const Preparation& preparation, const Contact& interface) {
+  divide_outline(preparation);
+  const Edge edge = preparation.scene.region(id()).edge(interface.edge + 1);
+  std::vector<Point> found{edge.at(interface.from)};
+  for (const Piece& piece : pieces_) {
+    const double middle = 0.5 * (piece.from + piece.to);
+    const auto p = static_cast<std::size_t>(&piece - pieces_.data());
+    if (piece.edge != interface.edge + 1 || middle < interface.from || middle > interface.to) continue;
+    for (int node = body_.chords.piece_start[p] + 1; node < body_.chords.piece_start[p + 1]; ++node)
+      found.push_back(from_grid(body_.chords.nodes[node]));
+    found.push_back(edge.at(piece.to));
+  }
+  return found;
+}
+
+// Chords differ only where a loop has points that others rely on, and there where elements follow them or nobody does.
+std::vector<char> OutlinedRegion::pieces_that_may_vary(const Preparation& preparation) const {
+  std::vector<char> may_vary(pieces_.size(), 0);
+  std::size_t first = 0;
+  for (const std::vector<Arc>& loop : loops_) {
+    bool has_interfaces = false;
+    std::vector<char> fixed(loop.size(), 0);
+    for (std::size_t a = 0; a < loop.size(); ++a) {
+      const Piece& piece = pieces_[first + a];
+      const double middle = 0.5 * (piece.from + piece.to);
+      for (const Contact& c : preparation.arrangement.contacts) {
+        if (c.region != id() - 1 || c.edge != piece.edge - 1 || middle < c.from || middle > c.to) continue;
+        const scene::Region& other = preparation.scene.region(c.other_region + 1);
+        has_interfaces = true;
+        fixed[a] = !other.has_elements() || other.has_own_mesh(c.other_edge + 1);
+      }
+    }
+    for (std::size_t a = 0; a < loop.size(); ++a) may_vary[first + a] = has_interfaces && !fixed[a];
+    first += loop.size();
+  }
+  return may_vary;
+}
+
+std::vector<char> OutlinedRegion::shared_points(const Preparation& preparation) {
+  std::vector<char> shared(body_.chords.nodes.size(), 0);
+  body_.chords.kept = shared;
+  for (const Contact& contact : preparation.arrangement.contacts) {
+    if (contact.region != id() - 1) continue;
+    const bool tied = preparation.scene.region(contact.other_region + 1).has_own_mesh(contact.other_edge + 1);
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      const Piece& piece = pieces_[p];
+      if (piece.edge != contact.edge + 1 || piece.from < contact.from || piece.to > contact.to) continue;
+      const int first = body_.chords.piece_start[p], end = body_.chords.piece_start[p + 1];
+      for (int c = first; c < end; ++c) {
+        for (const int node : {body_.chords.chords[c].first, body_.chords.chords[c].second}) {
+          body_.chords.kept[node] = 1;
+          if (!tied) shared[node] = 1;
+        }
+      }
+      if (!tied) continue;
+      if (piece.from == contact.from) shared[body_.chords.chords[first].first] = 1;
+      if (piece.to == contact.to) shared[body_.chords.chords[end - 1].second] = 1;
+    }
+  }
+  return shared;
+}
+
+// Like points of a lattice at a spacing that is the length of the interface's chords.
+void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {
+  const Point &start = leading.places.front(), &end = leading.places.back();
+  std::vector<int> points;
+  for (int i = 0; i < body_.chords.count(); ++i)
+    if (distance(Segment{start, end}, position(i)) < 1e-6 * spacing()) points.push_back(i);
+  const auto along = [&](int i) { return (position(i) - start).dot(end - start); };
+  std::sort(points.begin(), points.end(), [&](int i, int j) { return along(i) < along(j); });
+  const double chord = (end - start).norm() / static_cast<double>(points.size() - 1);
+  std::vector<double> stations;
+  for (std::size_t a = 0; a < leading.places.size(); a += 2)
+    stations.push_back((leading.places[a] - start).norm() / chord);
+  const auto trace = coupling::interface_trace(stations);
+  require(trace.has_value(), "edge ", leading.edge, " of region ", leader,
+          " has elements of its own on the interface with region ", id(), ", from (", start.x(), ", ", start.y(),
+          ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
+          " material points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow the points");
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    std::vector<coupling::NodeTies::Master> masters;
+    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+    for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it)
+      masters.push_back({leading.nodes[static_cast<std::size_t>(it.col())], it.value()});
+    ties.add(nodes_[points[i]], std::move(masters));
+  }
+}
+
+}  // namespace bempd::regions

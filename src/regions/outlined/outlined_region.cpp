@@ -1,0 +1,219 @@
+#include "regions/outlined/outlined_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "error.hpp"
+#include "pd/outlined/surface_balance.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Gauss rule on [0, 1].
+constexpr double abscissa[4] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263};
+constexpr double weight[4] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269};
+
+// A piece between places that are asked for has at least this length, in spacings.
+constexpr double shortest_piece = 0.75;
+
+double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+
+}  // namespace
+
+OutlinedRegion::OutlinedRegion(int id, const OutlinedDescription& described, const scene::Material& material)
+    : BondedRegion(id, material, described.lattice().spacing, described.horizon_ratio()), choice_(described.choice()) {
+  origin_ = bounding_box(described.outline()).min();
+}
+
+void OutlinedRegion::mesh(const Preparation& preparation) {
+  for (const Contact& contact : preparation.arrangement.contacts) {
+    if (contact.region != id() - 1) continue;
+    require_common_points(preparation, contact);
+  }
+  divide_outline(preparation);
+}
+
+std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, int number) const {
+  const Edge edge = preparation.scene.region(id()).edge(number);
+  const double length = edge.length() / spacing(), room = shortest_piece / length;
+  std::vector<double> wanted, stations = preparation.arrangement.breakpoints[id() - 1][number - 1];
+  stations.insert(stations.end(), {0.0, 1.0});
+  if (edge.piece_count() > 1) stations.push_back(edge.joint());
+  std::sort(stations.begin(), stations.end());
+  for (const auto* conditions : {&preparation.scene.supports(), &preparation.scene.loads()}) {
+    for (const scene::Condition& condition : *conditions) {
+      if (condition.removed()) continue;
+      const auto breaks = condition.place->breaks_on(preparation.scene, id(), number, preparation.tolerance);
+      wanted.insert(wanted.end(), breaks.begin(), breaks.end());
+    }
+  }
+  // A crack opens at the middle of a chord.
+  for (const scene::Crack& crack : preparation.scene.cracks()) {
+    for (const Point& p : crack.points) {
+      if (distance(edge, p) > 8 * preparation.tolerance) continue;
+      const double mouth = closest_fraction(edge, p);
+      wanted.insert(wanted.end(), {mouth - 0.5 / length, mouth + 0.5 / length});
+    }
+  }
+  for (const double f : wanted) {
+    const auto& contacts = preparation.arrangement.contacts;
+    const bool is_shared = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+      return c.region == id() - 1 && c.edge == number - 1 && c.from < f && f < c.to;
+    });
+    if (is_shared) continue;
+    const auto after = std::lower_bound(stations.begin(), stations.end(), f);
+    if (after == stations.begin() || after == stations.end()) continue;
+    if (f - after[-1] >= room && *after - f >= room) stations.insert(after, f);
+  }
+  return stations;
+}
+
+void OutlinedRegion::divide_outline(const Preparation& preparation) {
+  if (!pieces_.empty()) return;
+  const Outline& outline = preparation.scene.region(id()).outline();
+  int number = 0;
+  for (const auto& loop : outline.loops) {
+    loops_.emplace_back();
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Edge edge = outline.edge(number++);
+      const std::vector<double> stations = stations_on(preparation, number);
+      for (std::size_t s = 0; s + 1 < stations.size(); ++s) {
+        const Arc part = edge.part(stations[s], stations[s + 1]);
+        const Arc arc{to_grid(part.start), to_grid(part.end), part.sweep};
+        pieces_.push_back({number, stations[s], stations[s + 1], arc});
+        loops_.back().push_back(arc);
+      }
+    }
+  }
+  body_.chords = pd::make_chords(loops_);
+  shared_points(preparation);
+  // Points that others rely on leave too few that can balance the rest.
+  if (pd::imbalance(body_.chords, pd::balancing_factors(body_.chords)) > 1e-13)
+    body_.chords = pd::make_chords(loops_, pieces_that_may_vary(preparation));
+}
+
+// Its lower left corner is one of the lattice's points, unless the lattice keeps farther from the cracks elsewhere.
+pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation) const {
+  constexpr int steps = 8;
+  const Eigen::Matrix2d turn(Eigen::Rotation2Dd(choice_.angle));
+  std::vector<Segment> segments;  // in coordinates of the lattice
+  for (const scene::Crack& crack : preparation.scene.cracks())
+    for (std::size_t k = 0; k + 1 < crack.points.size(); ++k)
+      segments.push_back(
+          {turn.transpose() * to_grid(crack.points[k]), turn.transpose() * to_grid(crack.points[k + 1])});
+  // Only along rows and columns can all points keep away.
+  double best = -1;
+  Point best_shift = Point::Zero();
+  for (int k = 0; k < steps * steps; ++k) {
+    const Point shift = Point(k % steps, k / steps) / steps;
+    double least = 0.5;
+    for (const Segment& s : segments) {
+      const Point along = s.direction();
+      for (int axis = 0; axis < 2; ++axis) {
+        if (std::abs(along[1 - axis]) > 1e-6 * along.norm()) continue;
+        const double off = s.start[1 - axis] - shift[1 - axis];
+        least = std::min(least, std::abs(off - std::round(off)));
+      }
+    }
+    if (least > best + 1e-9) best = least, best_shift = shift;
+  }
+  return {turn * best_shift, choice_.angle, !segments.empty()};
+}
+
+void OutlinedRegion::require_possible_corners() const {
+  const auto corner = pd::find_impossible_corner(body_.chords);
+  if (!corner) return;
+  const Point where = from_grid(body_.chords.nodes[corner->node]);
+  const int edge = pieces_[body_.chords.chords[corner->node].piece].edge;
+  require(degrees(corner->angle) > 60 + 1e-9, "region ", id(), " has a corner of ", degrees(corner->angle),
+          " degrees at (", where.x(), ", ", where.y(), "), where edge ", edge,
+          " begins; bonds that pull only cannot carry a corner below 60 degrees: cut it off over two spacings (",
+          2 * spacing(), "), or round it");
+  require(false, "region ", id(), " has a corner of ", degrees(corner->angle), " degrees at (", where.x(), ", ",
+          where.y(), "), where edge ", edge, " begins, between points ", corner->before * spacing(), " and ",
+          corner->behind * spacing(),
+          " from it; there the two lengths have to be more alike: choose a spacing that "
+          "divides the edges of the corner, or longer edges");
+}
+
+void OutlinedRegion::build(const Preparation& preparation, Contributions& contributions) {
+  require_possible_corners();
+  const std::vector<char> is_shared = shared_points(preparation);
+  const pd::Chords chords = body_.chords;
+  const int threads = preparation.options.whole_number("threads");
+  body_ = pd::build_outlined_body(chords, place_of_lattice(preparation), horizon_ratio(), elasticity(), threads);
+  require(body_.is_exact(), "region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
+          horizon_ratio(), " and spacing ", spacing(),
+          " was found: corners below 65 degrees, parts less than three spacings wide and edges shorter than a spacing "
+          "may have none; try a smaller spacing or the horizon ratio 4. Edges in common with "
+          "others need chords of like lengths");
+  points_ = body_.points;
+  nodes_.clear();
+  for (int i = 0; i < point_count(); ++i) {
+    const bool shared = i < chords.count() && is_shared[i];
+    nodes_.push_back(shared ? contributions.registry.add_shared(position(i), id())
+                            : contributions.registry.add(position(i)));
+  }
+  bonds_.network = std::make_shared<const pd::Network>(std::move(body_.network));
+  add_own_bonds(preparation, contributions);
+}
+
+// Tips are looked for along rows that are parallel to the axes.
+std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
+  if (choice_.angle != 0) return std::nullopt;
+  return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing()};
+}
+
+double OutlinedRegion::fraction(const pd::Chord& chord, double part) const {
+  const Piece& piece = pieces_[chord.piece];
+  return piece.from + (chord.from + part * (chord.to - chord.from)) * (piece.to - piece.from);
+}
+
+template <class Visit>
+void OutlinedRegion::for_chords_on(const EdgeSpan& span, const Visit& visit) const {
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    if (pieces_[p].edge != span.edge) continue;
+    for (int c = body_.chords.piece_start[p]; c < body_.chords.piece_start[p + 1]; ++c) visit(body_.chords.chords[c]);
+  }
+}
+
+std::vector<PlacedNode> OutlinedRegion::nodes_on(const EdgeSpan& span, double tolerance) const {
+  const double slack = 10 * tolerance / span.geometry.length();
+  std::vector<PlacedNode> found;
+  const auto add = [&](int node, double at) {
+    if (at < span.from - slack || at > span.to + slack) return;
+    found.push_back({nodes_[node], std::clamp((at - span.from) / (span.to - span.from), 0.0, 1.0)});
+  };
+  for_chords_on(span, [&](const pd::Chord& chord) {
+    if (found.empty()) add(chord.first, fraction(chord, 0));
+    add(chord.second, fraction(chord, 1));
+  });
+  return found;
+}
+
+// f_i = (1 + a_i) integral of phi_i t ds, a_i being what balances the chords of the outline. phi_i are linear hats
+// along straight edges. Along a round one constant stress has a traction that turns with the normal, and its integral
+// over an arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of second order
+// too.
+void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
+                                  Eigen::Ref<Eigen::VectorXd> force) const {
+  Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * point_count());
+  const double length = span.geometry.length();
+  for_chords_on(span, [&](const pd::Chord& chord) {
+    const double begin = fraction(chord, 0), end = fraction(chord, 1);
+    const double from = std::max(span.from, begin), to = std::min(span.to, end);
+    if (from >= to) return;
+    const bool halves = !pieces_[chord.piece].arc.straight() && from == begin && to == end;
+    for (int g = 0; g < 4; ++g) {
+      const double at = from + abscissa[g] * (to - from), part = halves ? 0.5 : (at - begin) / (end - begin);
+      const Point f = weight[g] * (to - from) * length * traction(span.geometry.at(at));
+      nodal.segment<2>(2 * chord.first) += (1 - part) * body_.factors[chord.first] * f;
+      nodal.segment<2>(2 * chord.second) += part * body_.factors[chord.second] * f;
+    }
+  });
+  scatter(elasticity().thickness * nodal, force);
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pd/outlined/outlined_body.hpp"
+#include "regions/lattice/bonded_region.hpp"
+#include "regions/outlined/outlined_description.hpp"
+
+namespace bempd::regions {
+
+// A peridynamic region with any outline: material points on equal chords along its edges and, inside, those of a
+// lattice. Its stresses are balanced on the chords, which are the edges where these are straight.
+class OutlinedRegion final : public BondedRegion {
+ public:
+  OutlinedRegion(int id, const OutlinedDescription& described, const scene::Material& material);
+
+  void mesh(const Preparation& preparation) override;
+  void build(const Preparation& preparation, Contributions& contributions) override;
+  void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const override;
+
+  // Its points on an interface in the direction of its edge [m]; neighbours may ask before it is meshed itself.
+  std::vector<Point> points_on(const Preparation& preparation, const Contact& interface);
+
+  std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
+  void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
+                    Eigen::Ref<Eigen::VectorXd> force) const override;
+
+  std::optional<LatticeGrid> lattice_grid() const override;
+
+  std::int64_t cell_count() const override { return static_cast<std::int64_t>(body_.cells.size()); }
+  Cells cells() const override;
+  std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
+                                       bool with_stress) const override;
+
+ protected:
+  std::vector<double> cell_shares() const override { return body_.areas; }
+
+ private:
+  class CellEvaluator;
+  // Part of an edge that has equal chords.
+  struct Piece {
+    int edge;  // number
+    double from, to;
+    Arc arc;  // in grid coordinates
+  };
+
+  void require_common_points(const Preparation& preparation, const Contact& contact) const;
+  void divide_outline(const Preparation& preparation);
+  std::vector<char> pieces_that_may_vary(const Preparation& preparation) const;
+  // Marks the points that are nodes of other regions too: all on interfaces that match, the ends of others; and keeps
+  // the surface vectors of all of them.
+  std::vector<char> shared_points(const Preparation& preparation);
+  // Fractions of an edge where pieces end: at the ends of interfaces, and at what else is asked for as far as it leaves
+  // room for chords.
+  std::vector<double> stations_on(const Preparation& preparation, int edge) const;
+  pd::LatticePlace place_of_lattice(const Preparation& preparation) const;
+  void require_possible_corners() const;
+  double fraction(const pd::Chord& chord, double part) const;
+  template <class Visit>
+  void for_chords_on(const EdgeSpan& span, const Visit& visit) const;
+
+  PointChoice choice_;
+  std::vector<Piece> pieces_;
+  std::vector<std::vector<Arc>> loops_;
+  pd::OutlinedBody body_;
+};
+
+}  // namespace bempd::regions
