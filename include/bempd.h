@@ -172,19 +172,23 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  *
  * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
- * Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; a ratio within 1e-6 of that is
- * taken for it. Give critical_stretch or fracture_energy, or neither for a material that does not break. From the
- * fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
- * sqrt(4 pi G0 / (7 E delta)) in plane strain. @since 0.1 */
+ * Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
+ * strain, up to 1e-6, and to any other ratio the cells of the lattice add the rest, each as long as the bonds along its
+ * edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
+ * material that does not break. From the fracture energy G0, the horizon delta and E' = E, in plane strain
+ * E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that
+ * bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2
+ * in plane stress. @since 0.1 */
 typedef struct bempd_material {
-  int64_t struct_size;     /**< sizeof(bempd_material), set by bempd_material_init() */
-  double young_modulus;    /**< Young's modulus E [Pa], > 0 */
-  double poisson_ratio;    /**< Poisson's ratio [-]; -1 < nu <= 1/2 */
-  double thickness;        /**< thickness [m], > 0; default 1 */
-  double critical_stretch; /**< critical bond stretch [-], > 0, or 0 for not given */
-  double fracture_energy;  /**< fracture energy G0 [J/m^2], > 0, or 0 for not given */
-  int32_t plane;           /**< a bempd_plane; default plane stress; the same for all materials of a model */
-  int32_t reserved;        /**< 0 */
+  int64_t struct_size;      /**< sizeof(bempd_material), set by bempd_material_init() */
+  double young_modulus;     /**< Young's modulus E [Pa], > 0 */
+  double poisson_ratio;     /**< Poisson's ratio [-]; -1 < nu <= 1/2 */
+  double thickness;         /**< thickness [m], > 0; default 1 */
+  double critical_stretch;  /**< critical bond stretch [-], > 0, or 0 for not given */
+  double fracture_energy;   /**< fracture energy G0 [J/m^2], > 0, or 0 for not given */
+  int32_t plane;            /**< a bempd_plane; default plane stress; the same for all materials of a model */
+  int32_t reserved;         /**< 0 */
+  double thermal_expansion; /**< linear thermal expansion [1/K]; default 0 @since 0.3 */
 } bempd_material;
 
 /** @brief Set struct_size and the defaults. @param[out] material the struct to fill
@@ -233,7 +237,8 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull. Elements
  * of BEM regions follow the material points on common edges, also round ones, unless bempd_set_edge_mesh() is called
  * for a straight edge; peridynamic regions of the same spacing share the points of a common edge, without bonds across.
- * @param[in] model the model @param[in] material id of a material with the Poisson's ratio of bond-based peridynamics
+ * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49,
+ * or, with points on such an outline, of bonds alone, 1/3 in plane stress and 1/4 in plane strain
  * @param[in] vertex_count number of vertices, >= 3
  * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  * @param[in] spacing lattice spacing [m], > 0
@@ -428,6 +433,36 @@ BEMPD_API bempd_status bempd_add_pressure(bempd_model* model, int32_t region, in
  * @param[out] load its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32_t component, double constant,
                                              double proportional, int32_t* load);
+
+/** @brief Add a force per volume on a whole region, such as its weight: constant over the region.
+ *
+ * In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the boundary.
+ * A BEM region with cracks refuses it when the model is prepared. bempd_set_load_values() gives it a new value.
+ * @param[in] model the model @param[in] region id of a region @param[in] component BEMPD_X or BEMPD_Y
+ * @param[in] constant constant part, along the axis [N/m^3] @param[in] proportional part multiplied by the load factor
+ * [N/m^3] @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_body_force(bempd_model* model, int32_t region, int32_t component, double constant,
+                                            double proportional, int32_t* load);
+
+/** @brief Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would
+ * lengthen by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
+ *
+ * Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part of the prepared
+ * model, so that they change with the load factor but take no new values, and with one there are no windows
+ * (stepping.solver): every event is found in the whole body.
+ * @param[in] model the model @param[in] region id of a region @param[in] constant constant part [K]
+ * @param[in] proportional part multiplied by the load factor [K] @param[out] load its id; may be NULL
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_temperature(bempd_model* model, int32_t region, double constant, double proportional,
+                                             int32_t* load);
+
+/** @brief The same with values from a function of the place. In a BEM region they have to be linear in x and y.
+ * @param[in] model the model @param[in] region id of a region
+ * @param[in] function called once for each place while the model is prepared: it writes the constant part [K] to
+ * constant[0] and the one multiplied by the load factor to proportional[0] @param[in] user handed to it; may be NULL
+ * @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_temperature_function(bempd_model* model, int32_t region,
+                                                      bempd_boundary_function function, void* user, int32_t* load);
 
 /** @brief What acts on the faces of a crack. @since 0.3 */
 typedef enum bempd_face_component {

@@ -50,7 +50,7 @@ module bempd
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
-    procedure :: set_load_values, set_support_values
+    procedure :: add_body_force, add_temperature, add_temperature_function, set_load_values, set_support_values
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
@@ -88,7 +88,7 @@ module bempd
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
-    set_load_values, &
+    add_body_force, add_temperature, add_temperature_function, set_load_values, &
     set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
     step_to_next_event, run_to_separation, step_to_values, &
     load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field, copy_elements, copy_bonds, &
@@ -144,11 +144,11 @@ module bempd
 
     ! Materials, regions and cracks.
     module subroutine add_material(self, young_modulus, poisson_ratio, id, thickness, critical_stretch, &
-        fracture_energy, plane, stat, errmsg)
+        fracture_energy, plane, stat, errmsg, thermal_expansion)
       class(bempd_model), intent(inout) :: self
       real(c_double), intent(in) :: young_modulus, poisson_ratio
       integer(c_int32_t), intent(out), optional :: id
-      real(c_double), intent(in), optional :: thickness, critical_stretch, fracture_energy
+      real(c_double), intent(in), optional :: thickness, critical_stretch, fracture_energy, thermal_expansion
       integer(c_int32_t), intent(in), optional :: plane
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
@@ -357,6 +357,31 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_point_force
+    module subroutine add_body_force(self, region, component, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, component
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_body_force
+    module subroutine add_temperature_function(self, region, function, user, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      procedure(bempd_boundary_function) :: function
+      type(c_ptr), intent(in), optional :: user
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_temperature_function
+    module subroutine add_temperature(self, region, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_temperature
     module subroutine set_load_values(self, load, constant, proportional, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: load

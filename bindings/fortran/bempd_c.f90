@@ -218,10 +218,13 @@ module bempd_c
   !>
   !> Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
   !> preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
-  !> Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; a ratio within 1e-6 of that
-  !> is taken for it. Give critical_stretch or fracture_energy, or neither for a material that does not break. From the
-  !> fracture energy G0 and the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
-  !> sqrt(4 pi G0 / (7 E delta)) in plane strain.
+  !> Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
+  !> strain, up to 1e-6, and to any other ratio the cells of the lattice add the rest, each as long as the bonds along
+  !> its edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for
+  !> a material that does not break. From the fracture energy G0, the horizon delta and E' = E, in plane strain E / (1 -
+  !> nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that bonds make
+  !> alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2 in plane
+  !> stress.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_material
@@ -241,6 +244,10 @@ module bempd_c
     integer(c_int32_t) :: plane
     !> 0
     integer(c_int32_t) :: reserved
+    !> linear thermal expansion [1/K]; default 0
+    !>
+    !> since: 0.3
+    real(c_double) :: thermal_expansion
   end type bempd_material
 
   !> What a step did. Fill it with bempd_step_report_init().
@@ -908,7 +915,8 @@ module bempd_c
     !> a common edge, without bonds across.
     !>
     !> model [in]: the model
-    !> material [in]: id of a material with the Poisson's ratio of bond-based peridynamics
+    !> material [in]: id of a material with a Poisson's ratio from -0.2 to 0.49, or, with points on such an outline, of
+    !>   bonds alone, 1/3 in plane stress and 1/4 in plane strain
     !> vertex_count [in]: number of vertices, >= 3
     !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
     !> spacing [in]: lattice spacing [m], > 0
@@ -1374,6 +1382,77 @@ module bempd_c
       type(c_ptr), value :: load
       integer(c_int) :: bempd_add_point_force
     end function bempd_add_point_force
+
+    !> Add a force per volume on a whole region, such as its weight: constant over the region.
+    !>
+    !> In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the
+    !> boundary. A BEM region with cracks refuses it when the model is prepared. bempd_set_load_values() gives it a new
+    !> value.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> component [in]: BEMPD_X or BEMPD_Y
+    !> constant [in]: constant part, along the axis [N/m^3]
+    !> proportional [in]: part multiplied by the load factor [N/m^3]
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_body_force(model, region, component, constant, proportional, load) &
+        bind(c, name="bempd_add_body_force")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: component
+      real(c_double), value :: constant
+      real(c_double), value :: proportional
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_body_force
+    end function bempd_add_body_force
+
+    !> Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would lengthen
+    !> by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
+    !>
+    !> Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part of the
+    !> prepared model, so that they change with the load factor but take no new values, and with one there are no
+    !> windows (stepping.solver): every event is found in the whole body.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> constant [in]: constant part [K]
+    !> proportional [in]: part multiplied by the load factor [K]
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_temperature(model, region, constant, proportional, load) bind(c, name="bempd_add_temperature")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      real(c_double), value :: constant
+      real(c_double), value :: proportional
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_temperature
+    end function bempd_add_temperature
+
+    !> The same with values from a function of the place. In a BEM region they have to be linear in x and y.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> function [in]: called once for each place while the model is prepared: it writes the constant part [K] to
+    !>   constant[0] and the one multiplied by the load factor to proportional[0]
+    !> user [in]: handed to it; may be NULL
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_temperature_function(model, region, function, user, load) &
+        bind(c, name="bempd_add_temperature_function")
+      import :: c_funptr, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      type(c_funptr), value :: function
+      type(c_ptr), value :: user
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_temperature_function
+    end function bempd_add_temperature_function
 
     !> Add a traction on both faces of a crack in a BEM region; give it new values with bempd_set_load_values().
     !>

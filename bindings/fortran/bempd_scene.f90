@@ -43,6 +43,7 @@ contains
     if (present(thickness)) material%thickness = thickness
     if (present(critical_stretch)) material%critical_stretch = critical_stretch
     if (present(fracture_energy)) material%fracture_energy = fracture_energy
+    if (present(thermal_expansion)) material%thermal_expansion = thermal_expansion
     if (present(plane)) material%plane = plane
     new = 0
     call finish(self, bempd_add_material(self%handle, material, c_loc(new)), stat, errmsg)
@@ -245,6 +246,33 @@ contains
       value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
     call give(new, load)
   end procedure add_point_force
+
+  module procedure add_body_force
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_body_force(self%handle, region, component, value_or(constant, 0.0_c_double), &
+      value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_body_force
+
+  module procedure add_temperature_function
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_temperature_function(self%handle, region, c_funloc(function), address_or_null(user), &
+      c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_temperature_function
+
+  module procedure add_temperature
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_temperature(self%handle, region, value_or(constant, 0.0_c_double), &
+      value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_temperature
 
   module procedure set_load_values
     type(value_parts), target :: parts

@@ -4,8 +4,10 @@
 #include "capi/guard.hpp"
 #include "regions/places/crack_faces.hpp"
 #include "regions/places/edge_part.hpp"
+#include "regions/places/heated_region.hpp"
 #include "regions/places/pressed_edge.hpp"
 #include "regions/places/single_point.hpp"
+#include "regions/places/whole_region.hpp"
 
 using namespace bempd;
 using namespace bempd::capi;
@@ -143,6 +145,28 @@ bempd_status bempd_add_point_force(bempd_model* model, double x, double y, int32
   return add_load(model, __func__, load, [&] {
     require_single(component);
     return Condition{at_point(x, y), component, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_body_force(bempd_model* model, int32_t region, int32_t component, double constant,
+                                  double proportional, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    require_single(component);
+    return Condition{std::make_shared<const regions::WholeRegion>(region), component, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_temperature(bempd_model* model, int32_t region, double constant, double proportional,
+                                   int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{std::make_shared<const regions::HeatedRegion>(region), BEMPD_X, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_temperature_function(bempd_model* model, int32_t region, bempd_boundary_function function,
+                                            void* user, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{std::make_shared<const regions::HeatedRegion>(region), BEMPD_X, remember(function, user)};
   });
 }
 

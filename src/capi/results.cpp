@@ -190,7 +190,7 @@ bempd_status bempd_get_statistics(const bempd_model* model, bempd_statistics* st
       s.boundary_nodes = r.boundary_nodes;
       s.boundary_elements = r.boundary_elements;
       s.material_points = r.material_points;
-      s.bonds = static_cast<int64_t>(p->system->terms().size());
+      s.bonds = static_cast<int64_t>(p->system->terms().bond_count());
       s.cut_bonds = static_cast<int64_t>(p->cut_bonds.size());
       s.broken_bonds = p->evolution->progress().broken_bonds;
       s.sparse_unknowns = c.sparse_unknowns;

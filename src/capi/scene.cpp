@@ -9,7 +9,7 @@ using namespace bempd::capi;
 
 namespace {
 
-constexpr bempd_material material_defaults{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0};
+constexpr bempd_material material_defaults{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0, 0};
 
 }  // namespace
 
@@ -34,6 +34,7 @@ bempd_status bempd_add_material(bempd_model* model, const bempd_material* materi
                          given.plane == BEMPD_PLANE_STRESS ? PlaneState::stress : PlaneState::strain, given.thickness};
     values.critical_stretch = given.critical_stretch;
     values.fracture_energy = given.fracture_energy;
+    values.thermal_expansion = given.thermal_expansion;
     const int added = m.editable_scene().add_material(values);
     if (id) *id = added;
   });

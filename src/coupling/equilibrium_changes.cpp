@@ -1,4 +1,5 @@
 // Changes of a system's matrix: terms that go into other stages, holding springs, and what they leave unresisted.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +20,35 @@ std::vector<StageChange> EquilibriumSystem::all_gone(std::span<const int> terms)
   std::vector<StageChange> changes;
   changes.reserve(terms.size());
   for (int t : terms) changes.push_back({t, terms_.law_of(static_cast<std::size_t>(t)).gone()});
+  return with_followers(std::move(changes));
+}
+
+void EquilibriumSystem::collect_followers() {
+  if (terms_.following.empty()) return;
+  followers_of_ = linalg::make_adjacency(terms_.size(), [&](const auto& add) {
+    for (const Terms::Following& pair : terms_.following) add(pair.leader, pair.follower);
+  });
+}
+
+std::vector<StageChange> EquilibriumSystem::with_followers(std::vector<StageChange> changes) const {
+  if (followers_of_.value.empty()) return changes;
+  for (const int gone : gone_with(changes)) {
+    for (const int follower : followers_of_.of(gone)) {
+      // Gone before, but for a mark that commit() has not caught up with.
+      if (present_stiffness_[follower] == 0) continue;
+      changes.push_back({follower, terms_.law_of(static_cast<std::size_t>(follower)).gone()});
+    }
+  }
+  const auto before = [](const StageChange& a, const StageChange& b) { return a.term < b.term; };
+  const auto same = [](const StageChange& a, const StageChange& b) { return a.term == b.term; };
+  std::sort(changes.begin(), changes.end(), before);
+  changes.erase(std::unique(changes.begin(), changes.end(), same), changes.end());
   return changes;
+}
+
+std::int64_t EquilibriumSystem::count_broken(std::span<const StageChange> changes) const {
+  const std::vector<int> gone = gone_with(changes);
+  return std::count_if(gone.begin(), gone.end(), [&](int term) { return !terms_.follows(term); });
 }
 
 void EquilibriumSystem::mark(std::span<const StageChange> changes) {

@@ -73,11 +73,18 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       factor_(method_, unknowns_, counters_) {
   counters_.sparse_unknowns = unknowns_.count();
   collect_bodies(operators);
+  collect_followers();
   for (std::size_t t = 0; t < terms_.law.size(); ++t) enter({static_cast<int>(t), 0});
   for (const DenseOperator& op : operators) {
     for (int part = 0; part < 2; ++part) {
       operators_have_rest_[part] = operators_have_rest_[part] || !op.rest.col(part).isZero(0);
     }
+  }
+  for (int part = 0; part < 2; ++part) {
+    for (const double rest : terms_.rest_elongation[part])
+      rest_motion_[part] = std::max(rest_motion_[part], std::abs(rest));
+    for (const DenseOperator& op : operators)
+      rest_motion_[part] = std::max(rest_motion_[part], op.rest.col(part).lpNorm<Eigen::Infinity>());
   }
   const StiffnessRange range = stiffness_range(node_count, operators, terms_);
   largest_stiffness_ = range.largest;

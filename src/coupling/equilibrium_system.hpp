@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -17,6 +18,7 @@
 #include "coupling/system_factor.hpp"
 #include "coupling/unknowns.hpp"
 #include "geometry/point.hpp"
+#include "linalg/adjacency.hpp"
 
 namespace bempd::coupling {
 
@@ -82,6 +84,10 @@ class EquilibriumSystem {
   double stiffness_after(const StageChange& change) const;
   // Those of some terms that are gone with their changes.
   std::vector<int> gone_with(std::span<const StageChange> changes) const;
+  // And what follows them: the changes by ascending terms, each once.
+  std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
+  // How many of the terms that are gone with changes do not merely follow.
+  std::int64_t count_broken(std::span<const StageChange> changes) const;
   const std::vector<HoldingSpring>& springs() const { return springs_; }
 
   // Forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
@@ -91,6 +97,9 @@ class EquilibriumSystem {
   // How far supports move at most: proportionally, and at a load factor [m]. Asked for at every event.
   double support_motion() const;
   double support_motion(double load_factor) const;
+  // How far terms and operators want to be from where they are without heat at most, likewise [m].
+  double rest_motion() const { return rest_motion_[1]; }
+  double rest_motion(double load_factor) const { return rest_motion_[0] + std::abs(load_factor) * rest_motion_[1]; }
   const NodeTies& ties() const { return ties_; }
 
   // A change of stages takes two calls, so that the parts it frees can be found in between and held before the matrix
@@ -102,7 +111,7 @@ class EquilibriumSystem {
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
-  // The same for terms that are gone at once.
+  // The same for terms that are gone at once, and what follows them.
   void mark_broken(std::span<const int> terms) { mark(all_gone(terms)); }
   void commit_break(std::span<const int> terms, std::span<const HoldingSpring> springs) {
     commit(all_gone(terms), springs);
@@ -162,6 +171,7 @@ class EquilibriumSystem {
 
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void collect_support_motions();
+  void collect_followers();
   void condense_load();
   void factorize();
   bool has_load(int part) const;
@@ -183,11 +193,13 @@ class EquilibriumSystem {
   double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
   bool operators_have_rest_[2] = {false, false};  // in its two parts
-  std::vector<DenseOperator> pending_;            // until condensed
+  double rest_motion_[2] = {0, 0};
+  std::vector<DenseOperator> pending_;  // until condensed
   std::vector<CondensedOperator> operators_;
   std::vector<std::vector<int>> bodies_;
   std::vector<char> in_body_;  // per node
   Terms terms_;
+  linalg::Adjacency followers_of_;  // of every term; empty if none follows
   NodeTies ties_;
   std::vector<std::uint8_t> stages_;
   std::vector<char> intact_;

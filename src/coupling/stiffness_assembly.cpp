@@ -30,7 +30,10 @@ StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const T
 }
 
 bool StiffnessAssembly::is_general(std::size_t term) const {
-  return terms_.is_wide(term) || ties_.tie_of(terms_.first[term]) >= 0 || ties_.tie_of(terms_.second[term]) >= 0;
+  if (terms_.is_wide(term) && !symmetric_) return true;
+  bool tied = false;
+  if (!ties_.empty()) terms_.for_each_node(term, [&](int node) { tied = tied || ties_.tie_of(node) >= 0; });
+  return tied;
 }
 
 std::vector<int> StiffnessAssembly::nodes_pulled(std::size_t term) const {
@@ -55,6 +58,12 @@ void StiffnessAssembly::each_pair(const Visit& visit) const {
     }
   };
   for (std::size_t t : general_) each_of(nodes_pulled(t));
+  for (std::size_t k = 0; k < terms_.wide.term.size(); ++k) {
+    const std::span<const TermEntry> entries = terms_.wide.entries(k);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) visit(entries[i].node, entries[j].node);
+    }
+  }
   for (const CondensedOperator& op : operators_) {
     std::vector<int> nodes;
     for (int dof : op.shared_dofs()) {
@@ -137,6 +146,7 @@ void StiffnessAssembly::find_places() {
       ++next_general;
       continue;
     }
+    if (terms_.is_wide(b)) continue;
     const int low = std::min(terms_.first[b], terms_.second[b]), high = std::max(terms_.first[b], terms_.second[b]);
     int* places = bond_places_.data() + entries * b;
     find_block(high, low, places);
@@ -157,16 +167,40 @@ void StiffnessAssembly::add_general(std::size_t term, double stiffness) {
   }
 }
 
+void StiffnessAssembly::add_wide(std::span<const TermEntry> entries, double stiffness, Eigen::Matrix3Xd& diagonal) {
+  double* values = matrix_.valuePtr();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const TermEntry& a = entries[i];
+    diagonal.col(a.node) += stiffness * Eigen::Vector3d(a.x * a.x, a.x * a.y, a.y * a.y);
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool descends = entries[j].node < a.node;
+      const TermEntry &high = descends ? a : entries[j], &low = descends ? entries[j] : a;
+      int places[4] = {-1, -1, -1, -1};
+      find_block(high.node, low.node, places);
+      const double block[4] = {high.x * low.x, high.x * low.y, high.y * low.x, high.y * low.y};
+      for (int k = 0; k < 4; ++k) {
+        if (places[k] >= 0) values[places[k]] += stiffness * block[k];
+      }
+    }
+  }
+}
+
 void StiffnessAssembly::add_bonds(const std::vector<double>& stiffness) {
   double* values = matrix_.valuePtr();
   // Bonds of a node sum up on its diagonal block; only what lies off it are entries of their own.
   Eigen::Matrix3Xd diagonal = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(unknown_of_.size() / 2));
   const int entries = symmetric_ ? 4 : 8;
-  std::size_t next_general = 0;
+  std::size_t next_general = 0, next_wide = 0;
   for (std::size_t b = 0; b < terms_.size(); ++b) {
+    const std::size_t wide_before = next_wide;
+    if (terms_.is_wide(b)) ++next_wide;
     if (next_general < general_.size() && general_[next_general] == b) {
       add_general(b, stiffness[b]);
       ++next_general;
+      continue;
+    }
+    if (next_wide > wide_before) {
+      add_wide(terms_.wide.entries(wide_before), stiffness[b], diagonal);
       continue;
     }
     const double c = terms_.cosine[b], s = terms_.sine[b];

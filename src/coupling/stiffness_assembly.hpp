@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <span>
 #include <vector>
 
 #include "coupling/condensed_operator.hpp"
@@ -47,6 +48,8 @@ class StiffnessAssembly {
   void find_places();
   void find_block(int row_node, int column_node, int* places) const;
   void add_general(std::size_t term, double stiffness);
+  // Its part of the nodes' own blocks goes to `diagonal`: xx, xy, yy.
+  void add_wide(std::span<const TermEntry> entries, double stiffness, Eigen::Matrix3Xd& diagonal);
   void add_bonds(const std::vector<double>& stiffness);
   void add_operators();
   void add_springs(const std::vector<HoldingSpring>& springs);
@@ -58,8 +61,8 @@ class StiffnessAssembly {
   bool symmetric_;
   Eigen::SparseMatrix<double> matrix_;
   std::vector<int> bond_places_;  // of the four entries that couple its ends, -1 for none; twice as many if unsymmetric
-  std::vector<std::size_t>
-      general_;  // terms that are wide or pull at tied nodes: their entries are looked up one by one
+  // Terms that pull at tied nodes, and wide ones of unsymmetric systems: their entries are looked up one by one.
+  std::vector<std::size_t> general_;
 };
 
 }  // namespace bempd::coupling

@@ -30,6 +30,15 @@ int Terms::add_wide(std::span<const TermEntry> entries, double its_length, doubl
   return term;
 }
 
+void Terms::let_follow(int follower, std::span<const int> leaders) {
+  assert(followers.empty() || followers.back() < follower);
+  followers.push_back(follower);
+  for (int leader : leaders) {
+    assert(leader < follower);
+    following.push_back({leader, follower});
+  }
+}
+
 void Terms::set(std::array<std::vector<double>, 2>& values, int term, double constant, double proportional) {
   const double parts[2] = {constant, proportional};
   for (int part = 0; part < 2; ++part) {

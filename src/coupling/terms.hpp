@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -67,12 +68,27 @@ struct Terms {
   };
   Wide wide;
 
+  // Pairs of a term and one that follows it: as soon as the first is gone, so is the second. By leaders, ascending,
+  // once all are there; what follows does not break by itself.
+  struct Following {
+    int leader, follower;
+    auto operator<=>(const Following&) const = default;
+  };
+  std::vector<Following> following;
+  std::vector<int> followers;  // each once, ascending
+
   std::size_t size() const { return first.size(); }
+  std::size_t bond_count() const { return size() - wide.term.size(); }
   bool is_wide(std::size_t term) const { return first[term] == second[term]; }
 
   // Both return the number of the new term.
   int add_bond(int from, int to, const Eigen::Vector2d& direction, double length_between, double its_stiffness);
-  int add_wide(std::span<const TermEntry> entries, double its_length, double its_stiffness);
+  int add_wide(std::span<const TermEntry> entries_of_different_nodes, double its_length, double its_stiffness);
+
+  // The follower goes with any of its leaders, all of which have smaller numbers than it; once for every follower, in
+  // the order of their numbers.
+  void let_follow(int follower, std::span<const int> leaders);
+  bool follows(int term) const { return std::binary_search(followers.begin(), followers.end(), term); }
 
   void set_rest_elongation(int term, double constant, double proportional = 0);
   void set_constant_force(int term, double constant, double proportional = 0);

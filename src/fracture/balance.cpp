@@ -23,7 +23,7 @@ constexpr double scale_without_stress = 1e-5;
 
 // How far supports, and springs that hold what came free, have moved the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
-  double largest = system.support_motion(load_factor);
+  double largest = std::max(system.support_motion(load_factor), system.rest_motion(load_factor));
   for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
   return largest;
 }
@@ -31,7 +31,7 @@ double moved_by_holds(const coupling::EquilibriumSystem& system, double load_fac
 }  // namespace
 
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
-  const double moved = system.support_motion();
+  const double moved = std::max(system.support_motion(), system.rest_motion());
   const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
   return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
 }

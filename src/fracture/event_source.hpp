@@ -19,7 +19,7 @@ struct Event {
   // The term of this ratio is stretched beyond what it bears, not just to it.
   bool is_out_of_balance() const { return ratio > 1 + ratio_rounding; }
 
-  // Of these terms, ascending; not told where the event lies beyond the target.
+  // Of these terms and those that follow them, ascending; not told where the event lies beyond the target.
   std::vector<coupling::StageChange> changes;
 
   // By one of its terms.

@@ -19,6 +19,7 @@ InterfaceBonds::InterfaceBonds(const coupling::EquilibriumSystem& system, const 
   const auto at_body = [&](const auto& visit) {
     for (std::size_t t = 0; t < terms.size(); ++t) {
       const int first = terms.first[t], second = terms.second[t];
+      if (terms.is_wide(t)) continue;
       if (!system.in_dense_body(first) && !system.in_dense_body(second)) continue;
       const double length = (positions[second] - positions[first]).norm();
       for (int node : {first, second}) {

@@ -71,15 +71,20 @@ void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
     const auto bond = static_cast<std::size_t>(t);
     event_.reach(ratios.at(bond, f), ratios.critical_load_factor(bond, f));
   }
+  event_.changes = system_.with_followers(std::move(event_.changes));
 }
 
 bool WholeBodyEvents::runs_away() {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
+  double largest = 0;
+  for (const Changing& one : changing_) largest = std::max(largest, std::abs(one.elastic));
   for (std::size_t i = 0; i < changing_.size(); ++i) {
     const auto term = static_cast<std::size_t>(event_.changes[i].term);
     const double now = std::abs(system_.terms().elastic_elongation(term, after.data(), f));
-    if (!(now < runaway_elongation * std::abs(changing_[i].elastic))) return true;
+    // What follows may have had no elongation of its own.
+    const double then = system_.terms().follows(event_.changes[i].term) ? largest : std::abs(changing_[i].elastic);
+    if (!(now < runaway_elongation * then)) return true;
   }
   return false;
 }
@@ -131,7 +136,7 @@ Outcome WholeBodyEvents::perform() {
     changing_.clear();
     for (const coupling::StageChange& change : changes) changing_.push_back(changing(change));
     const std::vector<int> gone = system_.gone_with(changes);
-    outcome.broken = static_cast<std::int64_t>(gone.size());
+    outcome.broken = system_.count_broken(changes);
     system_.mark(changes);
     freed = body_.freed_parts().after_break(gone, before);
   }

@@ -19,6 +19,7 @@ void add(Hash& hash, const scene::Material& material) {
   hash.add(material.elasticity.thickness);
   hash.add(material.critical_stretch);
   hash.add(material.fracture_energy);
+  if (material.thermal_expansion != 0) hash.add(material.thermal_expansion);
   hash.add(material.bond_law.stages().size());
   for (const auto& stage : material.bond_law.stages()) {
     hash.add(stage.stiffness_share);
@@ -59,6 +60,11 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   for (int id : ids) {
     add(body, scene.material_of(id));
     scene.region(id).identify(body);
+  }
+  for (const scene::Condition& load : scene.loads()) {
+    if (load.removed() || !load.place->is_built_in()) continue;
+    add_place(body, load);
+    add_values(body, load);
   }
   std::uint64_t cracks = 0;  // their order does not matter
   for (const scene::Crack& crack : scene.cracks()) {

@@ -5,6 +5,9 @@
 namespace bempd::model {
 
 void Model::set_load_values(int load, scene::SampledValues values) {
+  require(!prepared_ || !scene_.load(load).place->is_built_in(), "load ", load,
+          " is a temperature, which is a part of the prepared model; give it a part that is multiplied by the load "
+          "factor, or a new value before bempd_prepare() and the first step");
   scene_.set_values(scene_.load(load), "load", load, std::move(values));
   values_were_set();
 }
@@ -70,6 +73,9 @@ StepResult Model::advance(double target, fracture::Goal goal) {
 }
 
 StepResult Model::advance_to_values(double target, fracture::Goal goal) {
+  for (const scene::Condition& load : scene_.loads())
+    require(load.removed() || !load.place->is_built_in(),
+            "the model has a temperature, which follows the load factor only; use bempd_step()");
   prepare();
   const double present = load_factor();
   std::optional<scene::SceneValues> said = scene_.values();

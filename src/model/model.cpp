@@ -10,6 +10,7 @@
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
 #include "regions/memory_limit.hpp"
+#include "regions/swelling.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::model {
@@ -89,6 +90,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
   p->discretization = regions::discretize(scene_, options_, prepared_ ? &prepared_->discretization : nullptr);
   regions::Discretization& d = p->discretization;
   p->conditions = regions::apply_conditions(scene_, d);
+  regions::swell(d, p->conditions.swelling);
   regions::require_determined_pressure(d, p->conditions.prescribed);
   p->cut_bonds = regions::bonds_cut_by_cracks(scene_, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),

@@ -31,8 +31,10 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
     fits(state.stages[t] <= terms.law_of(t).gone());
-    broken += is_gone(t) ? 1 : 0;
+    broken += is_gone(t) && !terms.follows(static_cast<int>(t)) ? 1 : 0;
   }
+  for (const coupling::Terms::Following& pair : terms.following)
+    fits(!is_gone(static_cast<std::size_t>(pair.leader)) || is_gone(static_cast<std::size_t>(pair.follower)));
   const std::vector<int>& cut = scene.cut_bonds;
   fits(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));

@@ -27,8 +27,9 @@ void Model::log(int level, const std::string& message) const {
 
 void Model::tell_of_preparation() const {
   for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
-  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ", prepared_->system->terms().size(),
-              " bonds, ", prepared_->cut_bonds.size(), " of them cut by initial cracks"));
+  log(2, text("prepared: ", prepared_->discretization.positions.size(), " nodes, ",
+              prepared_->system->terms().bond_count(), " bonds, ", prepared_->cut_bonds.size(),
+              " of them cut by initial cracks"));
   if (log_ && prepared_->system->counters().sparse_unknowns > unknowns_that_need_a_fast_blas) warn_of_blas();
 }
 

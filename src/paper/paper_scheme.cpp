@@ -2,6 +2,7 @@
 #include "error.hpp"
 #include "paper/cell_centred_lattice.hpp"
 #include "paper/collocation_region.hpp"
+#include "pd/cell_squares.hpp"
 #include "regions/scheme.hpp"
 
 namespace bempd::paper {
@@ -22,6 +23,10 @@ class PaperScheme final : public regions::Scheme {
 
   std::unique_ptr<regions::Region> lattice_region(int id, const regions::LatticeDescription& described,
                                                   const scene::Material& material) const override {
+    require(pd::is_bond_based(material.elasticity), "region ", id, " is peridynamic with Poisson's ratio ",
+            material.elasticity.poisson_ratio, "; bonds as published, of scheme paper, need ",
+            material.elasticity.state == PlaneState::stress ? "1/3 in plane stress" : "1/4 in plane strain",
+            ": set it, or use scheme symmetric, which takes any");
     if (cell_centred_) return std::make_unique<CellCentredLattice>(id, described, material);
     return std::make_unique<UncorrectedLattice>(id, described, material);
   }

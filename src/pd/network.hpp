@@ -17,7 +17,8 @@ struct Bond {
 
 // The bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under constant
 // strain their forces equal the resultants of the tractions on the faces around each material point, everywhere in the
-// body.
+// body. They are all of a material with Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; to any other one
+// cell_squares.hpp adds the rest.
 struct Network {
   std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
   std::vector<Bond> bonds;               // sorted by (first, second)
@@ -27,8 +28,8 @@ struct Network {
   bool reduced = false;                  // no such network was found at this horizon: nearest neighbours only
 };
 
-// 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Poisson's ratio must be that of a
-// bond-based solid. Parts of the body one cell wide get the network of nearest neighbours. `threads`: 0 for one a core.
+// 2 <= horizon_ratio <= 8; the ratio 2 gives the network of nearest neighbours. Parts of the body one cell wide get the
+// network of nearest neighbours. `threads`: 0 for one a core.
 Network build_network(const CellLattice& lattice, int horizon_ratio, const PlaneElasticity& elasticity, int threads = 0,
                       const BondKernel& kernel = quartic_kernel());
 

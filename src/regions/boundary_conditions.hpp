@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "coupling/affine.hpp"
+#include "elasticity/free_swelling.hpp"
 #include "regions/discretization.hpp"
 
 namespace bempd::regions {
@@ -15,6 +17,9 @@ struct DofConditions {
   coupling::Affine body_force;                  // [N/m^3], 2 * (region - 1) + component; part of `force`
   std::vector<CrackLoad> crack_loads;           // their effect on nodes is part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
+
+  // What makes materials want other lengths, by the ids of regions; not part of `force`.
+  std::map<int, std::vector<Swelling>> swelling;
 
   std::vector<std::vector<int>> held_dofs;  // per support: with those that count for another one
 

@@ -20,7 +20,7 @@ struct Discretization {
   std::vector<std::unique_ptr<Region>> regions;  // by ascending id
   coupling::Terms bonds;
   coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
-  std::vector<double> critical_stretch;  // per bond
+  std::vector<double> critical_stretch;  // per term of `bonds`
   std::vector<std::string> warnings;
   std::vector<int> crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
 

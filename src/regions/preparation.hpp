@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,11 +34,16 @@ struct Preparation {
 struct Contributions {
   NodeRegistry& registry;
   coupling::Terms& bonds;
-  std::vector<double>& critical_stretch;  // per bond
+  std::vector<double>& critical_stretch;  // per term
   std::vector<std::string>& warnings;
 
   // Adds one between nodes of the scene, a step of the lattice apart.
   void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, double limit, int law) const;
+  // Adds the squares of all cells, which follow their own bonds; `node` gives those of the scene for points of the
+  // grid, `term` those of it for bonds. Returns RegionBonds::squares.
+  std::vector<int> add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,
+                               const PlaneElasticity& elasticity, double spacing, const std::function<int(int)>& node,
+                               const std::function<int(int)>& term) const;
 };
 
 }  // namespace bempd::regions

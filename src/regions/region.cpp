@@ -1,6 +1,10 @@
 #include "regions/region.hpp"
 
+#include <array>
+#include <limits>
+
 #include "error.hpp"
+#include "pd/cell_squares.hpp"
 
 namespace bempd::regions {
 
@@ -11,6 +15,29 @@ void Contributions::add_bond(const pd::Bond& between_nodes, const Point& step, d
                                   between_nodes.stiffness);
   if (law != 0) bonds.set_law(term, law);
   critical_stretch.push_back(limit);
+}
+
+std::vector<int> Contributions::add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,
+                                            const PlaneElasticity& elasticity, double spacing,
+                                            const std::function<int(int)>& node,
+                                            const std::function<int(int)>& term) const {
+  const std::vector<pd::CellSquare> squares = pd::cell_squares(elasticity);
+  if (squares.empty()) return {};
+  std::vector<int> first_of(static_cast<std::size_t>(grid.point_count()), -1);
+  for (const pd::Cell& cell : pd::cells_with_bonds(grid, of_grid)) {
+    std::vector<int> leaders;
+    for (const int bond : cell.bonds) leaders.push_back(term(bond));
+    for (const pd::CellSquare& square : squares) {
+      std::array<coupling::TermEntry, 4> entries;
+      for (std::size_t k = 0; k < 4; ++k) entries[k] = {node(cell.corners[k]), square.pull[k].x(), square.pull[k].y()};
+      const int number = bonds.add_wide(entries, spacing, square.stiffness);
+      critical_stretch.push_back(std::numeric_limits<double>::infinity());
+      bonds.let_follow(number, leaders);
+      int& first = first_of[static_cast<std::size_t>(cell.corners[0])];
+      if (first < 0) first = number;
+    }
+  }
+  return first_of;
 }
 
 void Region::follow(const LeadingElements&, int leader, coupling::NodeTies&) const {

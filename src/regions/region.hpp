@@ -10,6 +10,7 @@
 
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "elasticity/free_swelling.hpp"
 #include "geometry/crack_lines.hpp"
 #include "geometry/edge.hpp"
 #include "output/vtu.hpp"
@@ -21,6 +22,8 @@
 #include "scene/material.hpp"
 
 namespace bempd::regions {
+
+class LatticeSwelling;
 
 // Part of an edge between two fractions of its length.
 struct EdgeSpan {
@@ -149,6 +152,17 @@ class Region {
   virtual void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const;
   // Places of nodes on interfaces with another region, once meshed [m].
   virtual std::vector<Point> places_facing(int /*other_region*/) const { return {}; }
+
+  // --- Strains that its material wants, which loads make of heat; before operators are asked for
+
+  // Throws Error (argument) if the region cannot swell like that.
+  virtual void swell(const Swelling& /*strain*/, LatticeSwelling& /*lattices*/) {}
+  // Once all have been told: the lengths without stress of its terms.
+  virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
+  // Displacement at a place with which it follows freely, constant and proportional part; nothing if it cannot.
+  virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& /*place*/) const {
+    return Eigen::Matrix2d::Zero();
+  }
 
   // --- What it contributes to equilibrium
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "error.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/critical_stretch.hpp"
 
 namespace bempd::scene {
@@ -31,6 +32,7 @@ void Material::check() const {
           "; it must be > 0, or 0 for not given");
   require(std::isfinite(fracture_energy) && fracture_energy >= 0, "fracture_energy is ", fracture_energy,
           "; it must be > 0, or 0 for not given");
+  require(std::isfinite(thermal_expansion), "thermal_expansion is ", thermal_expansion, "; it must be a finite number");
   require(critical_stretch == 0 || fracture_energy == 0,
           "both critical_stretch and fracture_energy are given; give one and set the other to 0");
 }
@@ -42,9 +44,12 @@ double Material::critical_stretch_for(double horizon, bool as_printed) const {
       require(
           elasticity.state == PlaneState::stress,
           "the option critical_stretch = printed stands for a formula of plane stress; choose exact in plane strain");
+      require(pd::is_bond_based(elasticity),
+              "the option critical_stretch = printed stands for a formula of Poisson's ratio 1/3, and a material has ",
+              elasticity.poisson_ratio, "; choose exact");
       return pd::printed_critical_stretch(fracture_energy, elasticity.young_modulus, horizon);
     }
-    return pd::critical_stretch(fracture_energy, elasticity.young_modulus, horizon, elasticity.state);
+    return pd::critical_stretch(fracture_energy, elasticity, horizon);
   }
   return std::numeric_limits<double>::infinity();
 }

@@ -7,12 +7,18 @@ namespace bempd::scene {
 
 struct Material {
   PlaneElasticity elasticity;
-  double critical_stretch = 0;  // 0: not given
-  double fracture_energy = 0;   // [J/m^2]; 0: not given
+  double critical_stretch = 0;   // 0: not given
+  double fracture_energy = 0;    // [J/m^2]; 0: not given
+  double thermal_expansion = 0;  // [1/K]
   // What bonds go through from the critical stretch on.
   coupling::TermLaw bond_law = coupling::TermLaw::brittle();
 
   bool operator==(const Material&) const = default;
+
+  // Strain in the plane per change of temperature, where nothing holds it there [1/K].
+  double expansion_in_plane() const {
+    return thermal_expansion * (elasticity.state == PlaneState::strain ? 1 + elasticity.poisson_ratio : 1);
+  }
 
   // Throws Error (argument) for values that no material has.
   void check() const;

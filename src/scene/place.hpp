@@ -36,6 +36,9 @@ class Place {
   // Whether it lies on this crack.
   virtual bool needs_crack(int /*crack*/) const { return false; }
 
+  // Whether loads here become a part of operators, so that they stay as they are once these are built.
+  virtual bool is_built_in() const { return false; }
+
   // Adds which place it is, as the host has said it.
   virtual void identify(Hash& hash) const = 0;
 

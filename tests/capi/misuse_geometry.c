@@ -72,23 +72,6 @@ static void horizon_ratio_has_limits(void) {
   bempd_model_free(model);
 }
 
-static void peridynamics_fixes_poisson_ratio(void) {
-  const rectangle r = rectangle_of(0.0, 0.0, 10.0, 8.0);
-  bempd_material material = sound_material();
-  bempd_model* model = new_model();
-  material.poisson_ratio = 0.3;
-  CHECK_OK(model, bempd_add_material(model, &material, NULL));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "poisson", bempd_add_pd_region(model, 1, 4, r.vertices, 1.0, 3, NULL));
-  CHECK_OK(model, bempd_add_bem_region(model, 1, 4, r.vertices, 2.0, NULL));
-  bempd_model_free(model);
-  model = new_model();
-  material.poisson_ratio = 1.0 / 3.0;
-  material.plane = BEMPD_PLANE_STRAIN;
-  CHECK_OK(model, bempd_add_material(model, &material, NULL));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "poisson", bempd_add_pd_region(model, 1, 4, r.vertices, 1.0, 3, NULL));
-  bempd_model_free(model);
-}
-
 static void unknown_ids_are_refused(void) {
   static const int32_t unknown[] = {0, -1, 4, INT32_MAX, INT32_MIN};
   const coupled_plate plate = coupled_plate_create();
@@ -207,7 +190,6 @@ int main(void) {
   outlines_are_refused_by_the_call_that_brings_them();
   spacing_must_divide_the_edges();
   horizon_ratio_has_limits();
-  peridynamics_fixes_poisson_ratio();
   unknown_ids_are_refused();
   holes_lie_inside_and_apart();
   regions_may_not_overlap_or_hang_on_a_point();

@@ -43,6 +43,9 @@ static void numbers_out_of_range_are_refused(void) {
     material.critical_stretch = 0.0;
     material.fracture_energy = never[k];
     REFUSED("fracture", material);
+    material = sound_material();
+    material.thermal_expansion = k < 3 ? never[k] : NAN;
+    REFUSED("thermal_expansion", material);
   }
   material = sound_material();
   material.young_modulus = 0.0;
@@ -62,11 +65,9 @@ static void poisson_ratio_at_its_limits_is_refused(void) {
   REFUSED("poisson", material);
 }
 
-/** One that is typed with six digits is taken, one with five is not. */
-static void poisson_ratio_of_a_lattice_has_a_stated_limit(void) {
+static void poisson_ratio_of_a_lattice_has_stated_limits(void) {
   const double vertices[] = {0, 0, 4, 0, 4, 4, 0, 4};
-  const double taken[] = {1.0 / 3.0, 0.33333333, 0.333333, 1.0 / 3.0 + 9e-7};
-  const double refused[] = {0.33333, 1.0 / 3.0 + 1.1e-6, 1.0 / 3.0 - 1.1e-6, 0.25};
+  const double taken[] = {-0.2, 0.0, 1.0 / 3.0, 0.49}, refused[] = {-0.2000001, -0.9, 0.4900001, 0.5};
   bempd_model* model = new_model();
   bempd_material material = sound_material();
   int32_t id = 0;
@@ -77,9 +78,34 @@ static void poisson_ratio_of_a_lattice_has_a_stated_limit(void) {
     CHECK_OK(model, bempd_add_pd_region(model, id, 4, vertices, 1.0, 3, NULL));
     material.poisson_ratio = refused[k];
     CHECK_OK(model, bempd_add_material(model, &material, &id));
-    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "up to 1e-6", bempd_add_pd_region(model, id, 4, vertices, 1.0, 3, NULL));
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "-0.2 to 0.49", bempd_add_pd_region(model, id, 4, vertices, 1.0, 3, NULL));
   }
   bempd_model_free(model);
+}
+
+/** Bonds as published have one ratio, and so has the constant as printed; typed with six digits it passes for that. */
+static void what_is_published_needs_the_ratio_of_bonds(void) {
+  const double vertices[] = {0, 0, 4, 0, 4, 4, 0, 4};
+  const double ratios[] = {1.0 / 3.0 + 9e-7, 1.0 / 3.0 + 1.1e-6, 0.2};
+  const char* const options[] = {"scheme", "critical_stretch"};
+  const char* const words[] = {"paper", "printed"};
+  int k, option;
+  for (option = 0; option < 2; ++option) {
+    for (k = 0; k < 3; ++k) {
+      bempd_model* model = new_model();
+      bempd_material material = sound_material();
+      material.poisson_ratio = ratios[k];
+      material.critical_stretch = 0;
+      material.fracture_energy = 1;
+      CHECK_OK(model, bempd_set_option_text(model, options[option], words[option]));
+      CHECK_OK(model, bempd_add_material(model, &material, NULL));
+      CHECK_OK(model, bempd_add_pd_region(model, 1, 4, vertices, 1.0, 3, NULL));
+      CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+      if (k == 0) CHECK_OK(model, bempd_prepare(model));
+      if (k > 0) CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "1/3", bempd_prepare(model));
+      bempd_model_free(model);
+    }
+  }
 }
 
 static void both_fracture_measures_are_refused(void) {
@@ -150,7 +176,8 @@ int main(void) {
   defaults_come_from_init();
   numbers_out_of_range_are_refused();
   poisson_ratio_at_its_limits_is_refused();
-  poisson_ratio_of_a_lattice_has_a_stated_limit();
+  poisson_ratio_of_a_lattice_has_stated_limits();
+  what_is_published_needs_the_ratio_of_bonds();
   both_fracture_measures_are_refused();
   planes_are_known_and_not_mixed();
   struct_size_is_watched();

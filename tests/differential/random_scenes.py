@@ -1,7 +1,7 @@
 """Random bodies of boundary element and peridynamic boxes, torn with windows and without: both must break the same bonds at
 the same loads, with equilibrium and energy balance held to stated bounds.
 
-    random_scenes.py [--first SEED] [--count N] [--also SEED ...] [--verbose]
+    random_scenes.py [--first SEED] [--count N] [--also SEED ...] [--ratio NU] [--verbose]
 
 A scene follows from its number alone. Prints one line for every scene that fails and a summary; exits with 1 if any does."""
 
@@ -24,6 +24,7 @@ MOST_RESIDUAL, MOST_IMBALANCE = 1e-8, 1e-8
 LOADS, ENERGIES, REACTIONS = 1e-7, 1e-6, 1e-6
 MOST_GROWTH = 1e5  # of the load factor over that of the first event: as many digits of the stretches are lost
 EVENTS = 40
+POISSON_RATIO = 1 / 3
 
 
 @dataclasses.dataclass
@@ -54,7 +55,7 @@ def build(seed: int, solver: str) -> tuple[bempd.Model, int, float]:
     choose = random.Random(seed)
     model = bempd.Model(options={"stepping.solver": solver,
                                  "stepping.tie_band": choose.choice((1e-3, 1e-3, 0.0, 0.02))})
-    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    glass = model.add_material(young_modulus=1, poisson_ratio=POISSON_RATIO, critical_stretch=1e-3)
     height, horizon = choose.randrange(4, 16), choose.choice((2, 3, 3, 4))
     columns = [choose.choice(("lattice", "lattice", "boundary")) for _ in range(choose.randrange(1, 5))]
     boxes, x = [], 0
@@ -183,12 +184,16 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
 
 
 def arguments_with(count: int) -> argparse.Namespace:
+    global POISSON_RATIO
     parser = argparse.ArgumentParser()
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--count", type=int, default=count)
     parser.add_argument("--also", type=int, nargs="*", default=[], help="scenes that failed once")
+    parser.add_argument("--ratio", type=float, default=POISSON_RATIO, help="Poisson's ratio")
     parser.add_argument("--verbose", action="store_true")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    POISSON_RATIO = arguments.ratio
+    return arguments
 
 
 def main() -> int:

@@ -1,4 +1,5 @@
 if(TARGET bempd)
+  bempd_add_host_test(heat_test heat_test.cpp)
   bempd_add_host_test(fracture_increments_test fracture_increments_test.cpp)
   bempd_add_host_test(fracture_centre_crack_test fracture_centre_crack_test.cpp)
   bempd_add_host_test(fracture_griffith_test fracture_griffith_test.cpp)

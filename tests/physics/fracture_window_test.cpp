@@ -10,6 +10,8 @@ namespace {
 
 using namespace host;
 
+double ratio_of_plates = 1.0 / 3;
+
 // Plates of n x n points, spacing 1, their ends at left and right pulled apart.
 struct Plate {
   Model& model;
@@ -17,7 +19,7 @@ struct Plate {
   int32_t id, region = 0;
 
   Plate(Model& m, int points, double critical_stretch = 1e-3)
-      : model(m), n(points), id(m.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, critical_stretch))) {
+      : model(m), n(points), id(m.add(material(1, ratio_of_plates, BEMPD_PLANE_STRESS, 1, critical_stretch))) {
     const double side = n - 1;
     region = model.pd(id, rectangle(0, 0, side, side), 1, 4);
   }
@@ -94,6 +96,20 @@ void coupled_with_ties(Model& model) {
 }
 
 // Two cracks that run into a third one, so that a piece falls out.
+// Two lattices of one material, which act as one, beside a third of another.
+void joined_lattices(Model& model) {
+  const int32_t id = model.add(material(1, ratio_of_plates, BEMPD_PLANE_STRESS, 1, 1e-3));
+  const int32_t other = model.add(material(2, 0.1, BEMPD_PLANE_STRESS, 1, 1e-3));
+  const int32_t left = model.pd(id, rectangle(0, 0, 16, 24), 1, 3);
+  model.pd(id, rectangle(16, 0, 24, 24), 1, 3);
+  const int32_t right = model.pd(other, rectangle(24, 0, 34, 24), 1, 3);
+  model.crack({{15.5, 0}, {15.5, 7.4}});
+  for (const int32_t component : {BEMPD_X, BEMPD_Y}) {
+    model.prescribe(left, 4, component, 0, 0);
+    model.prescribe(right, 2, component, 0, component == BEMPD_X ? 1 : 0.2);
+  }
+}
+
 void falling_piece(Model& model) {
   Plate plate(model, 32);
   model.crack({{11.5, 0}, {11.5, 12.4}});
@@ -133,16 +149,18 @@ void finish(Model& model, Run& run, int32_t supports) {
 using Build = void (*)(Model&);
 
 struct Case {
-  const char* name;
+  std::string name;
   Build build;
   double tie_band = 1e-3;
   int max_events = 700;
   double window_length = 0;
   int32_t supports = 2;
+  double poisson_ratio = 1.0 / 3;
 };
 
 Run run(const Case& c, const char* solver) {
   Model model;
+  ratio_of_plates = c.poisson_ratio;
   c.build(model);
   model.check(bempd_set_option_text(model.get(), "stepping.solver", solver));
   model.set("stepping.tie_band", c.tie_band);
@@ -164,7 +182,7 @@ Run run(const Case& c, const char* solver) {
   finish(model, result, c.supports);
   result.statistics = model.statistics();
   std::printf("%s, %s: %zu events, %lld solutions, %lld factorizations, %lld updates, %lld fragments, separated %d\n",
-              c.name, solver, result.broken.size(), static_cast<long long>(result.statistics.solves),
+              c.name.c_str(), solver, result.broken.size(), static_cast<long long>(result.statistics.solves),
               static_cast<long long>(result.statistics.sparse_factorizations),
               static_cast<long long>(result.statistics.factor_updates), static_cast<long long>(result.last.fragments),
               result.last.separated);
@@ -223,6 +241,26 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"constant_and_proportional", constant_and_proportional, 1e-3, 400, 0, 4},
                     Case{"coupled", coupled}, Case{"coupled_short_windows", coupled, 1e-3, 400, 2},
                     Case{"coupled_with_ties", coupled_with_ties}, Case{"falling_piece", falling_piece}),
-    [](const testing::TestParamInfo<Case>& tested) { return std::string(tested.param.name); });
+    [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
+
+// Lattices with squares of cells, which go with their bonds.
+std::vector<Case> of_any_ratio() {
+  std::vector<Case> cases;
+  for (const double ratio : {0.0, 0.2, 0.45}) {
+    for (const Case& c :
+         {Case{"centre_crack", centre_crack, 1e-3, 400}, Case{"inclined_crack", inclined_crack, 1e-3, 300},
+          Case{"debonding_grips", debonding_grips, 1e-3, 120},
+          Case{"constant_and_proportional", constant_and_proportional, 1e-3, 200, 0, 4},
+          Case{"joined_lattices", joined_lattices, 1e-3, 400}, Case{"falling_piece", falling_piece, 1e-3, 300}}) {
+      Case& added = cases.emplace_back(c);
+      added.poisson_ratio = ratio;
+      added.name += "_ratio_" + std::to_string(std::lround(100 * ratio)) + "_percent";
+    }
+  }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(AnyRatio, SameSequence, testing::ValuesIn(of_any_ratio()),
+                         [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
 }  // namespace

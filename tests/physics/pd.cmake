@@ -1,2 +1,3 @@
 bempd_add_engine_test(pd_patch_test pd_patch_test.cpp)
 bempd_add_engine_test(pd_kirsch_test pd_kirsch_test.cpp)
+bempd_add_engine_test(pd_any_ratio_test pd_any_ratio_test.cpp)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pd/cell_squares.hpp"
 #include "pd/face_loads.hpp"
 #include "pd/network.hpp"
 
@@ -67,8 +68,25 @@ inline PlaneElasticity bond_based(double young_modulus, PlaneState state, double
   return {young_modulus, bond_based_poisson_ratio(state), state, thickness};
 }
 
-inline Eigen::SparseMatrix<double> stiffness_matrix(const CellLattice& lattice, const Network& network) {
+// The squares of all cells of a material, none by default: visit(corners, square).
+template <class Visit>
+void each_square(const CellLattice& lattice, const std::vector<CellSquare>& squares, const Visit& visit) {
+  for (int i = 0; i < lattice.point_count() && !squares.empty(); ++i) {
+    if (!lattice.has_cell(lattice.point(i))) continue;
+    for (const CellSquare& square : squares) visit(lattice.cell_corners(lattice.point(i)), square);
+  }
+}
+
+inline Eigen::SparseMatrix<double> stiffness_matrix(const CellLattice& lattice, const Network& network,
+                                                    const std::vector<CellSquare>& squares = {}) {
   std::vector<Eigen::Triplet<double>> entries;
+  each_square(lattice, squares, [&](const std::array<int, 4>& corners, const CellSquare& square) {
+    for (int r = 0; r < 8; ++r) {
+      for (int c = 0; c < 8; ++c)
+        entries.emplace_back(2 * corners[r / 2] + r % 2, 2 * corners[c / 2] + c % 2,
+                             square.stiffness * square.pull[r / 2][r % 2] * square.pull[c / 2][c % 2]);
+    }
+  });
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {
     const Bond& bond = network.bonds[b];
     const Eigen::Vector2d e = network.offsets[network.offset_of[b]].direction;
@@ -90,7 +108,8 @@ inline Eigen::SparseMatrix<double> stiffness_matrix(const CellLattice& lattice, 
 
 // f - K u, bond by bond and in extended precision: slender bodies magnify the rounding of an assembled matrix.
 inline Eigen::VectorXd unbalanced_forces(const CellLattice& lattice, const Network& network,
-                                         const Eigen::VectorXd& forces, const Eigen::VectorXd& u) {
+                                         const std::vector<CellSquare>& squares, const Eigen::VectorXd& forces,
+                                         const Eigen::VectorXd& u) {
   Eigen::Matrix<long double, Eigen::Dynamic, 1> rest = forces.cast<long double>();
   for (const Bond& bond : network.bonds) {
     const Eigen::Matrix<long double, 2, 1> step =
@@ -101,12 +120,19 @@ inline Eigen::VectorXd unbalanced_forces(const CellLattice& lattice, const Netwo
     rest.segment<2>(2 * bond.first) += force;
     rest.segment<2>(2 * bond.second) -= force;
   }
+  each_square(lattice, squares, [&](const std::array<int, 4>& corners, const CellSquare& square) {
+    long double elongation = 0;
+    for (int k = 0; k < 4; ++k)
+      elongation += square.pull[k].cast<long double>().dot(u.segment<2>(2 * corners[k]).cast<long double>());
+    for (int k = 0; k < 4; ++k)
+      rest.segment<2>(2 * corners[k]) -= square.stiffness * elongation * square.pull[k].cast<long double>();
+  });
   return rest.cast<double>();
 }
 
 // Solves K u = f with three displacement components fixed at given values, which prevent rigid motions.
 inline Eigen::VectorXd solve_pinned(const CellLattice& lattice, const Network& network, const Eigen::VectorXd& forces,
-                                    const Eigen::VectorXd& known) {
+                                    const Eigen::VectorXd& known, const std::vector<CellSquare>& squares = {}) {
   // The third component holds the rotation with the longest lever: the far end of the lower or of the left face.
   const Vector2i p = lattice.point(0);
   int right = 0, top = 0;
@@ -117,13 +143,13 @@ inline Eigen::VectorXd solve_pinned(const CellLattice& lattice, const Network& n
   const bool wide = (lattice.point(right) - p).x() >= (lattice.point(top) - p).y();
   std::vector<char> fixed(forces.size(), 0);
   fixed[0] = fixed[1] = fixed[wide ? 2 * right + 1 : 2 * top] = 1;
-  Eigen::SparseMatrix<double> matrix = stiffness_matrix(lattice, network);
+  Eigen::SparseMatrix<double> matrix = stiffness_matrix(lattice, network, squares);
   matrix.prune([&](Eigen::Index r, Eigen::Index c, double) { return r == c || (!fixed[r] && !fixed[c]); });
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(forces.size());
   for (Eigen::Index d = 0; d < u.size(); ++d) u[d] = fixed[d] ? known[d] : 0;
   for (int round = 0; round < 4; ++round) {
-    Eigen::VectorXd rest = unbalanced_forces(lattice, network, forces, u);
+    Eigen::VectorXd rest = unbalanced_forces(lattice, network, squares, forces, u);
     for (Eigen::Index d = 0; d < u.size(); ++d) rest[d] = fixed[d] ? 0 : rest[d];
     u += factor.solve(rest);
   }

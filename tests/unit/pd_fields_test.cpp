@@ -136,18 +136,39 @@ TEST(Deformation, stress_follows_hookes_law) {
 
 // s_c = sqrt(64 pi G0 / (105 E horizon)) and sqrt(4 pi G0 / (7 E horizon)).
 TEST(CriticalStretch, has_the_exact_constants_and_an_inverse) {
-  EXPECT_NEAR(std::pow(critical_stretch(1, 1, 1, PlaneState::stress), 2), 1.91488, 6e-6);
-  EXPECT_NEAR(std::pow(critical_stretch(1, 1, 1, PlaneState::strain), 2), 1.79520, 6e-6);
+  EXPECT_NEAR(std::pow(critical_stretch(1, bond_based(1, PlaneState::stress, 1), 1), 2), 1.91488, 6e-6);
+  EXPECT_NEAR(std::pow(critical_stretch(1, bond_based(1, PlaneState::strain, 1), 1), 2), 1.79520, 6e-6);
   for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
-    const double s = critical_stretch(120, 3e10, 0.004, state);
-    EXPECT_NEAR(fracture_energy(s, 3e10, 0.004, state), 120, 1e-10);
+    const double s = critical_stretch(120, bond_based(3e10, state, 1), 0.004);
+    EXPECT_NEAR(fracture_energy(s, bond_based(3e10, state, 1), 0.004), 120, 1e-10);
+  }
+}
+
+// G0 = 105 E' horizon / (64 pi) s_c^2 min(1, 8 beta / (3 E')), beta = min(mu, (lambda + mu) / 2), the modulus of bonds.
+TEST(CriticalStretch, follows_the_modulus_of_bonds_below_the_ratio_that_they_have_alone) {
+  for (const double nu : {-0.2, 0.0, 0.2, 0.4, 0.49}) {
+    const double beta = std::min(1 / (2 * (1 + nu)), (1 / (2 * (1 + nu)) + nu / (1 - nu * nu)) / 2);
+    const double expected = 105 / (64 * M_PI) * (nu < 1.0 / 3 ? 8 * beta / 3 : 1);
+    EXPECT_NEAR(fracture_energy(1, {1, nu, PlaneState::stress, 1}, 1) / expected, 1, 1e-14) << nu;
+    const double modulus = 1 / (1 - nu * nu);
+    if (nu > 0.25) {
+      EXPECT_NEAR(fracture_energy(1, {1, nu, PlaneState::strain, 1}, 1) / (105 / (64 * M_PI) * modulus), 1, 1e-14)
+          << nu;
+    }
+  }
+  // It has no jump where bonds alone make the material.
+  for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
+    const double nu = bond_based_poisson_ratio(state), energy = fracture_energy(1, {1, nu, state, 1}, 1);
+    for (const double change : {-1e-5, 1e-5})
+      EXPECT_NEAR(fracture_energy(1, {1, nu + change, state, 1}, 1) / energy, 1, 4e-5);
   }
 }
 
 // s_c = sqrt(1024 pi G0 / (7 (120 pi - 133) E horizon)).
 TEST(CriticalStretch, as_printed_is_a_little_smaller) {
   EXPECT_NEAR(std::pow(printed_critical_stretch(1, 1, 1), 2), 1.88355, 6e-6);
-  EXPECT_NEAR(1 - printed_critical_stretch(2, 3, 4) / critical_stretch(2, 3, 4, PlaneState::stress), 0.0082, 5e-5);
+  EXPECT_NEAR(1 - printed_critical_stretch(2, 3, 4) / critical_stretch(2, bond_based(3, PlaneState::stress, 1), 4),
+              0.0082, 5e-5);
   EXPECT_NEAR(printed_fracture_energy(printed_critical_stretch(120, 3e10, 0.004), 3e10, 0.004), 120, 1e-10);
 }
 
@@ -165,7 +186,7 @@ TEST(CriticalStretch, agrees_with_the_energy_of_all_bonds_across_a_plane) {
       energy += c0 * (1 - r * r) * (1 - r * r) * r / 2 * r * std::cos(t) * r * (1.0 / n) * (M_PI / n);
     }
   }
-  EXPECT_NEAR(fracture_energy(1, 1, 1, PlaneState::stress) / energy, 1, 1e-4);
+  EXPECT_NEAR(fracture_energy(1, bond_based(1, PlaneState::stress, 1), 1) / energy, 1, 1e-4);
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ typedef struct bempd_material {
   double fracture_energy;
   int32_t plane;
   int32_t reserved;
+  double thermal_expansion;
 } bempd_material;
 bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
 bempd_status bempd_add_material(bempd_model *model, const bempd_material *material, int32_t *id);
@@ -121,6 +122,12 @@ bempd_status bempd_add_pressure(bempd_model *model, int32_t region, int32_t edge
     int32_t *load);
 bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32_t component,
     double constant, double proportional, int32_t *load);
+bempd_status bempd_add_body_force(bempd_model *model, int32_t region, int32_t component,
+    double constant, double proportional, int32_t *load);
+bempd_status bempd_add_temperature(bempd_model *model, int32_t region, double constant,
+    double proportional, int32_t *load);
+bempd_status bempd_add_temperature_function(bempd_model *model, int32_t region,
+    bempd_boundary_function function, void *user, int32_t *load);
 typedef enum bempd_face_component {
   BEMPD_PRESSURE = 1,
   BEMPD_SHEAR = 2
@@ -544,11 +551,14 @@ bempd_material_init().
 
 Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme
 "paper"); preparing fails as unsolvable where supports hold its whole boundary, which leaves the
-pressure undetermined. Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane
-strain; a ratio within 1e-6 of that is taken for it. Give critical_stretch or fracture_energy, or
-neither for a material that does not break. From the fracture energy G0 and the horizon delta the
-critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and sqrt(4 pi G0 / (7 E delta))
-in plane strain.
+pressure undetermined. Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make
+1/3 in plane stress and 1/4 in plane strain, up to 1e-6, and to any other ratio the cells of the
+lattice add the rest, each as long as the bonds along its edges and diagonals are whole (not in
+scheme "paper"). Give critical_stretch or fracture_energy, or neither for a material that does not
+break. From the fracture energy G0, the horizon delta and E' = E, in plane strain E / (1 - nu^2),
+the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that
+bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the
+plane: 3 (1 - nu) / 2 in plane stress.
 
 since: 0.1""",
     "bempd_material.struct_size": """sizeof(bempd_material), set by bempd_material_init()""",
@@ -559,6 +569,9 @@ since: 0.1""",
     "bempd_material.fracture_energy": """fracture energy G0 [J/m^2], > 0, or 0 for not given""",
     "bempd_material.plane": """a bempd_plane; default plane stress; the same for all materials of a model""",
     "bempd_material.reserved": """0""",
+    "bempd_material.thermal_expansion": """linear thermal expansion [1/K]; default 0
+
+since: 0.3""",
     "bempd_material_init": """\
 Set struct_size and the defaults.
 
@@ -623,7 +636,8 @@ bempd_set_edge_mesh() is called for a straight edge; peridynamic regions of the 
 the points of a common edge, without bonds across.
 
 model [in]: the model
-material [in]: id of a material with the Poisson's ratio of bond-based peridynamics
+material [in]: id of a material with a Poisson's ratio from -0.2 to 0.49, or, with points on such an
+  outline, of bonds alone, 1/3 in plane stress and 1/4 in plane strain
 vertex_count [in]: number of vertices, >= 3
 vertices [in]: shape [vertex_count][2], counter-clockwise [m]
 spacing [in]: lattice spacing [m], > 0
@@ -899,6 +913,49 @@ proportional [in]: part multiplied by the load factor [N]
 load [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_body_force": """\
+Add a force per volume on a whole region, such as its weight: constant over the region.
+
+In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off
+the boundary. A BEM region with cracks refuses it when the model is prepared.
+bempd_set_load_values() gives it a new value.
+
+model [in]: the model
+region [in]: id of a region
+component [in]: BEMPD_X or BEMPD_Y
+constant [in]: constant part, along the axis [N/m^3]
+proportional [in]: part multiplied by the load factor [N/m^3]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
+    "bempd_add_temperature": """\
+Change the temperature of a whole region, the same everywhere in it. Its material, free to do so,
+would lengthen by the thermal_expansion times that; in plane strain what is held across the plane
+pushes, too.
+
+Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part
+of the prepared model, so that they change with the load factor but take no new values, and with one
+there are no windows (stepping.solver): every event is found in the whole body.
+
+model [in]: the model
+region [in]: id of a region
+constant [in]: constant part [K]
+proportional [in]: part multiplied by the load factor [K]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
+    "bempd_add_temperature_function": """\
+The same with values from a function of the place. In a BEM region they have to be linear in x and
+y.
+
+model [in]: the model
+region [in]: id of a region
+function [in]: called once for each place while the model is prepared: it writes the constant part
+  [K] to constant[0] and the one multiplied by the load factor to proportional[0]
+user [in]: handed to it; may be NULL
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_face_component": """What acts on the faces of a crack.
 
 since: 0.3""",

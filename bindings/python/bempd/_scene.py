@@ -46,12 +46,11 @@ class Scene:
 
     def add_material(self, *, young_modulus: float, poisson_ratio: float, thickness: float = 1.0,
                      critical_stretch: Optional[float] = None, fracture_energy: Optional[float] = None,
-                     plane: Plane = "stress") -> int:
+                     plane: Plane = "stress", thermal_expansion: float = 0.0) -> int:
         """Add an isotropic elastic material; returns its id.
 
         Give the critical bond stretch or the fracture energy [J/m^2], or neither for a material that does not break.
-        `plane` is "stress" or "strain". Peridynamic regions need Poisson's ratio 1/3 in plane stress, 1/4 in plane
-        strain.
+        `plane` is "stress" or "strain". Peridynamic regions take Poisson's ratios from -0.2 to 0.49.
 
         >>> import bempd
         >>> bempd.Model().add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
@@ -60,7 +59,8 @@ class Scene:
         material = new_struct("bempd_material", "bempd_material_init")
         material.plane = arguments.choice("add_material: plane", plane, PLANES)
         given = {"young_modulus": young_modulus, "poisson_ratio": poisson_ratio, "thickness": thickness,
-                 "critical_stretch": critical_stretch, "fracture_energy": fracture_energy}
+                 "critical_stretch": critical_stretch, "fracture_energy": fracture_energy,
+                 "thermal_expansion": thermal_expansion}
         for name, value in given.items():
             if value is not None:
                 setattr(material, name, arguments.real(f"add_material: {name}", value))
@@ -281,6 +281,25 @@ class Scene:
                            arguments.choice("add_point_force: component", component, ONE_COMPONENT), constant,
                            proportional)
         return self._load(load, Mark(point=place))
+
+    def add_body_force(self, region: int, component: Component, proportional: float = 0.0, *, constant: float = 0.0) -> int:
+        """Add a force per volume [N/m^3] on a whole region, such as its weight; returns the id of the load."""
+        return self._added("bempd_add_body_force", region,
+                           arguments.choice("add_body_force: component", component, ONE_COMPONENT), constant,
+                           proportional)
+
+    def add_temperature(self, region: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
+        """Change the temperature [K] of a whole region; returns the id of the load."""
+        return self._added("bempd_add_temperature", region, constant, proportional)
+
+    def add_temperature_function(self, region: int, function: BoundaryFunction) -> int:
+        """Change the temperature [K] of a region by a function f(x, y), asked once for each place; returns the id of the
+        load.
+
+        It returns the part that is multiplied by the load factor and, unused, 0, or two pairs, constant and
+        proportional, of which the first numbers count. In a BEM region it has to be linear.
+        """
+        return self._added("bempd_add_temperature_function", region, self._kept(function), ffi.NULL)
 
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:

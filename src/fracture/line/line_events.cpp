@@ -108,6 +108,7 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
     const auto bond = static_cast<std::size_t>(t);
     event_.reach(body_.ratios().at(bond, load_factor), body_.ratios().critical_load_factor(bond, load_factor));
   }
+  event_.changes = body_.system().with_followers(std::move(event_.changes));
   return &event_;
 }
 
@@ -136,6 +137,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   event_ = {at, step_->constant + at * step_->growing, step_->load_factor, {}};
   for (const int bond : step_->bonds)
     event_.changes.push_back({bond, body_.system().terms().law_of(static_cast<std::size_t>(bond)).gone()});
+  event_.changes = body_.system().with_followers(std::move(event_.changes));
   return &event_;
 }
 

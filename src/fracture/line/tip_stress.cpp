@@ -35,14 +35,33 @@ Eigen::Matrix<double, 3, 6> williams_stress(double r, double t) {
 }  // namespace
 
 TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
-    : system_(system), positions_(positions), bonds_at_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
+    : system_(system),
+      positions_(positions),
+      bonds_at_(linalg::make_adjacency(positions.size(),
+                                       [&](const auto& add) {
+                                         const coupling::Terms& terms = system.terms();
+                                         for (std::size_t t = 0; t < terms.size(); ++t) {
+                                           if (terms.is_wide(t)) continue;
+                                           add(terms.first[t], static_cast<int>(t));
+                                           add(terms.second[t], static_cast<int>(t));
+                                         }
+                                       })),
+      wide_at_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
         const coupling::Terms& terms = system.terms();
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-          if (terms.is_wide(t)) continue;
-          add(terms.first[t], static_cast<int>(t));
-          add(terms.second[t], static_cast<int>(t));
-        }
+        for (const int t : terms.wide.term)
+          terms.for_each_node(static_cast<std::size_t>(t), [&](int node) { add(node, t); });
       })) {}
+
+Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
+  const coupling::Terms& terms = system_.terms();
+  Eigen::RowVector2d parts;
+  for (int part = 0; part < 2; ++part) {
+    parts[part] =
+        system_.present_stiffness()[term] * terms.elastic_elongation_part(term, displacement.col(part).data(), part) +
+        terms.constant(term, part);
+  }
+  return parts;
+}
 
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
@@ -53,13 +72,24 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
     const Point e(terms.cosine[b], terms.sine[b]);
     const double along = e.dot(direction), across = cross(direction, e);
     const Eigen::Vector3d dyad(along * along, across * across, along * across);
-    for (int part = 0; part < 2; ++part) {
-      const double force =
-          system_.present_stiffness()[b] * terms.elastic_elongation_part(b, displacement.col(part).data(), part) +
-          terms.constant(b, part);
-      sum.col(part) += force * terms.length[b] / 2 * dyad;
-    }
+    const Eigen::RowVector2d force = tension(b, displacement);
+    for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[b] / 2 * dyad;
   });
+  for (const int t : wide_at_.of(node)) {
+    const auto wide = static_cast<std::size_t>(t);
+    if (!system_.intact()[wide]) continue;
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    int nodes = 0;
+    terms.for_each_entry(wide, [&](int at, double x, double y) {
+      const Point pull(x, y),
+          arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
+      const double along = pull.dot(direction), across = cross(direction, pull);
+      const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
+      moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);
+      ++nodes;
+    });
+    sum += moment / nodes * tension(wide, displacement);
+  }
   return sum / (law.spacing * law.spacing * law.thickness);
 }
 

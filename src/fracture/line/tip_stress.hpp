@@ -20,9 +20,10 @@ struct TipIntensity {
   AffineIntensity fitted;  // from the stress further ahead: what drives it
 };
 
-// Stresses around tips from the forces of bonds: half of force times bond vector of every bond belongs to the point at
-// either end (the mean of the stress over the area of a point). All that is asked of them is linear in the
-// displacements, and asked of points ahead of the tip only, none of which lies beside the crack.
+// Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
+// either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
+// a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only, none
+// of which lies beside the crack.
 class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
@@ -39,11 +40,12 @@ class TipStress {
  private:
   using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
 
+  Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
-  linalg::Adjacency bonds_at_;  // nodes
+  linalg::Adjacency bonds_at_, wide_at_;  // nodes
 };
 
 }  // namespace bempd::fracture

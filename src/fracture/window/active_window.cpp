@@ -46,15 +46,15 @@ void ActiveWindow::collect_functions(const coupling::Condensation& condensation,
 
 Eigen::RowVector2d ActiveWindow::elongation(const Pull& pull) const {
   Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
-  for (int i = 0; i < 4; ++i) sum += pull.weight[i] * rows_.row(pull.row[i]);
+  for (std::size_t i = 0; i < pull.size(); ++i) sum += pull.weight[i] * rows_.row(pull.place[i]);
   return sum;
 }
 
 double ActiveWindow::elongation(int bond, double load_factor) const {
   const Pull& pull = terms_.pull(bond);
   double sum = 0;
-  for (int k = 0; k < 4; ++k) {
-    const int r = pull.row[k];
+  for (std::size_t k = 0; k < pull.size(); ++k) {
+    const int r = pull.place[k];
     sum += pull.weight[k] * (rows_(r, 0) + load_factor * rows_(r, 1));
   }
   return sum;
@@ -66,8 +66,8 @@ bool ActiveWindow::change_one(const coupling::StageChange& change, Eigen::Ref<Ei
   const double k = stiffness_lost(change);
   flexibility_.update_response(pull, changes_known, w);
   double own = 0;
-  for (int i = 0; i < 4; ++i) {
-    if (!is_prescribed(pull.row[i])) own += pull.weight[i] * w[pull.row[i]];
+  for (std::size_t i = 0; i < pull.size(); ++i) {
+    if (!is_prescribed(pull.place[i])) own += pull.weight[i] * w[pull.place[i]];
   }
   const Eigen::RowVector2d e = elongation(pull);
   const double pivot = 1 - k * own;
@@ -82,17 +82,17 @@ bool ActiveWindow::change_one(const coupling::StageChange& change, Eigen::Ref<Ei
 
 // A bond to a moving support took part in what the support feels.
 void ActiveWindow::detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> w) {
-  if (std::none_of(pull.row.begin(), pull.row.end(), [&](int r) { return is_prescribed(r); })) return;
+  if (std::none_of(pull.place.begin(), pull.place.end(), [&](int r) { return is_prescribed(r); })) return;
   double own = 0;
-  for (int i = 0; i < 4; ++i) {
-    if (!is_prescribed(pull.row[i])) own += pull.weight[i] * w[pull.row[i]];
+  for (std::size_t i = 0; i < pull.size(); ++i) {
+    if (!is_prescribed(pull.place[i])) own += pull.weight[i] * w[pull.place[i]];
   }
   const Eigen::RowVector2d e = elongation(pull);
   for (std::size_t f = 0; f < moved_.size(); ++f) {
     if (moved_[f].size() == 0) continue;
     double lever = 0;
-    for (int i = 0; i < 4; ++i) {
-      if (is_prescribed(pull.row[i])) lever += pull.weight[i] * moved_[f][pull.row[i] - size() - functions_];
+    for (std::size_t i = 0; i < pull.size(); ++i) {
+      if (is_prescribed(pull.place[i])) lever += pull.weight[i] * moved_[f][pull.place[i] - size() - functions_];
     }
     if (lever == 0) continue;
     const Eigen::Index row = size() + static_cast<Eigen::Index>(f);
@@ -103,7 +103,7 @@ void ActiveWindow::detach_functions(const Pull& pull, double stiffness, Eigen::R
 }
 
 bool ActiveWindow::is_supported(int bond) const {
-  const std::array<int, 4>& row = terms_.pull(bond).row;
+  const std::span<const int> row = terms_.pull(bond).place;
   return std::any_of(row.begin(), row.end(), [&](int r) { return is_prescribed(r); });
 }
 
@@ -141,20 +141,26 @@ bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
     update_ratios();
     return false;
   }
-  for (std::size_t i = 0; i < changes.size(); ++i) left_behind_.note_loss(form(directions[i], 1), lost[i]);
+  LeftBehind::Forms elongations;
+  for (const Pull& direction : directions) add_form(direction, 1, elongations);
+  left_behind_.note_losses(elongations, lost);
   update_ratios();
   return true;
 }
 
-LeftBehind::Form ActiveWindow::form(const Pull& pull, double scale) const {
-  LeftBehind::Form result{{}, {}, Eigen::RowVector2d::Zero()};
-  for (int k = 0; k < 4; ++k) {
-    const int r = pull.row[k];
-    result.weight[k] = pull.weight[k] * scale;
-    result.dof[k] = is_prescribed(r) ? -1 : followed_[r];
-    if (is_prescribed(r)) result.fixed += result.weight[k] * rows_.row(r);
+void ActiveWindow::add_form(const Pull& pull, double scale, LeftBehind::Forms& forms) const {
+  Eigen::RowVector2d fixed = Eigen::RowVector2d::Zero();
+  for (std::size_t k = 0; k < pull.size(); ++k) {
+    const int r = pull.place[k];
+    const double weight = pull.weight[k] * scale;
+    if (is_prescribed(r)) {
+      fixed += weight * rows_.row(r);
+    } else {
+      forms.of_displacements.add(followed_[r], weight);
+    }
   }
-  return result;
+  forms.of_displacements.close();
+  forms.fixed.push_back(fixed);
 }
 
 LeftBehind::State ActiveWindow::state() const {
@@ -171,21 +177,21 @@ void ActiveWindow::narrow(const std::vector<char>& leaves) {
     (goes ? left_then : followed_then).push_back(followed_[i]);
   }
   if (left.empty()) return;
-  std::vector<LeftBehind::Form> ratios;
+  LeftBehind::Forms ratios;
   std::vector<char> watched(terms_.size(), 1);
   for (std::size_t t = 0; t < terms_.size(); ++t) {
-    const std::array<int, 4>& row = terms_.pull(t).row;
+    const std::span<const int> row = terms_.pull(t).place;
     const auto goes = [&](int r) { return !is_prescribed(r) && leaves[followed_[r]]; };
     if (!terms_.intact()[t]) {
       watched[t] = 0;
     } else if (std::any_of(row.begin(), row.end(), goes)) {
       watched[t] = 0;
       const double scale = terms_.ratio_per_elongation(t);
-      if (scale > 0) ratios.push_back(form(terms_.pull(t), scale));
+      if (scale > 0) add_form(terms_.pull(t), scale, ratios);
     }
   }
   left_behind_.narrow(std::move(left_then), followed_then, flexibility_.block(left, stay), state().displacement,
-                      std::move(ratios));
+                      ratios);
   terms_.keep(watched);
   keep_rows(stay);
   followed_ = std::move(followed_then);

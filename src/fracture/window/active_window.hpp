@@ -63,8 +63,12 @@ class ActiveWindow {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
   }
 
-  // False, and nothing changed, if some motion would lose its resistance with these changes, or if one stiffens.
+  // Of terms by their places; false, and nothing changed, if some motion would lose its resistance with these changes,
+  // or if one stiffens.
   bool change(std::span<const coupling::StageChange> changes);
+
+  // Where a term of the system is in the list; -1: it is not watched.
+  int place_of(int global_term) const { return terms_.place_of(global_term); }
 
   // The stiffness of all that is not a bond of the window, on those kept degrees of freedom that it touches.
   const Eigen::MatrixXd& outside_stiffness() const { return outside_.matrix; }
@@ -77,7 +81,7 @@ class ActiveWindow {
   bool is_prescribed(int row) const { return row >= size(); }
   bool is_supported(int bond) const;
   Eigen::RowVector2d elongation(const Pull& pull) const;
-  LeftBehind::Form form(const Pull& pull, double scale) const;
+  void add_form(const Pull& pull, double scale, LeftBehind::Forms& forms) const;
   void keep_rows(const std::vector<int>& followed);
   void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
   // `response` is F b as it was when only this many changes were pending.

@@ -25,8 +25,8 @@ Eigen::MatrixXd Flexibility::responses(std::span<const Pull> pulls) const {
   Eigen::MatrixXd along = Eigen::MatrixXd::Zero(pending_count_, w.cols());
   for (Eigen::Index c = 0; c < w.cols(); ++c) {
     const Pull& pull = pulls[static_cast<std::size_t>(c)];
-    for (int k = 0; k < 4; ++k) {
-      const Eigen::Index d = pull.row[k];
+    for (std::size_t k = 0; k < pull.size(); ++k) {
+      const Eigen::Index d = pull.place[k];
       if (d >= size_ || pull.weight[k] == 0) continue;
       w.col(c).head(d) += pull.weight[k] * matrix_.row(d).head(d).transpose();
       w.col(c).tail(w.rows() - d) += pull.weight[k] * matrix_.col(d).tail(w.rows() - d);
@@ -41,8 +41,8 @@ void Flexibility::update_response(const Pull& pull, Eigen::Index changes_known,
                                   Eigen::Ref<Eigen::VectorXd> response) const {
   for (Eigen::Index c = changes_known; c < pending_count_; ++c) {
     double along = 0;
-    for (int i = 0; i < 4; ++i) {
-      if (pull.row[i] < size_) along += pull.weight[i] * pending_(pull.row[i], c);
+    for (std::size_t i = 0; i < pull.size(); ++i) {
+      if (pull.place[i] < size_) along += pull.weight[i] * pending_(pull.place[i], c);
     }
     response += along * pending_.col(c);
   }

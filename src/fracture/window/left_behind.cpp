@@ -8,16 +8,28 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
+namespace {
+
+void append(const LeftBehind::Forms& forms, LeftBehind::Forms& to) {
+  to.of_displacements.append(forms.of_displacements);
+  to.fixed.insert(to.fixed.end(), forms.fixed.begin(), forms.fixed.end());
+}
+
+}  // namespace
+
 void LeftBehind::narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
-                        const Affine& displacement, std::vector<Form> ratios) {
-  Level level{std::move(left), std::vector<int>(displacement.rows(), -1), std::move(response), {}, broken_.size()};
+                        const Affine& displacement, const Forms& ratios) {
+  Level level{std::move(left), std::vector<int>(displacement.rows(), -1), std::move(response), {}, breaks()};
   for (std::size_t i = 0; i < followed.size(); ++i) level.column_of[followed[i]] = static_cast<int>(i);
   level.start = displacement(level.left, Eigen::all);
   levels_.push_back(std::move(level));
-  ratios_.insert(ratios_.end(), ratios.begin(), ratios.end());
+  append(ratios, ratios_);
 }
 
-void LeftBehind::note_loss(const Form& elongation, double stiffness) { broken_.push_back({elongation, stiffness}); }
+void LeftBehind::note_losses(const Forms& elongations, const std::vector<double>& stiffnesses) {
+  append(elongations, broken_);
+  lost_.insert(lost_.end(), stiffnesses.begin(), stiffnesses.end());
+}
 
 std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool has_constant_part) const {
   std::vector<Affine> result;
@@ -38,12 +50,11 @@ std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool 
       const Eigen::Index part = first_part + c % parts;
       const double* u = result[later[c / parts]].col(part).data();
       for (std::size_t b = level.breaks_before; b < state.breaks; ++b) {
-        const auto& [dof, weight, fixed] = broken_[b].elongation;
-        double elongation = fixed[part];
-        for (int k = 0; k < 4; ++k) elongation += dof[k] < 0 ? 0 : weight[k] * u[dof[k]];
-        for (int k = 0; k < 4; ++k) {
-          if (dof[k] >= 0) pull(level.column_of[dof[k]], c) += broken_[b].stiffness * elongation * weight[k];
-        }
+        const LinearForms::Form form = broken_.of_displacements[b];
+        double elongation = broken_.fixed[b][part];
+        for (std::size_t k = 0; k < form.size(); ++k) elongation += form.weight[k] * u[form.place[k]];
+        for (std::size_t k = 0; k < form.size(); ++k)
+          pull(level.column_of[form.place[k]], c) += lost_[b] * elongation * form.weight[k];
       }
     }
     const Eigen::MatrixXd change = level.response * pull;
@@ -59,7 +70,7 @@ int LeftBehind::first_violation(const std::vector<Affine>& states, const std::ve
   // Each bond's ends are fetched once for a batch of states.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;
-  if (ratios_.empty() || checks.empty()) return static_cast<int>(states.size());
+  if (ratios_.fixed.empty() || checks.empty()) return static_cast<int>(states.size());
   Eigen::Array<double, batch, Eigen::Dynamic> u;
   for (std::size_t begin = 0; begin < checks.size(); begin += batch) {
     const std::size_t end = std::min(checks.size(), begin + batch);
@@ -72,11 +83,10 @@ int LeftBehind::first_violation(const std::vector<Affine>& states, const std::ve
       u.row(row) = (state.col(0) + load_factor[row] * state.col(1)).transpose();
     }
     Batch largest = Batch::Zero();
-    for (const auto& [dof, weight, fixed] : ratios_) {
-      Batch ratio = fixed[0] + fixed[1] * load_factor;
-      for (int k = 0; k < 4; ++k) {
-        if (dof[k] >= 0) ratio += weight[k] * u.col(dof[k]);
-      }
+    for (std::size_t r = 0; r < ratios_.fixed.size(); ++r) {
+      const LinearForms::Form form = ratios_.of_displacements[r];
+      Batch ratio = ratios_.fixed[r][0] + ratios_.fixed[r][1] * load_factor;
+      for (std::size_t k = 0; k < form.size(); ++k) ratio += form.weight[k] * u.col(form.place[k]);
       largest = largest.max(ratio);
     }
     for (std::size_t c = begin; c < end; ++c) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "coupling/affine.hpp"
+#include "fracture/window/linear_forms.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -28,11 +28,11 @@ struct OutsideCheck {
 // once.
 class LeftBehind {
  public:
-  // A linear form of the window's displacements: sum of weight u[dof], and of prescribed displacements `fixed`.
-  struct Form {
-    std::array<int, 4> dof;  // -1: prescribed
-    std::array<double, 4> weight;
-    Eigen::RowVector2d fixed;
+  // Linear forms of the window's displacements, by their degrees of freedom, and what prescribed displacements make of
+  // each.
+  struct Forms {
+    LinearForms of_displacements;
+    std::vector<Eigen::RowVector2d> fixed;
   };
 
   // Of the window: what is left behind in it is not filled in yet.
@@ -45,11 +45,11 @@ class LeftBehind {
   // left (rows) to forces on the followed ones (columns), `ratios` the stretch ratios of the bonds that end on the
   // left.
   void narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
-              const coupling::Affine& displacement, std::vector<Form> ratios);
-  void note_loss(const Form& elongation, double stiffness);
+              const coupling::Affine& displacement, const Forms& ratios);
+  void note_losses(const Forms& elongations, const std::vector<double>& stiffnesses);
 
   std::size_t narrowings() const { return levels_.size(); }
-  std::size_t breaks() const { return broken_.size(); }
+  std::size_t breaks() const { return lost_.size(); }
 
   // The displacements of states, with what was left behind in them.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
@@ -64,14 +64,10 @@ class LeftBehind {
     coupling::Affine start;
     std::size_t breaks_before;
   };
-  struct Broken {
-    Form elongation;
-    double stiffness;
-  };
-
   std::vector<Level> levels_;
-  std::vector<Broken> broken_;
-  std::vector<Form> ratios_;
+  Forms broken_;              // elongations
+  std::vector<double> lost_;  // the stiffness of each
+  Forms ratios_;
 };
 
 }  // namespace bempd::fracture

@@ -157,13 +157,17 @@ bool Lookahead::foresee(double from, const BodyState& start) {
   for (int place : chosen) {
     const int term = window_->bonds()[place];
     foreseen.event.changes.push_back(system_.after_critical(term));
-    foreseen.back.push_back({term, system_.stages()[term]});
     const auto bond = static_cast<std::size_t>(place);
     foreseen.event.reach(ratios.at(bond, *next), ratios.critical_load_factor(bond, *next));
   }
   if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
+  foreseen.event.changes = system_.with_followers(std::move(foreseen.event.changes));
+  for (const coupling::StageChange& c : foreseen.event.changes) {
+    if (window_->place_of(c.term) < 0) return false;  // a follower that reaches out of the window
+    foreseen.back.push_back({c.term, system_.stages()[c.term]});
+  }
   foreseen.largest_force = events_.empty() ? largest_force_before(*next, start) : events_.back().largest_force;
-  if (!perform_in_window(chosen, foreseen)) {
+  if (!perform_in_window(foreseen)) {
     needs_whole_body_ = true;
     return false;
   }
@@ -187,13 +191,13 @@ double Lookahead::largest_force_before(double load_factor, const BodyState& star
       {start.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, load_factor)});
 }
 
-bool Lookahead::perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen) {
+bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
   const double f = foreseen.event.load_factor;
   std::vector<coupling::StageChange> here;  // by places in the window
   std::vector<double> elongation, lost;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    here.push_back({chosen[i], foreseen.event.changes[i].stage});
-    elongation.push_back(window_->elongation(chosen[i], f));
+  for (const coupling::StageChange& c : foreseen.event.changes) {
+    here.push_back({window_->place_of(c.term), c.stage});
+    elongation.push_back(window_->elongation(here.back().term, f));
     lost.push_back(window_->stiffness_lost(here.back()));
   }
   system_.set_stages(foreseen.event.changes);
@@ -206,12 +210,12 @@ bool Lookahead::perform_in_window(const std::vector<int>& chosen, ForeseenEvent&
   const auto after = window_->function_values();
   foreseen.before = WindowFunctions::energy(before);
   foreseen.after = WindowFunctions::energy(after);
-  foreseen.broken = static_cast<std::int64_t>(gone.size());
+  foreseen.broken = system_.count_broken(foreseen.event.changes);
   foreseen.work = WindowFunctions::work(before, after, f);
   foreseen.reactions_before = functions_.reactions(before, f);
   foreseen.reactions = functions_.reactions(after, f);
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(chosen[i], f);
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(here[i].term, f);
   }
   return true;
 }

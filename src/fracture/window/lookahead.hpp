@@ -80,7 +80,7 @@ class Lookahead {
   std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;
-  bool perform_in_window(const std::vector<int>& chosen, ForeseenEvent& foreseen);
+  bool perform_in_window(ForeseenEvent& foreseen);
   void take_back(int count);  // of the events computed all but the first ones, from the system
   void add_checks(double from, const Event& event);
   void certify();

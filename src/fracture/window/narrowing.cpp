@@ -36,7 +36,7 @@ bool Narrowing::is_needed(int node, const std::vector<double>& rear) const {
   for (std::size_t z = 0; z < rear.size(); ++z) {
     const Zone& zone = place_.zones()[z];
     if (!zone.contains(positions_[node])) continue;
-    if (zone.coordinates(positions_[node]).x() > rear[z] - WindowSettings::behind_hot * place_.spacing(node)) {
+    if (zone.coordinates(positions_[node]).x() > rear[z] - behind_hot_ * place_.spacing(node)) {
       return true;
     }
   }

@@ -6,6 +6,7 @@
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/window/active_window.hpp"
 #include "fracture/window/window_place.hpp"
+#include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
@@ -13,7 +14,11 @@ namespace bempd::fracture {
 class Narrowing {
  public:
   Narrowing(const coupling::EquilibriumSystem& system, const WindowPlace& place, const std::vector<Point>& positions)
-      : system_(system), place_(place), positions_(positions) {}
+      : system_(system),
+        place_(place),
+        positions_(positions),
+        behind_hot_(WindowSettings::behind_hot +
+                    (system.terms().followers.empty() ? 0 : WindowSettings::reach_of_followers)) {}
 
   void restart();  // with a new window
 
@@ -28,6 +33,7 @@ class Narrowing {
   const coupling::EquilibriumSystem& system_;
   const WindowPlace& place_;
   const std::vector<Point>& positions_;
+  double behind_hot_;     // in lattice spacings
   std::size_t next_ = 0;  // bonds broken then
 };
 

@@ -10,12 +10,11 @@ namespace bempd::fracture {
 namespace {
 
 std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& system, const WindowTerms& terms) {
-  const coupling::Terms& bonds = system.terms();
+  const coupling::Terms& all = system.terms();
   std::vector<char> touched(system.node_count(), 0);
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    if (system.intact()[b] && !terms.contained(static_cast<int>(b))) {
-      touched[bonds.first[b]] = touched[bonds.second[b]] = 1;
-    }
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    if (system.intact()[t] && !terms.contained(static_cast<int>(t)))
+      all.for_each_node(t, [&](int node) { touched[node] = 1; });
   }
   for (const coupling::HoldingSpring& s : system.springs()) touched[s.node] = 1;
   return touched;
@@ -57,8 +56,8 @@ OutsideStiffness outside_stiffness(const coupling::EquilibriumSystem& system,
   result.matrix = part_of_product(condensation.factor(), result.dofs);
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const auto& [row, weight] = terms.pull(t);
-    for (int r = 0; r < 4; ++r) {
-      for (int c = 0; c < 4; ++c) {
+    for (std::size_t r = 0; r < row.size(); ++r) {
+      for (std::size_t c = 0; c < row.size(); ++c) {
         if (row[r] >= size || row[c] >= size || place_of[row[r]] < 0 || place_of[row[c]] < 0) continue;
         result.matrix(place_of[row[r]], place_of[row[c]]) -= terms.stiffness(t) * weight[r] * weight[c];
       }

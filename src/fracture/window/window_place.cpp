@@ -8,8 +8,17 @@
 
 namespace bempd::fracture {
 
+namespace {
+
+// A wide term that breaks by itself would have to be watched outside of windows.
+bool wide_terms_only_follow(const coupling::Terms& terms) {
+  return std::all_of(terms.wide.term.begin(), terms.wide.term.end(), [&](int term) { return terms.follows(term); });
+}
+
+}  // namespace
+
 bool has_window_form(const coupling::EquilibriumSystem& system) {
-  return system.is_symmetric() && !system.has_offsets() && system.terms().wide.term.empty();
+  return system.is_symmetric() && !system.has_offsets() && wide_terms_only_follow(system.terms());
 }
 
 WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
@@ -20,6 +29,7 @@ WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatio
       spacing_(positions.size(), std::numeric_limits<double>::infinity()) {
   const coupling::Terms& bonds = system.terms();
   for (std::size_t b = 0; b < bonds.size(); ++b) {
+    if (bonds.is_wide(b)) continue;
     for (int node : {bonds.first[b], bonds.second[b]}) spacing_[node] = std::min(spacing_[node], bonds.length[b]);
   }
 }
@@ -89,8 +99,10 @@ void WindowPlace::mark_rim() {
   }
   const coupling::Terms& bonds = system_.terms();
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    const int i = bonds.first[b], j = bonds.second[b];
-    if (system_.intact()[b] && kept[i] != kept[j]) touches_outside_[i] = touches_outside_[j] = 1;
+    if (!system_.intact()[b]) continue;
+    bool some = false, all = true;
+    bonds.for_each_node(b, [&](int node) { some = some || kept[node] != 0, all = all && kept[node] != 0; });
+    if (some && !all) bonds.for_each_node(b, [&](int node) { touches_outside_[node] = 1; });
   }
   on_rim_ = touches_outside_;
   for (int node : nodes_) {

@@ -39,6 +39,8 @@ struct WindowSettings {
   // and where it lies: so far behind the bonds with this share of the largest ratio.
   static constexpr std::size_t breaks_between_narrowings = 96;
   static constexpr double least_narrowing = 0.15, hot_when_narrowing = 0.5, behind_hot = 1;
+  // Where terms follow others, how far they may reach beyond them.
+  static constexpr double reach_of_followers = 1.5;
 
   // Events computed at once: few at first, in case the host wants few, then more, up to this many.
   static constexpr int first_events = 16, growth_of_events = 4, most_events_at_once = 1024;

@@ -8,42 +8,52 @@ namespace bempd::fracture {
 WindowTerms::WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                          const StretchRatios& ratios, int first_prescribed)
     : of_all_(ratios), contained_(ratios.terms().size(), 0) {
-  const coupling::Terms& bonds = system.terms();
+  const coupling::Terms& terms = system.terms();
   std::vector<int> row_of(2 * static_cast<std::size_t>(system.node_count()), -1);
   for (std::size_t i = 0; i < condensation.dofs().size(); ++i) row_of[condensation.dofs()[i]] = static_cast<int>(i);
-  const auto is_here = [&](int dof) { return row_of[dof] >= 0 || system.is_prescribed(dof); };
-  for (std::size_t b = 0; b < bonds.size(); ++b) {
-    if (!system.intact()[b]) continue;
-    const std::array<int, 4> dof{2 * bonds.first[b], 2 * bonds.first[b] + 1, 2 * bonds.second[b],
-                                 2 * bonds.second[b] + 1};
-    if (!std::all_of(dof.begin(), dof.end(), is_here)) continue;
-    if (std::none_of(dof.begin(), dof.end(), [&](int d) { return system.is_unknown(d); })) continue;
-    std::array<int, 4> row;
-    for (int k = 0; k < 4; ++k) {
-      int& place = row_of[dof[k]];
-      if (place < 0) {
-        place = first_prescribed + static_cast<int>(prescribed_dofs_.size());
-        prescribed_dofs_.push_back(dof[k]);
-      }
-      row[k] = place;
+  const auto row = [&](int dof) {
+    int& place = row_of[dof];
+    if (place < 0) {
+      place = first_prescribed + static_cast<int>(prescribed_dofs_.size());
+      prescribed_dofs_.push_back(dof);
     }
-    add(static_cast<int>(b), system, row);
+    return place;
+  };
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (!system.intact()[t]) continue;
+    bool is_here = true, has_unknown = false;
+    terms.for_each_node(t, [&](int node) {
+      for (int dof = 2 * node; dof < 2 * node + 2; ++dof) {
+        is_here = is_here && (row_of[dof] >= 0 || system.is_prescribed(dof));
+        has_unknown = has_unknown || system.is_unknown(dof);
+      }
+    });
+    if (!is_here || !has_unknown) continue;
+    terms.for_each_entry(t, [&](int node, double x, double y) {
+      pulls_.add(row(2 * node), x);
+      pulls_.add(row(2 * node + 1), y);
+    });
+    pulls_.close();
+    add(static_cast<int>(t), system);
   }
   intact_.assign(size(), 1);
   ratios_.constant.assign(size(), 0.0);
   ratios_.proportional.assign(size(), 0.0);
 }
 
-void WindowTerms::add(int number, const coupling::EquilibriumSystem& system, const std::array<int, 4>& row) {
+void WindowTerms::add(int number, const coupling::EquilibriumSystem& system) {
   contained_[number] = 1;
   numbers_.push_back(number);
-  const double c = system.terms().cosine[number], s = system.terms().sine[number];
-  pulls_.push_back({row, {-c, -s, c, s}});
   stiffness_.push_back(system.present_stiffness()[number]);
   stages_.push_back(system.stages()[number]);
   scales_.per_elongation.push_back(of_all_.scales().per_elongation[number]);
   scales_.cosine.push_back(of_all_.scales().cosine[number]);
   scales_.sine.push_back(of_all_.scales().sine[number]);
+}
+
+int WindowTerms::place_of(int number) const {
+  const auto found = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+  return found != numbers_.end() && *found == number ? static_cast<int>(found - numbers_.begin()) : -1;
 }
 
 double WindowTerms::stiffness_after(const coupling::StageChange& change) const {
@@ -65,9 +75,16 @@ void WindowTerms::update_ratios(const coupling::Affine& rows, bool has_constant_
   const auto fill = [&](int column, std::vector<double>& ratios) {
     const double* u = rows.col(column).data();
     for (std::size_t t = 0; t < size(); ++t) {
-      const std::array<int, 4>& r = pulls_[t].row;
-      if (!intact_[t]) continue;
-      ratios[t] = elongation_along(scales_.cosine[t], scales_.sine[t], u[r[2]] - u[r[0]], u[r[3]] - u[r[1]]);
+      if (!intact_[t] || scales_.per_elongation[t] == 0) continue;
+      const Pull pull = pulls_[t];
+      if (scales_.cosine[t] != 0 || scales_.sine[t] != 0) {
+        const int* r = pull.place.data();
+        ratios[t] = elongation_along(scales_.cosine[t], scales_.sine[t], u[r[2]] - u[r[0]], u[r[3]] - u[r[1]]);
+        continue;
+      }
+      double elongation = 0;
+      for (std::size_t k = 0; k < pull.size(); ++k) elongation += pull.weight[k] * u[pull.place[k]];
+      ratios[t] = scales_.per_elongation[t] * elongation;
     }
   };
   if (has_constant_part) fill(0, ratios_.constant);
@@ -75,11 +92,11 @@ void WindowTerms::update_ratios(const coupling::Affine& rows, bool has_constant_
 }
 
 void WindowTerms::keep(const std::vector<char>& watched) {
+  pulls_.keep(watched);
   std::size_t to = 0;
   for (std::size_t t = 0; t < size(); ++t) {
     if (!watched[t]) continue;
     numbers_[to] = numbers_[t];
-    pulls_[to] = pulls_[t];
     stiffness_[to] = stiffness_[t];
     stages_[to] = stages_[t];
     scales_.per_elongation[to] = scales_.per_elongation[t];
@@ -95,14 +112,9 @@ void WindowTerms::keep(const std::vector<char>& watched) {
   }
   stages_.resize(to);
   numbers_.resize(to);
-  pulls_.resize(to);
   intact_.assign(to, 1);
 }
 
-void WindowTerms::renumber_rows(const std::vector<int>& row_after) {
-  for (Pull& pull : pulls_) {
-    for (int& row : pull.row) row = row_after[row];
-  }
-}
+void WindowTerms::renumber_rows(const std::vector<int>& row_after) { pulls_.renumber(row_after); }
 
 }  // namespace bempd::fracture

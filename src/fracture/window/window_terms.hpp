@@ -1,23 +1,20 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "coupling/condensation.hpp"
 #include "fracture/critical_events.hpp"
+#include "fracture/window/linear_forms.hpp"
 
 namespace bempd::fracture {
 
-// The elongation of a term as a linear form of the rows of a window: sum of weight u[row].
-struct Pull {
-  std::array<int, 4> row;
-  std::array<double, 4> weight;
-};
+// The elongation of a term as a linear form of the rows of a window.
+using Pull = LinearForms::Form;
 
 // The terms of the energy that a window watches, with their ratios to critical values.
 class WindowTerms {
  public:
-  // All intact terms, which are bonds, between kept degrees of freedom and prescribed ones. A row of a kept degree of
+  // All intact terms between kept degrees of freedom and prescribed ones. A row of a kept degree of
   // freedom is its place in the condensation; prescribed ones have rows from `first_prescribed` on.
   WindowTerms(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
               const StretchRatios& ratios, int first_prescribed);
@@ -31,9 +28,12 @@ class WindowTerms {
   const std::vector<int>& numbers() const { return numbers_; }  // in the system, ascending
   const std::vector<char>& intact() const { return intact_; }
   const AffineRatios& ratios() const { return ratios_; }
-  const Pull& pull(std::size_t term) const { return pulls_[term]; }
+  Pull pull(std::size_t term) const { return pulls_[term]; }
   double stiffness(std::size_t term) const { return stiffness_[term]; }
   double ratio_per_elongation(std::size_t term) const { return scales_.per_elongation[term]; }
+
+  // Where a term of the system is in this list; -1: it is not watched.
+  int place_of(int number) const;
 
   // By its place in the list, `term` as well as that in `change`.
   void enter(const coupling::StageChange& change);
@@ -46,11 +46,11 @@ class WindowTerms {
   void renumber_rows(const std::vector<int>& row_after);
 
  private:
-  void add(int number, const coupling::EquilibriumSystem& system, const std::array<int, 4>& row);
+  void add(int number, const coupling::EquilibriumSystem& system);
 
   const StretchRatios& of_all_;
   std::vector<int> numbers_;
-  std::vector<Pull> pulls_;
+  LinearForms pulls_;
   std::vector<double> stiffness_;
   std::vector<std::uint8_t> stages_;
   coupling::CriticalScales scales_;

@@ -122,7 +122,7 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   const Builder builder(ratios, load_factor, intact, positions, spacing);
   std::vector<Point> parted;
   for (std::size_t b = 0; b < intact.size(); ++b) {
-    if (!intact[b]) parted.push_back(builder.middle(static_cast<int>(b)));
+    if (!intact[b] && !ratios.terms().is_wide(b)) parted.push_back(builder.middle(static_cast<int>(b)));
   }
   std::vector<Point> middles;
   middles.reserve(hot.size());

@@ -102,9 +102,34 @@ Eigen::Matrix2d BoundaryRegion::work_within(const std::array<Point, 2>& body_for
   return cracks_ ? Eigen::Matrix2d(work + work_within_cracks(crack_loads)) : work;
 }
 
+void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
+  free_swelling_ = FreeSwelling::through(mesh_.nodes, strain);
+  require(free_swelling_.has_value(), "region ", id(),
+          " is a BEM region, and its temperature is not linear in x and y; boundary elements know nothing of others: "
+          "make it a peridynamic region, or several regions");
+  std::vector<int> own(1 + static_cast<std::size_t>(*std::max_element(nodes_.begin(), nodes_.end())), -1);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) own[nodes_[i]] = static_cast<int>(i);
+  rest_ = coupling::Affine::Zero(2 * static_cast<Eigen::Index>(nodes_.size()), 2);
+  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
+    if (const int node = node_of_mesh_node_[i]; node >= 0)
+      rest_.middleRows<2>(2 * own[node]) = free_swelling_->displacement(mesh_.nodes[i]);
+  }
+}
+
+std::optional<Eigen::Matrix2d> BoundaryRegion::free_displacement(const Point& place) const {
+  return free_swelling_ ? free_swelling_->displacement(place) : Eigen::Matrix2d::Zero();
+}
+
+Eigen::VectorXd BoundaryRegion::elastic(const Eigen::VectorXd& displacement, double constant,
+                                        double proportional) const {
+  Eigen::VectorXd own = gather(displacement);
+  if (rest_.rows() > 0) own -= rest_ * Eigen::Vector2d(constant, proportional);
+  return trace_ * own;
+}
+
 Eigen::VectorXd BoundaryRegion::displacement_without(const UniformBodyForce& particular,
                                                      const Solution& solution) const {
-  Eigen::VectorXd displacement = trace_ * gather(solution.displacement);
+  Eigen::VectorXd displacement = elastic(solution.displacement, 1, solution.load_factor);
   if (solution.body_force(id()) == Point::Zero()) return displacement;
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) -= particular.displacement(mesh_.nodes[i]);

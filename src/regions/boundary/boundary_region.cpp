@@ -156,11 +156,11 @@ bool BoundaryRegion::has_operator_of(const BoundaryRegion& other) const {
 std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<const RegionOperator> before) const {
   for (const RegionOperator& other : before) {
     if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
-      return coupling::DenseOperator{nodes_, other.dense.stiffness, &solution_method()};
+      return coupling::DenseOperator{nodes_, other.dense.stiffness, &solution_method(), rest_};
   }
   const Eigen::MatrixXd half = mesh_stiffness() * trace_;
   return coupling::DenseOperator{nodes_, std::make_shared<const Eigen::MatrixXd>(trace_.transpose() * half),
-                                 &solution_method()};
+                                 &solution_method(), rest_};
 }
 
 std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {

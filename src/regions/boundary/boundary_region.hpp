@@ -46,6 +46,10 @@ class BoundaryRegion : public Region {
   Eigen::Matrix2d work_within(const std::array<Point, 2>& body_force,
                               const std::vector<CrackLoad>& crack_loads) const override;
 
+  // Elements on the boundary know of strains that are linear, which the inside follows freely.
+  void swell(const Swelling& strain, LatticeSwelling& lattices) override;
+  std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
+
   // crack_results.cpp
   bool has_crack_elements() const override { return true; }
   void add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const override;
@@ -94,7 +98,9 @@ class BoundaryRegion : public Region {
   Eigen::VectorXd force_besides(const UniformBodyForce& particular) const;
   double work_within(const Point& body_force, const Point& other) const;
   Eigen::Matrix2d work_within_cracks(const std::vector<CrackLoad>& loads) const;
-  // Displacements of the mesh's nodes without those of the particular solution.
+  // Displacements of the mesh's nodes without those of swelling.
+  Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
+  // And without those of the particular solution.
   Eigen::VectorXd displacement_without(const UniformBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const UniformBodyForce& particular, const Solution& solution) const;
   // Of a region with cracks: its operator, and its state under displacements of the scene and loads on faces.
@@ -115,7 +121,9 @@ class BoundaryRegion : public Region {
   std::shared_ptr<const bem::BoundaryOperator> operator_;  // shared by regions that are alike
   std::unique_ptr<RegionCracks> cracks_;                   // null without
   Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
-  bool middles_follow_ends_ = true;                        // at grids that the elements follow
+  std::optional<FreeSwelling> free_swelling_;
+  coupling::Affine rest_{0, 2};      // of the region's nodes, if it has swollen
+  bool middles_follow_ends_ = true;  // at grids that the elements follow
 };
 
 }  // namespace bempd::regions

@@ -16,25 +16,32 @@ Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
   return {stress[0] * normal.x() + stress[2] * normal.y(), stress[2] * normal.x() + stress[1] * normal.y()};
 }
 
-// Somigliana's identity for what is left without the body force, and the particular solution that has it.
+// Somigliana's identity for what is left without the body force and swelling, and the solutions that have them.
 class BoundaryEvaluator final : public Evaluator {
  public:
-  BoundaryEvaluator(int region, bem::InteriorEvaluator interior, const UniformBodyForce& particular, bool with_stress)
-      : region_(region), interior_(std::move(interior)), particular_(particular), with_stress_(with_stress) {}
+  BoundaryEvaluator(const BoundaryRegion& region, bem::InteriorEvaluator interior, const UniformBodyForce& particular,
+                    double load_factor, bool with_stress)
+      : region_(region),
+        interior_(std::move(interior)),
+        particular_(particular),
+        load_factor_(load_factor),
+        with_stress_(with_stress) {}
 
   PointValue at(const Point& place) override {
-    if (!with_stress_)
-      return {region_, interior_.displacement_at(place) + particular_.displacement(place), Eigen::Vector3d::Zero()};
+    const Point beside =
+        particular_.displacement(place) + *region_.free_displacement(place) * Eigen::Vector2d(1, load_factor_);
+    if (!with_stress_) return {region_.id(), interior_.displacement_at(place) + beside, Eigen::Vector3d::Zero()};
     const auto rest = interior_.at(place);
-    return {region_, rest.displacement + particular_.displacement(place), rest.stress + particular_.stress(place)};
+    return {region_.id(), rest.displacement + beside, rest.stress + particular_.stress(place)};
   }
   void look_from_right(bool right) override { interior_.look_from_right(right); }
   std::int64_t kernel_evaluations() const override { return interior_.kernel_evaluations(); }
 
  private:
-  int region_;
+  const BoundaryRegion& region_;
   bem::InteriorEvaluator interior_;
   UniformBodyForce particular_;
+  double load_factor_;
   bool with_stress_;
 };
 
@@ -151,7 +158,8 @@ FieldValues BoundaryRegion::at_nodes(Field which, const FieldValues& values) con
 std::unique_ptr<Evaluator> BoundaryRegion::evaluator(const Solution& solution, const FieldsOfRegion&,
                                                      bool with_stress) const {
   const UniformBodyForce particular = this->particular(solution.body_force(id()));
-  return std::make_unique<BoundaryEvaluator>(id(), interior_without(particular, solution), particular, with_stress);
+  return std::make_unique<BoundaryEvaluator>(*this, interior_without(particular, solution), particular,
+                                             solution.load_factor, with_stress);
 }
 
 }  // namespace bempd::regions

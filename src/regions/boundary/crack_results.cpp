@@ -28,7 +28,7 @@ const bem::CrackedOperator& BoundaryRegion::cracked() const {
 bem::CrackedState BoundaryRegion::cracked_state(const Eigen::VectorXd& displacement, const Solution& solution,
                                                 double constant, double proportional) const {
   bem::CrackedState state;
-  state.displacements = trace_ * gather(displacement);
+  state.displacements = elastic(displacement, constant, proportional);
   state.face_traction = cracks_->traction(loads_of(solution), constant, proportional);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size()));
   if (state.face_traction) forces = bem::crack_forces(cracks_->elements(), state.face_traction, elasticity().thickness);

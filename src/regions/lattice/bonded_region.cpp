@@ -21,7 +21,7 @@ double BondedRegion::critical_stretch(const Preparation& preparation) const {
 std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) const {
   const double horizon = horizon_ratio_ * spacing();
   const PlaneElasticity& e = elasticity();
-  const double energy = pd::fracture_energy(critical_stretch(options), e.young_modulus, horizon, e.state);
+  const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
   const double modulus =
       e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
   return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};

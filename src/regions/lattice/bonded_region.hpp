@@ -18,6 +18,9 @@ struct RegionBonds {
   // Points of other regions where bonds end, numbered after its own.
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
+  // Per point of a grid: the first of the squares of the cell whose lower left corner it is, a term of the scene; -1
+  // without a cell. Empty where bonds alone make the material.
+  std::vector<int> squares;
 };
 
 // A peridynamic region as material points and bonds between them, wherever they lie.
@@ -41,6 +44,13 @@ class BondedRegion : public Region {
   }
   std::size_t first_bond() const override { return bonds_.first; }
 
+  // lattice_swelling.cpp
+  void swell(const Swelling& strain, LatticeSwelling& lattices) override;
+  void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
+  std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
+  // Whether bonds cross to the other one where both touch.
+  virtual bool shares_bonds_with(const BondedRegion& other) const { return this == &other; }
+
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
   SnapshotBlock snapshot_block() const override;
@@ -60,6 +70,12 @@ class BondedRegion : public Region {
   virtual FieldValues damage(const std::vector<char>& intact) const;
   // Whether a crack may pass through points, which then stay bonded to both of its faces.
   virtual bool cracks_may_meet_points() const { return false; }
+
+  // Stresses of points where more than bonds is gone.
+  virtual void correct_at_losses(const Solution& /*solution*/, const std::vector<Eigen::Vector3d>& /*strains*/,
+                                 const pd::BondStates& /*states*/, std::vector<Eigen::Vector3d>& /*stresses*/) const {}
+  // Strains that the region wants at its points, then at the far ones: constant and proportional part.
+  std::vector<Eigen::RowVector2d> strains_of_points(const LatticeSwelling& lattices) const;
 
   // Adds the bonds of its network to the scene's, as a row.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
@@ -87,6 +103,8 @@ class BondedRegion : public Region {
 
   double spacing_;
   int horizon_ratio_;
+  bool is_swollen_ = false;
+  std::optional<FreeSwelling> free_swelling_;  // none if it cannot follow
 };
 
 }  // namespace bempd::regions

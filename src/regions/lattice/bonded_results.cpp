@@ -87,20 +87,23 @@ FieldValues BondedRegion::stress(const Solution& solution) const {
   for (int i = own; i < count; ++i)
     displacement.segment<2>(2 * i) = solution.displacement.segment<2>(2 * bonds_.far_nodes[i - own]);
   displacement /= spacing();
-  auto strains = pd::bond_strains(count, *network(), bond_states(solution), displacement);
+  const pd::BondStates states = bond_states(solution);
+  auto strains = pd::bond_strains(count, *network(), states, displacement);
   strains.resize(own);  // at the others some bonds are missing
+  std::vector<Eigen::Vector3d> stresses;
+  for (const Eigen::Vector3d& strain : strains) stresses.push_back(pd::stress_of(strain, elasticity()));
+  correct_at_losses(solution, strains, states, stresses);
   FieldValues field{{}, 3};
-  for (const Eigen::Vector3d& strain : strains) {
-    const Eigen::Vector3d stress = pd::stress_of(strain, elasticity());
+  for (const Eigen::Vector3d& stress : stresses)
     field.values.insert(field.values.end(), {stress[0], stress[1], stress[2]});
-  }
   return field;
 }
 
 FieldValues BondedRegion::bond_stretch(const Solution& solution) const {
   FieldValues field{{}, 1};
   for (std::size_t b = bonds_.first; b < bonds_.first + bonds_.listed; ++b)
-    field.values.push_back(solution.bonds.elongation(b, solution.displacement.data()) / solution.bonds.length[b]);
+    field.values.push_back(solution.bonds.elastic_elongation(b, solution.displacement.data(), solution.load_factor) /
+                           solution.bonds.length[b]);
   return field;
 }
 

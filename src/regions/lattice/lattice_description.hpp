@@ -10,8 +10,8 @@ namespace bempd::regions {
 // A peridynamic region as described: a rectilinear outline on a square lattice and a horizon.
 class LatticeDescription : public scene::Region {
  public:
-  // Throws Error (argument) for an outline that the spacing does not divide, a horizon out of range, and a material
-  // that is not bond-based; `material_id` names that one in sentences.
+  // Throws Error (argument) for an outline that the spacing does not divide, a horizon out of range, and a
+  // Poisson's ratio out of range; `material_id` names the material in sentences.
   LatticeDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
                      double spacing, int horizon_ratio);
 
@@ -34,6 +34,7 @@ class LatticeDescription : public scene::Region {
 
  private:
   int horizon_ratio_;
+  double squares_per_cell_;
   LatticeOutline lattice_;
 };
 

@@ -74,6 +74,16 @@ class Union {
     return found;
   }
 
+  // Values at the points of all cells, at those points of a member whose cell it has.
+  std::vector<int> of_member(const pd::CellLattice& grid, const Eigen::Vector2i& shift,
+                             const std::vector<int>& values) const {
+    std::vector<int> own(static_cast<std::size_t>(grid.point_count()), -1);
+    for (int i = 0; i < grid.point_count(); ++i) {
+      if (grid.has_cell(grid.point(i))) own[i] = values[cells_.find_point(grid.point(i) + shift)];
+    }
+    return own;
+  }
+
   static Eigen::Vector2i shift_of(const std::vector<LatticeRegion*>& members, std::size_t m) {
     const Point offset = (members[m]->origin() - members.front()->origin()) / members.front()->spacing();
     return offset.array().round().cast<int>().matrix();
@@ -207,7 +217,14 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
       }
     }
   }
-  for (std::size_t m = 0; m < parts.size(); ++m) members_[m]->take_bonds(parts[m].take());
+  const std::vector<int> squares = contributions.add_squares(
+      all.cells(), network.bonds, leader.elasticity(), leader.spacing(), [&](int point) { return all.node(point); },
+      [&](int bond) { return static_cast<int>(of_scene[bond]); });
+  for (std::size_t m = 0; m < parts.size(); ++m) {
+    RegionBonds taken = parts[m].take();
+    if (!squares.empty()) taken.squares = all.of_member(members_[m]->grid(), Union::shift_of(members_, m), squares);
+    members_[m]->take_bonds(std::move(taken));
+  }
   return true;
 }
 

@@ -112,6 +112,9 @@ void LatticeRegion::take_network(const Preparation& preparation, std::vector<std
 void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& contributions) {
   take_network(preparation, contributions.warnings);
   add_own_bonds(preparation, contributions);
+  const auto node = [&](int point) { return nodes_[point]; };
+  const auto term = [&](int bond) { return static_cast<int>(bonds_.first) + bond; };
+  bonds_.squares = contributions.add_squares(*grid_, network()->bonds, elasticity(), spacing(), node, term);
 }
 
 void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {

@@ -42,6 +42,9 @@ class LatticeRegion : public BondedRegion {
   virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
   const pd::CellLattice& grid() const { return *grid_; }
 
+  void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
+  bool shares_bonds_with(const BondedRegion& other) const override;
+
  protected:
   // Where supports and loads on an edge act.
   struct EdgePoint {
@@ -72,6 +75,10 @@ class LatticeRegion : public BondedRegion {
  private:
   class LatticeEvaluator;
 
+  // Where bonds or squares of cells are gone: stresses of what is left of both, the mean over the cells at a point.
+  void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
+                         const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
+  Eigen::Vector3d stress_of_squares(const Solution& solution, int first_square) const;
   void bond_alone(const Preparation& preparation, Contributions& contributions);
   void take_network(const Preparation& preparation, std::vector<std::string>& warnings);
 

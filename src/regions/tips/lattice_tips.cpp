@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "cancellation.hpp"
 #include "elasticity/griffith.hpp"
@@ -51,14 +52,29 @@ TipValues without_contours(const LatticeTip& tip) {
   return values;
 }
 
+// Displacements with which the lattice of a tip would follow heat freely, which say nothing about the tip; nothing if
+// heat makes stress by itself.
+std::optional<coupling::Affine> free_displacement(const BondedBody& body, const LatticeTip& tip) {
+  const std::vector<Point>& positions = body.discretization.positions;
+  coupling::Affine free(2 * static_cast<Eigen::Index>(positions.size()), 2);
+  for (std::size_t node = 0; node < positions.size(); ++node) {
+    const auto at = body.discretization.region(tip.region).free_displacement(positions[node]);
+    if (!at) return std::nullopt;
+    free.middleRows<2>(2 * static_cast<Eigen::Index>(node)) = *at;
+  }
+  return free;
+}
+
 TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fracture_energy, const Solution& solution) {
   TipValues values = without_contours(tip);
   if (tip.clear < least_horizons * tip.horizon) return values;
+  const std::optional<coupling::Affine> free = free_displacement(body, tip);
+  if (!free) return values;
   const double radius = std::min(part_of_clear * tip.clear, most_horizons * tip.horizon);
   const TipRings rings(body, tip.axes, radius + tip.horizon);
-  const Eigen::VectorXd whole = rings.around(solution.displacement);
-  const Eigen::VectorXd constant = rings.around(solution.parts->col(0));
-  const Eigen::VectorXd proportional = rings.around(solution.parts->col(1));
+  const Eigen::VectorXd whole = rings.around(solution.displacement - coupling::evaluate(*free, solution.load_factor));
+  const Eigen::VectorXd constant = rings.around(solution.parts->col(0) - free->col(0));
+  const Eigen::VectorXd proportional = rings.around(solution.parts->col(1) - free->col(1));
   // Without any load the tip is felt where the proportional one will have it.
   const bool loaded = whole.squaredNorm() > 0;
   values.felt_ahead = felt_ahead(rings, radius, tip.horizon, loaded ? whole : proportional);

@@ -32,12 +32,19 @@ bool is_left_of(const std::vector<Point>& path, const Point& place) {
   return left;
 }
 
+double elongation(const std::vector<std::pair<int, Point>>& pulls, const std::vector<Point>& displacement) {
+  if (pulls.size() == 2) return pulls[1].second.dot(displacement[pulls[1].first] - displacement[pulls[0].first]);
+  double sum = 0;
+  for (const auto& [node, pull] : pulls) sum += pull.dot(displacement[node]);
+  return sum;
+}
+
 }  // namespace
 
 TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
     : body_(body), axes_(std::move(axes)), radius_(radius) {
   const coupling::Terms& terms = body.bonds;
-  const std::vector<char> usable = bonds_of_material();
+  const std::vector<char> usable = terms_of_material();
   const std::vector<Point>& positions = body.discretization.positions;
   std::vector<int> local(positions.size(), -1);
   const auto near = [&](int node) { return (positions[node] - axes_.place).norm() < radius_; };
@@ -46,16 +53,19 @@ TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
     return local[node];
   };
   for (std::size_t b = 0; b < terms.size(); ++b) {
-    if (!body.intact[b] || !usable[b] || (!near(terms.first[b]) && !near(terms.second[b]))) continue;
-    bonds_.push_back(
-        {number(terms.first[b]), number(terms.second[b]), body.stiffness[b], Point(terms.cosine[b], terms.sine[b])});
+    if (!body.intact[b] || !usable[b]) continue;
+    bool is_near = false;
+    terms.for_each_node(b, [&](int node) { is_near = is_near || near(node); });
+    if (!is_near) continue;
+    LocalTerm& term = terms_.emplace_back(LocalTerm{body.stiffness[b], {}});
+    terms.for_each_entry(b, [&](int node, double x, double y) { term.pulls.emplace_back(number(node), Point(x, y)); });
   }
   collect_faces();
 }
 
 // One entry a bond. The dual fields are those of one material: lattices of another one are what boundary elements are,
 // something beyond the outline.
-std::vector<char> TipRings::bonds_of_material() const {
+std::vector<char> TipRings::terms_of_material() const {
   const coupling::Terms& terms = body_.bonds;
   std::vector<char> inside(body_.discretization.positions.size(), 0), usable(terms.size(), 1);
   for (const auto& region : body_.discretization.regions) {
@@ -65,7 +75,7 @@ std::vector<char> TipRings::bonds_of_material() const {
       std::fill_n(usable.begin() + static_cast<std::ptrdiff_t>(region->first_bond()), listed->size(), 0);
   }
   for (std::size_t b = 0; b < terms.size(); ++b)
-    if (terms.is_wide(b) || !inside[terms.first[b]] || !inside[terms.second[b]]) usable[b] = 0;
+    terms.for_each_node(b, [&](int node) { usable[b] = usable[b] && inside[node]; });
   return usable;
 }
 
@@ -126,8 +136,7 @@ TipRings::View::Dual TipRings::dual_at(const Point& centre, double power, std::c
   for (const int node : nodes_)
     moved.push_back(axes_.out_of(field.displacement(polar(body_.discretization.positions[node], centre))));
   View::Dual dual{power, factor, {}, face_forces(field, centre)};
-  for (const LocalBond& b : bonds_)
-    dual.tensions.push_back(b.stiffness * b.direction.dot(moved[b.second] - moved[b.first]));
+  for (const LocalTerm& term : terms_) dual.tensions.push_back(term.stiffness * elongation(term.pulls, moved));
   return dual;
 }
 
@@ -178,8 +187,7 @@ TipRings::Expansion TipRings::expansion(const View& view, double inner, double o
   std::vector<double> found;
   for (const View::Dual& dual : view.duals) {
     double work = 0;
-    for (std::size_t b = 0; b < bonds_.size(); ++b)
-      work += dual.tensions[b] * bonds_[b].direction.dot(weighted[bonds_[b].second] - weighted[bonds_[b].first]);
+    for (std::size_t t = 0; t < terms_.size(); ++t) work += dual.tensions[t] * elongation(terms_[t].pulls, weighted);
     for (std::size_t i = 0; i < nodes_.size(); ++i) work -= dual.face_forces.segment<2>(2 * i).dot(weighted[i]);
     found.push_back(work / axes_.elasticity.thickness /
                     reciprocal_work(axes_.elasticity, dual.power, dual.factor, dual.factor));

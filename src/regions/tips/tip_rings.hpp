@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "elasticity/crack_tip_field.hpp"
@@ -36,7 +37,7 @@ struct TipAxes {
 // What a displacement of the body has of the terms of Williams' expansion at a tip, seen on rings around it.
 //
 // Reciprocity of the displacement u with the dual term u*, both without forces inside: for a weight q that falls from 1
-// within the ring to 0 outside of it the sum over bonds
+// within the ring to 0 outside of it the sum over bonds, and squares of cells,
 //   H = sum k [e(u) e(q u*) - e(u*) e(q u)]
 // is the work that the two do on each other across the ring, whatever the ring. No stress has to be recovered and no
 // displacement differentiated; and since the bonds hold every point in balance with the forces on it, it is
@@ -59,7 +60,7 @@ class TipRings {
     struct Dual {
       double power;  // of what it picks out
       std::complex<double> factor;
-      std::vector<double> tensions;  // of the bonds [N]
+      std::vector<double> tensions;  // of the terms [N]
       Eigen::VectorXd face_forces;   // [N] at the nodes
     };
     Point centre;
@@ -73,10 +74,10 @@ class TipRings {
   Expansion expansion(const View& view, double inner, double outer, const Eigen::VectorXd& around) const;
 
  private:
-  struct LocalBond {
-    int first, second;  // local nodes
+  // A term, with those of its nodes by their local numbers and how each takes part.
+  struct LocalTerm {
     double stiffness;
-    Point direction;
+    std::vector<std::pair<int, Point>> pulls;
   };
   struct FacePart {
     const Region* region;
@@ -86,7 +87,7 @@ class TipRings {
   bool is_of_material(const Region& region) const {
     return region.lattice_grid().has_value() && region.elasticity() == axes_.elasticity;
   }
-  std::vector<char> bonds_of_material() const;
+  std::vector<char> terms_of_material() const;
   void collect_faces();
   TipPolar polar(const Point& place, const Point& centre) const;
   View::Dual dual_at(const Point& centre, double power, std::complex<double> factor) const;
@@ -96,7 +97,7 @@ class TipRings {
   TipAxes axes_;
   double radius_;
   std::vector<int> nodes_;  // of the scene
-  std::vector<LocalBond> bonds_;
+  std::vector<LocalTerm> terms_;
   std::vector<FacePart> faces_;
 };
 

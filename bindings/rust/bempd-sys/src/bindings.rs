@@ -224,11 +224,14 @@ pub type bempd_plane = ::std::os::raw::c_uint;
 ///
 /// Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in
 /// scheme "paper"); preparing fails as unsolvable where supports hold its whole boundary, which
-/// leaves the pressure undetermined. Peridynamic regions need Poisson's ratio 1/3 in plane stress
-/// and 1/4 in plane strain; a ratio within 1e-6 of that is taken for it. Give critical_stretch or
-/// fracture_energy, or neither for a material that does not break. From the fracture energy G0 and
-/// the horizon delta the critical stretch is sqrt(64 pi G0 / (105 E delta)) in plane stress and
-/// sqrt(4 pi G0 / (7 E delta)) in plane strain.
+/// leaves the pressure undetermined. Peridynamic regions take Poisson's ratios from -0.2 to 0.49;
+/// bonds alone make 1/3 in plane stress and 1/4 in plane strain, up to 1e-6, and to any other ratio
+/// the cells of the lattice add the rest, each as long as the bonds along its edges and diagonals
+/// are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
+/// material that does not break. From the fracture energy G0, the horizon delta and E' = E, in
+/// plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta);
+/// where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) /
+/// 2 with Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -250,6 +253,10 @@ pub struct bempd_material {
     pub plane: i32,
     /// 0
     pub reserved: i32,
+    /// linear thermal expansion \[1/K\]; default 0
+    ///
+    /// * since: 0.3
+    pub thermal_expansion: f64,
 }
 extern "C" {
     /// Set struct_size and the defaults.
@@ -346,7 +353,8 @@ extern "C" {
     /// across.
     ///
     /// * model \[in\]: the model
-    /// * material \[in\]: id of a material with the Poisson's ratio of bond-based peridynamics
+    /// * material \[in\]: id of a material with a Poisson's ratio from -0.2 to 0.49, or, with points on
+    ///   such an outline, of bonds alone, 1/3 in plane stress and 1/4 in plane strain
     /// * vertex_count \[in\]: number of vertices, \>= 3
     /// * vertices \[in\]: shape \[vertex_count\]\[2\], counter-clockwise \[m\]
     /// * spacing \[in\]: lattice spacing \[m\], \> 0
@@ -812,6 +820,76 @@ extern "C" {
         component: i32,
         constant: f64,
         proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Add a force per volume on a whole region, such as its weight: constant over the region.
+    ///
+    /// In BEM regions it takes no elements inside: a state of stress with the force everywhere is
+    /// taken off the boundary. A BEM region with cracks refuses it when the model is prepared.
+    /// bempd_set_load_values() gives it a new value.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * component \[in\]: BEMPD_X or BEMPD_Y
+    /// * constant \[in\]: constant part, along the axis \[N/m^3\]
+    /// * proportional \[in\]: part multiplied by the load factor \[N/m^3\]
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_body_force(
+        model: *mut bempd_model,
+        region: i32,
+        component: i32,
+        constant: f64,
+        proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Change the temperature of a whole region, the same everywhere in it. Its material, free to
+    /// do so, would lengthen by the thermal_expansion times that; in plane strain what is held
+    /// across the plane pushes, too.
+    ///
+    /// Bonds break by what they are stretched beyond that. Temperatures of a region add up; they
+    /// are a part of the prepared model, so that they change with the load factor but take no new
+    /// values, and with one there are no windows (stepping.solver): every event is found in the
+    /// whole body.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * constant \[in\]: constant part \[K\]
+    /// * proportional \[in\]: part multiplied by the load factor \[K\]
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_temperature(
+        model: *mut bempd_model,
+        region: i32,
+        constant: f64,
+        proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// The same with values from a function of the place. In a BEM region they have to be linear in
+    /// x and y.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * function \[in\]: called once for each place while the model is prepared: it writes the
+    ///   constant part \[K\] to constant\[0\] and the one multiplied by the load factor to
+    ///   proportional\[0\]
+    /// * user \[in\]: handed to it; may be NULL
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_temperature_function(
+        model: *mut bempd_model,
+        region: i32,
+        function: bempd_boundary_function,
+        user: *mut ::std::os::raw::c_void,
         load: *mut i32,
     ) -> bempd_status;
 }

@@ -166,6 +166,32 @@ impl Model {
         self.handle.add_point_force(place, component as i32, constant, proportional).map(LoadId)
     }
 
+    /// Adds a force per volume [N/m^3], along x or y, on a whole region, such as its weight.
+    pub fn add_body_force(
+        &mut self,
+        region: RegionId,
+        component: Component,
+        constant: f64,
+        proportional: f64,
+    ) -> Result<LoadId> {
+        self.handle.add_body_force(region.0, component as i32, constant, proportional).map(LoadId)
+    }
+
+    /// Changes the temperature [K] of a region by a function of the position `x, y` [m]: the first numbers of what it
+    /// gives count. In a boundary element region it has to be linear.
+    pub fn add_temperature_function(
+        &mut self,
+        region: RegionId,
+        function: impl FnMut(f64, f64) -> Option<BoundaryValue> + Send + 'static,
+    ) -> Result<LoadId> {
+        self.handle.add_temperature_function(region.0, Box::new(function)).map(LoadId)
+    }
+
+    /// Changes the temperature [K] of a whole region.
+    pub fn add_temperature(&mut self, region: RegionId, constant: f64, proportional: f64) -> Result<LoadId> {
+        self.handle.add_temperature(region.0, constant, proportional).map(LoadId)
+    }
+
     /// Gives a traction or point force that was not given by a function new values, as many as it was made with, at any
     /// time. The new load acts from the next step on: that step begins by finding equilibrium at the present load factor.
     pub fn set_load_values(&mut self, load: LoadId, values: Values<'_>) -> Result<()> {

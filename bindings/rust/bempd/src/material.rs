@@ -4,8 +4,8 @@ use crate::Plane;
 
 /// An isotropic elastic material that breaks at a critical bond stretch.
 ///
-/// Peridynamic regions need Poisson's ratio 1/3 in plane stress and 1/4 in plane strain. Without critical stretch and
-/// fracture energy the material does not break; give one of them, not both.
+/// Peridynamic regions take Poisson's ratios from -0.2 to 0.49. Without critical stretch and fracture energy the material
+/// does not break; give one of them, not both.
 ///
 /// ```
 /// use bempd::{Material, Plane};
@@ -23,6 +23,7 @@ pub struct Material {
     thickness: Option<f64>,
     critical_stretch: Option<f64>,
     fracture_energy: Option<f64>,
+    thermal_expansion: Option<f64>,
     plane: Option<Plane>,
 }
 
@@ -35,6 +36,7 @@ impl Material {
             thickness: None,
             critical_stretch: None,
             fracture_energy: None,
+            thermal_expansion: None,
             plane: None,
         }
     }
@@ -54,6 +56,11 @@ impl Material {
         Material { fracture_energy: Some(fracture_energy), ..self }
     }
 
+    /// Linear thermal expansion [1/K].
+    pub fn thermal_expansion(self, thermal_expansion: f64) -> Material {
+        Material { thermal_expansion: Some(thermal_expansion), ..self }
+    }
+
     /// In plane stress or plane strain; the same for all materials of a model.
     pub fn plane(self, plane: Plane) -> Material {
         Material { plane: Some(plane), ..self }
@@ -66,6 +73,7 @@ impl Material {
         raw.thickness = self.thickness.unwrap_or(raw.thickness);
         raw.critical_stretch = self.critical_stretch.unwrap_or(raw.critical_stretch);
         raw.fracture_energy = self.fracture_energy.unwrap_or(raw.fracture_energy);
+        raw.thermal_expansion = self.thermal_expansion.unwrap_or(raw.thermal_expansion);
         raw.plane = self.plane.map_or(raw.plane, |plane| plane as i32);
     }
 }

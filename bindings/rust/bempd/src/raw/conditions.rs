@@ -132,6 +132,28 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_body_force(
+        &mut self,
+        region: i32,
+        component: i32,
+        constant: f64,
+        proportional: f64,
+    ) -> Result<i32> {
+        self.output(|model, load| unsafe {
+            sys::bempd_add_body_force(model, region, component, constant, proportional, load)
+        })
+    }
+
+    pub(crate) fn add_temperature_function(&mut self, region: i32, function: BoundaryFunction) -> Result<i32> {
+        self.with_boundary_function(function, |model, function, user, load| unsafe {
+            sys::bempd_add_temperature_function(model, region, function, user, load)
+        })
+    }
+
+    pub(crate) fn add_temperature(&mut self, region: i32, constant: f64, proportional: f64) -> Result<i32> {
+        self.output(|model, load| unsafe { sys::bempd_add_temperature(model, region, constant, proportional, load) })
+    }
+
     pub(crate) fn set_load_values(&mut self, load: i32, values: &Values<'_>) -> Result<()> {
         let Arrays { count, constant, proportional } = Arrays::of(values)?;
         self.call(|model| unsafe { sys::bempd_set_load_values(model, load, count, constant, proportional) })

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "elasticity/free_swelling.hpp"
+#include "geometry/point.hpp"
+
+namespace bempd::regions {
+
+class BondedRegion;
+
+// Strains that lattices want at the scene's nodes: one field for all that act as one where they touch, since bonds
+// cross from one to the other; their mean where they differ.
+class LatticeSwelling {
+ public:
+  explicit LatticeSwelling(const std::vector<Point>& positions) : positions_(positions) {}
+
+  void add(const BondedRegion& region, const Swelling& strain);
+  // Constant and proportional part.
+  Eigen::RowVector2d at(const BondedRegion& region, int node) const;
+
+ private:
+  struct Body {
+    const BondedRegion* first;
+    coupling::Affine sum;
+    std::vector<int> count;
+  };
+
+  const Body& body_of(const BondedRegion& region) const;
+
+  const std::vector<Point>& positions_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace bempd::regions

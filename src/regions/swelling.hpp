@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "elasticity/free_swelling.hpp"
+#include "regions/discretization.hpp"
+
+namespace bempd::regions {
+
+// What loads make the material of regions want, by their ids.
+using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
+
+// Gives bonds, squares of cells and boundary elements the lengths that they have without stress; before operators are
+// asked for. Throws Error (argument) for a boundary element region that cannot swell like that.
+void swell(Discretization& discretization, const SwellingOfRegions& swelling);
+
+}  // namespace bempd::regions
