@@ -67,8 +67,11 @@ All of it can be imported from `bempd` itself, but for the pictures, which are i
 
 def contents(target: pathlib.Path) -> str:
     """What stands beside every page, by chapter; on a forge the pages' own links do that."""
+    listed = {name for names in CHAPTERS.values() for name in names} | {"docs/index"}
+    others = sorted(name for page in target.glob("docs/*.md") if (name := f"docs/{page.stem}") not in listed)
     text = ""
     for title, names in CHAPTERS.items():
+        names = names + others if title == "What is measured" else names
         pages = [page for name in names for page in (sorted(str(found.relative_to(target))[:-3]
                  for found in target.glob(name + ".md")) if "*" in name else [name])]
         text += f"\n```{{toctree}}\n:hidden:\n:caption: {title}\n\n" + "\n".join("/" + page for page in pages) + "\n```\n"
