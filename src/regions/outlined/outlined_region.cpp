@@ -140,6 +140,11 @@ void OutlinedRegion::require_possible_corners() const {
 
 void OutlinedRegion::build(const Preparation& preparation, Contributions& contributions) {
   require_possible_corners();
+  const Box box = bounding_box(preparation.scene.region(id()).outline());
+  constexpr double most_places = 1e8;
+  const double places = box.volume() / (spacing() * spacing());
+  require(places <= most_places, "region ", id(), " lies in a rectangle of ", places, " spacings ", spacing(),
+          " squared; the limit is ", most_places, ": choose a larger spacing");
   const std::vector<char> is_shared = shared_points(preparation);
   const pd::Chords chords = body_.chords;
   const int threads = preparation.options.whole_number("threads");
