@@ -6,6 +6,7 @@
 #   benchmarks/run.sh windows         what each number of the windows is worth, into docs/windows.md with --write
 #   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/materials.md
+#   benchmarks/run.sh separation      where torn plates end, into docs/separation.md
 #   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/outlines.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
@@ -21,8 +22,9 @@ case "$name" in
   windows) programs=() peers=() needed=(valgrind) ;;
   directions) programs=(bempd_directions) peers=() ;;
   materials) programs=() peers=() ;;
+  separation) programs=() peers=() ;;
   outlines) programs=(bempd_outlines) peers=() ;;
-  *) sed -n '2,9s/^# *//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,11s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cancellation.hpp"
+#include "fracture/balance.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
@@ -211,6 +212,7 @@ bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
   foreseen.after = WindowFunctions::energy(after);
   foreseen.broken = system_.count_broken(foreseen.event.changes);
   foreseen.work = WindowFunctions::work(before, after, f);
+  foreseen.reactions_before = functions_.reactions(before, f);
   foreseen.reactions = functions_.reactions(after, f);
   for (std::size_t i = 0; i < here.size(); ++i) {
     foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(here[i].term, f);
