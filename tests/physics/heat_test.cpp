@@ -63,7 +63,8 @@ TEST_P(Heat, expands_a_body_without_stress_if_it_is_free) {
     for (const double s : model.field(region, BEMPD_STRESS)) stress = std::max(stress, std::abs(s));
   }
   const auto inside = model.evaluate({0.31, 0.47});
-  displacement = largest({displacement, inside.displacement[0] - strain * 0.31, inside.displacement[1] - strain * 0.47});
+  displacement =
+      largest({displacement, inside.displacement[0] - strain * 0.31, inside.displacement[1] - strain * 0.47});
   std::printf("error of the displacement over the largest %.1e, stress over E strain %.1e (reference: 0)\n",
               displacement / (2 * strain), stress / (young * strain));
   EXPECT_LE(displacement, 1e-12 * 2 * strain);
@@ -201,7 +202,8 @@ TEST(Weight, is_carried_from_a_lattice_through_boundary_elements) {
   model.step(1);
   const double all = weight * 10 * 0.02, sunk = model.evaluate({0.5, 10}).displacement[1];
   EXPECT_LE(std::abs(report("reaction", model.reaction(foot)[1], all, "weight")), 1e-9 * all);
-  EXPECT_LE(std::abs(report("top", sunk, -weight * 100 / (2 * young), "w h^2 / (2 E)")), 2e-3 * weight * 100 / (2 * young));
+  EXPECT_LE(std::abs(report("top", sunk, -weight * 100 / (2 * young), "w h^2 / (2 E)")),
+            2e-3 * weight * 100 / (2 * young));
 }
 
 TEST(Heat, of_boundary_elements_has_to_be_linear) {
