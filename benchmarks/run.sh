@@ -5,6 +5,7 @@
 #   benchmarks/run.sh fracture        stress intensity factors against references, into docs/verification.md
 #   benchmarks/run.sh windows         what each number of the windows is worth, into docs/windows.md with --write
 #   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md
+#   benchmarks/run.sh separation      where torn plates end, into docs/separation.md
 #   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/outlines.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
@@ -19,8 +20,9 @@ case "$name" in
   fracture) programs=() peers=(python3-dolfinx python3-gmsh) ;;
   windows) programs=() peers=() needed=(valgrind) ;;
   directions) programs=(bempd_directions) peers=() ;;
+  separation) programs=() peers=() ;;
   outlines) programs=(bempd_outlines) peers=() ;;
-  *) sed -n '2,9s/^# *//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,10s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

@@ -540,7 +540,9 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_LOAD_FACTOR = 1,
   /** One event happened (bempd_step_to_next_event()). */
   BEMPD_STOP_EVENT = 2,
-  /** The body is separated: the proportional load meets no resistance any more. */
+  /** The body is separated: what carried load between supports and loads, proportional or constant, bears nothing any
+   * more; or less than the option stepping.separation_share of the largest force so far, and the bonds that are left
+   * break under larger loads only (`hanging`). */
   BEMPD_STOP_SEPARATED = 3,
   /** No bond can break however far the load factor goes in this direction. */
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
@@ -562,7 +564,7 @@ typedef enum bempd_stop_reason {
 typedef struct bempd_step_report {
   int64_t struct_size;         /**< sizeof(bempd_step_report), set by bempd_step_report_init() */
   int32_t stop_reason;         /**< a bempd_stop_reason */
-  int32_t separated;           /**< 1 once the load path is cut */
+  int32_t separated;           /**< 1 once the load path is cut (BEMPD_STOP_SEPARATED) */
   int64_t events;              /**< events in this step: batches of bonds broken at one load factor */
   int64_t broken_bonds;        /**< bonds broken in this step */
   int64_t total_events;        /**< events since the beginning */
@@ -570,8 +572,10 @@ typedef struct bempd_step_report {
   int64_t fragments;           /**< pieces come free of all supports, or loaded ones that swing on a hinge */
   double load_factor;          /**< load factor reached [-] */
   double stored_energy;        /**< elastic energy at the end [J] */
-  double released_energy;      /**< energy released by breaking bonds since the beginning [J] */
-  double work;                 /**< work of loads and supports since the beginning [J] */
+  double released_energy;      /**< energy released by breaking bonds since the beginning [J]; where equilibrium is lost
+                                  under forces, what these give from there on counts only as far as bonds take it */
+  double work;                 /**< work of loads and supports since the beginning, without what then would have become
+                                  motion [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-];
                                   not small in scheme paper, whose stiffness is unsymmetric */
   double residual; /**< largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5
@@ -585,6 +589,12 @@ typedef struct bempd_step_report {
                              critical stretch; the rest would have become motion [J] */
   int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
                              stretched beyond what they bear; 0 if each event was in equilibrium */
+  double resistance;      /**< force that the body bore after the last event: half of the sum of the magnitudes of all
+                             support forces and nodal loads, the pull in a tensile test; 0 before the first event [N] */
+  double peak_resistance; /**< the largest that it bore in equilibrium just before an event [N] */
+  int32_t hanging;        /**< 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which
+                             bears nothing, or less than the option stepping.separation_share of the peak */
+  int32_t reserved;       /**< 0 */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill
@@ -647,10 +657,10 @@ typedef enum bempd_until {
  * Values at the end are those that bempd_step() to the same load factor would have; a proportional part counts there
  * with that load factor. Before the first step the body is at rest, and the way begins at zero.
  *
- * A step that ends before (at an event, separated, or without an admissible load) leaves loads and supports where they
- * were on the way. The same call with the same load factor goes on from there, as if it had not stopped; with another
- * one, or after new values, it begins a new straight line there; bempd_step() goes to the values at once. A call that
- * fails or is cancelled leaves everything as it was before.
+ * A step that ends before (at an event, separated, on request, without an admissible load) leaves loads and supports
+ * where they were on the way. The same call with the same load factor goes on from there, as if it had not stopped;
+ * with another one, or after new values, it begins a new straight line there; bempd_step() goes to the values at once.
+ * A call that fails or is cancelled leaves everything as it was before.
  * @param[in] model the model @param[in] load_factor where the way ends, above or below the present one [-]
  * @param[in] until a bempd_until
  * @param[in,out] report struct_size in, the rest out; stop_reason is BEMPD_STOP_LOAD_FACTOR where the values were
@@ -787,6 +797,61 @@ BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support
  * @return status; an edge without a support is an argument error @since 0.3 */
 BEMPD_API bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y,
                                            double* force, double* moment);
+
+/** @brief Number of pieces that the body consists of: material points and boundary elements that intact bonds,
+ * interfaces and BEM regions join. A point without any bond is a piece too. Prepares the model.
+ * @param[in] model the model @param[out] count their number @return status @since 0.3 */
+BEMPD_API bempd_status bempd_piece_count(bempd_model* model, int64_t* count);
+
+/** @brief Pieces of the nodes of a region. Pieces have numbers from 1, the one with the most nodes first, which change
+ * as bonds break. Prepares the model.
+ * @param[in] model the model @param[in] region id of a region @param[in] capacity integers in pieces, at least as many
+ * as bempd_node_count() tells @param[out] pieces shape [nodes], number of a piece each @return status @since 0.3 */
+BEMPD_API bempd_status bempd_copy_node_pieces(bempd_model* model, int32_t region, int64_t capacity, int32_t* pieces);
+
+/** @brief Piece that a support holds. @param[in] model the model, which is prepared if needed
+ * @param[in] support id of a support @param[out] piece its number, or 0 if the support holds nodes of several pieces
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_support_piece(bempd_model* model, int32_t support, int32_t* piece);
+
+/** @brief Piece that a load acts on, also while its values are 0. @param[in] model the model, which is prepared if
+ * needed
+ * @param[in] load id of a load @param[out] piece its number, or 0 if the load acts on several pieces
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_load_piece(bempd_model* model, int32_t load, int32_t* piece);
+
+/** @brief Whether two supports still hold the same piece. @param[in] model the model, which is prepared if needed
+ * @param[in] support id of a support @param[in] other id of another one
+ * @param[out] connected 1 if some piece has nodes of both, else 0 @return status @since 0.3 */
+BEMPD_API bempd_status bempd_are_connected(bempd_model* model, int32_t support, int32_t other, int32_t* connected);
+
+/** @brief A piece of the body. Fill it with bempd_piece_init().
+ *
+ * Its motion is the small rigid one nearest to the displacement of its nodes in the mean square. A piece that supports
+ * leave free to move is held where it came free: it has no loads, and its motion is the one it had then. @since 0.3 */
+typedef struct bempd_piece {
+  int64_t struct_size;  /**< sizeof(bempd_piece), set by bempd_piece_init() */
+  int64_t nodes;        /**< material points and boundary nodes */
+  int32_t supports;     /**< supports that hold it */
+  int32_t loads;        /**< loads that act on it */
+  int32_t free_motions; /**< independent rigid motions that supports leave it: 0 held, 3 all */
+  int32_t reserved;     /**< 0 */
+  double x;             /**< mean of the places of its nodes [m] */
+  double y;             /**< [m] */
+  double move_x;        /**< displacement there [m] */
+  double move_y;        /**< [m] */
+  double rotation;      /**< about that place, counter-clockwise [rad] */
+  double deviation;     /**< largest difference of a node's displacement from this motion: 0 for a rigid one [m] */
+} bempd_piece;
+
+/** @brief Set struct_size and zeros. @param[out] piece the struct to fill
+ * @param[in] struct_size sizeof(bempd_piece) as the caller was compiled: older programs keep working when it grows
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_piece_init(bempd_piece* piece, int64_t struct_size);
+
+/** @brief A piece. @param[in] model the model, which is prepared if needed @param[in] number 1 .. bempd_piece_count()
+ * @param[in,out] piece struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_piece(bempd_model* model, int32_t number, bempd_piece* piece);
 
 /** @brief Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
  * between material points in PD regions.

@@ -25,6 +25,7 @@ module bempd
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
+    bempd_piece, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
     BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, bempd_step_report, bempd_statistics, &
     bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, &
@@ -55,6 +56,7 @@ module bempd
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
     procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
     procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
+    procedure :: piece_count, piece, node_pieces, support_piece, load_piece, are_connected
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
   end type bempd_model
@@ -82,6 +84,7 @@ module bempd
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     edge_reaction, evaluate_in, singularities, &
+    piece_count, piece, node_pieces, support_piece, load_piece, are_connected, &
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
@@ -566,6 +569,53 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine singularities
+    !> Pieces that the body consists of; a material point without any bond is one too.
+    module subroutine piece_count(self, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int64_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine piece_count
+    !> A piece, from 1; the one with the most nodes is the first.
+    module subroutine piece(self, number, found, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: number
+      type(bempd_piece), intent(out) :: found
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine piece
+    !> Numbers of the pieces of the nodes of a region.
+    module subroutine node_pieces(self, region, pieces, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      integer(c_int32_t), allocatable, intent(out) :: pieces(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine node_pieces
+    !> Number of the piece that a support holds; 0 if it holds nodes of several.
+    module subroutine support_piece(self, support, number, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      integer(c_int32_t), intent(out) :: number
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine support_piece
+    !> Number of the piece that a load acts on, also while it is 0; 0 if it acts on several.
+    module subroutine load_piece(self, load, number, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      integer(c_int32_t), intent(out) :: number
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine load_piece
+    !> Whether two supports still hold the same piece.
+    module subroutine are_connected(self, support, other, connected, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support, other
+      logical, intent(out) :: connected
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine are_connected
     module subroutine get_statistics(self, statistics, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       type(bempd_statistics), intent(out) :: statistics

@@ -81,7 +81,9 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_STOP_LOAD_FACTOR = 1
   !> One event happened (bempd_step_to_next_event()).
   integer(c_int), parameter :: BEMPD_STOP_EVENT = 2
-  !> The body is separated: the proportional load meets no resistance any more.
+  !> The body is separated: what carried load between supports and loads, proportional or constant, bears nothing any
+  !> more; or less than the option stepping.separation_share of the largest force so far, and the bonds that are left
+  !> break under larger loads only (`hanging`).
   integer(c_int), parameter :: BEMPD_STOP_SEPARATED = 3
   !> No bond can break however far the load factor goes in this direction.
   integer(c_int), parameter :: BEMPD_STOP_NO_FURTHER_EVENT = 4
@@ -252,7 +254,7 @@ module bempd_c
     integer(c_int64_t) :: struct_size
     !> a bempd_stop_reason
     integer(c_int32_t) :: stop_reason
-    !> 1 once the load path is cut
+    !> 1 once the load path is cut (BEMPD_STOP_SEPARATED)
     integer(c_int32_t) :: separated
     !> events in this step: batches of bonds broken at one load factor
     integer(c_int64_t) :: events
@@ -268,9 +270,10 @@ module bempd_c
     real(c_double) :: load_factor
     !> elastic energy at the end [J]
     real(c_double) :: stored_energy
-    !> energy released by breaking bonds since the beginning [J]
+    !> energy released by breaking bonds since the beginning [J]; where equilibrium is lost under forces, what these
+    !> give from there on counts only as far as bonds take it
     real(c_double) :: released_energy
-    !> work of loads and supports since the beginning [J]
+    !> work of loads and supports since the beginning, without what then would have become motion [J]
     real(c_double) :: work
     !> |work - stored - released| over the largest work so far, worst of all events [-]; not small in scheme paper,
     !> whose stiffness is unsymmetric
@@ -292,7 +295,50 @@ module bempd_c
     !> number of the first event of this step at which equilibrium was lost: bonds were stretched beyond what they bear;
     !> 0 if each event was in equilibrium
     integer(c_int64_t) :: unstable_event
+    !> force that the body bore after the last event: half of the sum of the magnitudes of all support forces and nodal
+    !> loads, the pull in a tensile test; 0 before the first event [N]
+    real(c_double) :: resistance
+    !> the largest that it bore in equilibrium just before an event [N]
+    real(c_double) :: peak_resistance
+    !> 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears nothing, or less than
+    !> the option stepping.separation_share of the peak
+    integer(c_int32_t) :: hanging
+    !> 0
+    integer(c_int32_t) :: reserved
   end type bempd_step_report
+
+  !> A piece of the body. Fill it with bempd_piece_init().
+  !>
+  !> Its motion is the small rigid one nearest to the displacement of its nodes in the mean square. A piece that
+  !> supports leave free to move is held where it came free: it has no loads, and its motion is the one it had then.
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_piece
+    !> sizeof(bempd_piece), set by bempd_piece_init()
+    integer(c_int64_t) :: struct_size
+    !> material points and boundary nodes
+    integer(c_int64_t) :: nodes
+    !> supports that hold it
+    integer(c_int32_t) :: supports
+    !> loads that act on it
+    integer(c_int32_t) :: loads
+    !> independent rigid motions that supports leave it: 0 held, 3 all
+    integer(c_int32_t) :: free_motions
+    !> 0
+    integer(c_int32_t) :: reserved
+    !> mean of the places of its nodes [m]
+    real(c_double) :: x
+    !> [m]
+    real(c_double) :: y
+    !> displacement there [m]
+    real(c_double) :: move_x
+    !> [m]
+    real(c_double) :: move_y
+    !> about that place, counter-clockwise [rad]
+    real(c_double) :: rotation
+    !> largest difference of a node's displacement from this motion: 0 for a rigid one [m]
+    real(c_double) :: deviation
+  end type bempd_piece
 
   !> A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
   !>
@@ -1596,10 +1642,10 @@ module bempd_c
     !> host. Values at the end are those that bempd_step() to the same load factor would have; a proportional part
     !> counts there with that load factor. Before the first step the body is at rest, and the way begins at zero.
     !>
-    !> A step that ends before (at an event, separated, or without an admissible load) leaves loads and supports where
-    !> they were on the way. The same call with the same load factor goes on from there, as if it had not stopped; with
-    !> another one, or after new values, it begins a new straight line there; bempd_step() goes to the values at once. A
-    !> call that fails or is cancelled leaves everything as it was before.
+    !> A step that ends before (at an event, separated, on request, without an admissible load) leaves loads and
+    !> supports where they were on the way. The same call with the same load factor goes on from there, as if it had not
+    !> stopped; with another one, or after new values, it begins a new straight line there; bempd_step() goes to the
+    !> values at once. A call that fails or is cancelled leaves everything as it was before.
     !>
     !> model [in]: the model
     !> load_factor [in]: where the way ends, above or below the present one [-]
@@ -1873,6 +1919,113 @@ module bempd_c
       type(c_ptr), value :: moment
       integer(c_int) :: bempd_edge_reaction
     end function bempd_edge_reaction
+
+    !> Number of pieces that the body consists of: material points and boundary elements that intact bonds, interfaces
+    !> and BEM regions join. A point without any bond is a piece too. Prepares the model.
+    !>
+    !> model [in]: the model
+    !> count [out]: their number
+    !> return: status
+    !> since: 0.3
+    function bempd_piece_count(model, count) bind(c, name="bempd_piece_count")
+      import :: c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int) :: bempd_piece_count
+    end function bempd_piece_count
+
+    !> Pieces of the nodes of a region. Pieces have numbers from 1, the one with the most nodes first, which change as
+    !> bonds break. Prepares the model.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> capacity [in]: integers in pieces, at least as many as bempd_node_count() tells
+    !> pieces [out]: shape [nodes], number of a piece each
+    !> return: status
+    !> since: 0.3
+    function bempd_copy_node_pieces(model, region, capacity, pieces) bind(c, name="bempd_copy_node_pieces")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int64_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: pieces(*)
+      integer(c_int) :: bempd_copy_node_pieces
+    end function bempd_copy_node_pieces
+
+    !> Piece that a support holds.
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> support [in]: id of a support
+    !> piece [out]: its number, or 0 if the support holds nodes of several pieces
+    !> return: status
+    !> since: 0.3
+    function bempd_support_piece(model, support, piece) bind(c, name="bempd_support_piece")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      integer(c_int32_t), intent(inout) :: piece
+      integer(c_int) :: bempd_support_piece
+    end function bempd_support_piece
+
+    !> Piece that a load acts on, also while its values are 0.
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> load [in]: id of a load
+    !> piece [out]: its number, or 0 if the load acts on several pieces
+    !> return: status
+    !> since: 0.3
+    function bempd_load_piece(model, load, piece) bind(c, name="bempd_load_piece")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      integer(c_int32_t), intent(inout) :: piece
+      integer(c_int) :: bempd_load_piece
+    end function bempd_load_piece
+
+    !> Whether two supports still hold the same piece.
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> support [in]: id of a support
+    !> other [in]: id of another one
+    !> connected [out]: 1 if some piece has nodes of both, else 0
+    !> return: status
+    !> since: 0.3
+    function bempd_are_connected(model, support, other, connected) bind(c, name="bempd_are_connected")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      integer(c_int32_t), value :: other
+      integer(c_int32_t), intent(inout) :: connected
+      integer(c_int) :: bempd_are_connected
+    end function bempd_are_connected
+
+    !> Set struct_size and zeros.
+    !>
+    !> piece [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_piece) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.3
+    function bempd_piece_init(piece, struct_size) bind(c, name="bempd_piece_init")
+      import :: bempd_piece, c_int, c_int64_t
+      type(bempd_piece), intent(inout) :: piece
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_piece_init
+    end function bempd_piece_init
+
+    !> A piece.
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> number [in]: 1 .. bempd_piece_count()
+    !> piece [in,out]: struct_size in, the rest out
+    !> return: status
+    !> since: 0.3
+    function bempd_get_piece(model, number, piece) bind(c, name="bempd_get_piece")
+      import :: bempd_piece, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: number
+      type(bempd_piece), intent(inout) :: piece
+      integer(c_int) :: bempd_get_piece
+    end function bempd_get_piece
 
     !> Displacement and stress at places in the body: by the interior identities in BEM regions, by interpolation
     !> between material points in PD regions.

@@ -255,6 +255,48 @@ contains
     call finish(self, status, stat, errmsg)
   end procedure singularities
 
+  module procedure piece_count
+    count = 0
+    call finish(self, bempd_piece_count(self%handle, count), stat, errmsg)
+  end procedure piece_count
+
+  module procedure piece
+    integer(c_int) :: status
+
+    status = bempd_piece_init(found, c_sizeof(found))
+    call finish(self, bempd_get_piece(self%handle, number, found), stat, errmsg)
+  end procedure piece
+
+  module procedure node_pieces
+    integer(c_int64_t) :: count
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_node_count(self%handle, region, count)
+    allocate (pieces(count))
+    pieces = 0
+    if (status == BEMPD_OK) status = bempd_copy_node_pieces(self%handle, region, count, pieces)
+    call finish(self, status, stat, errmsg)
+  end procedure node_pieces
+
+  module procedure support_piece
+    number = 0
+    call finish(self, bempd_support_piece(self%handle, support, number), stat, errmsg)
+  end procedure support_piece
+
+  module procedure load_piece
+    number = 0
+    call finish(self, bempd_load_piece(self%handle, load, number), stat, errmsg)
+  end procedure load_piece
+
+  module procedure are_connected
+    integer(c_int32_t) :: answer
+
+    answer = 0
+    call finish(self, bempd_are_connected(self%handle, support, other, answer), stat, errmsg)
+    connected = answer /= 0
+  end procedure are_connected
+
   module procedure tips
     integer(c_int64_t) :: count, k
     integer(c_int) :: status

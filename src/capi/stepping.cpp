@@ -48,6 +48,8 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.seconds_search = result.seconds_search;
   r.bond_energy = state.bond_energy;
   r.unstable_event = result.unstable_event;
+  r.resistance = state.resistance.present;
+  r.peak_resistance = state.resistance.peak;
   return r;
 }
 
@@ -59,7 +61,10 @@ bempd_status advance(bempd_model* handle, const char* function, const char* targ
     require_finite(target, target_name);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
     const model::StepResult result = (m.*step)(target, goal);
-    if (report) write_struct(report, report_of(result, m.prepared().evolution->progress()), "report");
+    if (!report) return;
+    bempd_step_report r = report_of(result, m.prepared().evolution->progress());
+    r.hanging = m.hangs() ? 1 : 0;
+    write_struct(report, r, "report");
   });
 }
 

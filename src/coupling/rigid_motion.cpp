@@ -113,4 +113,27 @@ std::string RigidMotion::describe() const {
   return sentence;
 }
 
+RigidFit nearest_rigid_motion(const std::vector<Point>& positions, const std::vector<int>& nodes,
+                              const Eigen::VectorXd& displacement) {
+  RigidFit fit;
+  for (int node : nodes) {
+    fit.centre += positions[node] / static_cast<double>(nodes.size());
+    fit.translation += displacement.segment<2>(2 * node) / static_cast<double>(nodes.size());
+  }
+  double turned = 0, inertia = 0;
+  const auto lever = [&](int node) {
+    return Eigen::Vector2d(fit.centre.y() - positions[node].y(), positions[node].x() - fit.centre.x());
+  };
+  for (int node : nodes) {
+    turned += lever(node).dot(displacement.segment<2>(2 * node) - fit.translation);
+    inertia += lever(node).squaredNorm();
+  }
+  if (inertia > 0) fit.rotation = turned / inertia;
+  for (int node : nodes) {
+    const Eigen::Vector2d rigid = fit.translation + fit.rotation * lever(node);
+    fit.deviation = std::max(fit.deviation, (displacement.segment<2>(2 * node) - rigid).norm());
+  }
+  return fit;
+}
+
 }  // namespace bempd::coupling

@@ -43,4 +43,13 @@ class RigidMotion {
   Eigen::Matrix<double, 3, Eigen::Dynamic> free_;  // columns: (x, y, rotation * radius)
 };
 
+// The small rigid motion that is nearest to that of some nodes in the mean square.
+struct RigidFit {
+  Point centre = Point::Zero(), translation = Point::Zero();  // of the centre
+  double rotation = 0;                                        // counter-clockwise
+  double deviation = 0;                                       // the largest of a node
+};
+RigidFit nearest_rigid_motion(const std::vector<Point>& positions, const std::vector<int>& nodes,
+                              const Eigen::VectorXd& displacement);
+
 }  // namespace bempd::coupling

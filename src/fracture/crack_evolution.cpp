@@ -2,34 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "error.hpp"
+#include "fracture/balance.hpp"
+#include "fracture/resistance.hpp"
 
 namespace bempd::fracture {
-
-using coupling::Affine;
-
-namespace {
-
-// Energies that no number can hold are told as the largest one, and Model warns of them.
-double in_range(double energy) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  return std::isnan(energy) ? largest : std::clamp(energy, -largest, largest);
-}
-
-void require_balance(double residual, double energy_balance_error) {
-  if (residual > most_residual) {
-    fail(Failure::unsolvable, "forces are out of balance by ", residual,
-         " of the largest one: a part is held by next to nothing, or very slender; check supports and cracks");
-  }
-  if (energy_balance_error > most_imbalance) {
-    fail(Failure::unsolvable, "work and energies differ by ", energy_balance_error,
-         " of the largest work: a part is held by next to nothing, or very slender; check supports and cracks");
-  }
-}
-
-}  // namespace
 
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                                std::vector<double> critical_stretch, const std::vector<int>& cut,
@@ -43,84 +21,6 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
 void CrackEvolution::grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips) {
   state_.tips = std::move(tips);
   sources_.grow_lines(std::move(laws));
-}
-
-void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
-  sources_.refresh();
-  sources_.settle();
-  body_.set_load(force, prescribed);
-  work_within_ = work_within;
-}
-
-void CrackEvolution::take_over(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
-  sources_.refresh();
-  sources_.settle();
-  body_.take_over(force, prescribed);
-  work_within_ = work_within;
-}
-
-void CrackEvolution::act_again(Loads loads) noexcept {
-  body_.act_again(std::move(loads.acting));
-  work_within_ = loads.work_within;
-  sources_.abandon();
-}
-
-double CrackEvolution::within(double load_factor) const {
-  const Eigen::Vector2d loads(1, load_factor);
-  return 0.5 * loads.dot(work_within_ * loads);
-}
-
-double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }
-
-void CrackEvolution::find_equilibrium() {
-  sources_.refresh();
-  if (state_.in_equilibrium) return;
-  BodyState before = state_;
-  try {
-    LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
-    require_balance(body_.residual(), 0);
-    held_ = std::move(found.held);
-    state_.fragments += found.fragments;
-    state_.work = in_range(state_.work + found.work);
-  } catch (...) {
-    static_cast<BodyState&>(state_) = std::move(before);
-    sources_.abandon();
-    throw;
-  }
-}
-
-// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
-// have come to.
-void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
-  const EvolutionState& old = before.state();
-  static_cast<Sums&>(state_) = old;
-  state_.history = old.history;
-  state_.reactions = old.reactions;
-  state_.extensions = old.extensions;
-  state_.load_factor = old.load_factor;
-  state_.largest_force = old.largest_force;
-  held_ = body_.find_equilibrium().held;
-  const double f = state_.load_factor;
-  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within(f) - before.within(f);
-  state_.work = in_range(state_.work + work);
-  state_.released_energy =
-      in_range(state_.released_energy + work + before.body_.stored_energy() - body_.stored_energy());
-  ++state_.events;
-  HistoryEntry line;
-  line.event = state_.events;
-  line.stretch_ratio = 1;
-  line.stored_energy = body_.stored_energy();
-  line.critical_stored_energy = in_range(line.stored_energy + within(f));
-  line.critical_load_factor = state_.load_factor;
-  line.residual = body_.residual();
-  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
-}
-
-void CrackEvolution::book(const std::vector<CrackExtension>& extensions) {
-  for (const CrackExtension& extension : extensions) {
-    state_.extensions.push_back(extension);
-    state_.extensions.back().event = state_.events;
-  }
 }
 
 bool CrackEvolution::energies_are_lost() const {
@@ -157,6 +57,7 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
       return StopReason::requested;
     }
     const Event* next = sources_.next(target, options);
+    if (has_come_apart(next, target, options) && goal != Goal::load_factor) return StopReason::separated;
     if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
       sources_.bring_up_to_date();
       const bool none = options.control == Control::path && body_.admissible().is_empty();
@@ -173,7 +74,7 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
     }
     sources_.mark();
     const bool increments = options.mode == SteppingMode::increments;
-    if (!perform(*next, increments && state_.events > events_before)) {
+    if (!perform(*next, options, increments && state_.events > events_before)) {
       end_step();
       return StopReason::no_equilibrium;
     }
@@ -187,17 +88,39 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   return state_.separated ? StopReason::separated : StopReason::load_factor;
 }
 
+// Whether this is found now: the connection that carried the load has lost its resistance, and what is left breaks
+// under larger loads only, if at all.
+bool CrackEvolution::has_come_apart(const Event* next, double target, const SteppingOptions& options) {
+  if (state_.separated || !is_lost(state_.resistance, options.separation_share)) return false;
+  // In increments what is stretched too far waits for the end of the next one.
+  if (options.mode == SteppingMode::increments &&
+      !body_.ratios().overstretched(system_.intact(), state_.load_factor).empty()) {
+    return false;
+  }
+  if (next) {
+    const double direction = target >= state_.load_factor ? 1 : -1;
+    double farthest = direction * state_.load_factor;
+    // On a path of equilibrium the load factor has fallen since.
+    if (options.control == Control::path) {
+      for (const HistoryEntry& line : state_.history) farthest = std::max(farthest, direction * line.load_factor);
+    }
+    if (direction * next->load_factor <= farthest) return false;
+  }
+  state_.separated = true;
+  return true;
+}
+
 // False if no equilibrium is left after the event, and what was reached before it is to be kept: then it did not
 // happen.
-bool CrackEvolution::perform(const Event& event, bool keep_what_was_reached) {
+bool CrackEvolution::perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached) {
   if (!keep_what_was_reached) {
-    book(event, sources_.perform());
+    book(event, sources_.perform(), options);
     return true;
   }
   BodyState before = state_;
   const Start start{state_, state_.history.size(), state_.reactions.size()};
   try {
-    book(event, sources_.perform());
+    book(event, sources_.perform(), options);
     return true;
   } catch (const Error& error) {
     if (error.failure() != Failure::unsolvable) throw;
@@ -220,14 +143,29 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
-void CrackEvolution::book(const Event& event, const Outcome& outcome) {
+// What loads give in an event beyond equilibrium, and bonds do not take: it sets the body in motion, and is neither
+// released by breaking nor work of a quasi-static run.
+double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
+  if (options.mode != SteppingMode::events || !event.is_out_of_balance()) {
+    state_.work_out_of_balance = 0;
+    return 0;
+  }
+  const double given = std::max(0.0, state_.work_out_of_balance + outcome.work);
+  const double moved = std::clamp(outcome.released_energy - outcome.bond_energy, 0.0, given);
+  state_.work_out_of_balance = given - moved;
+  return moved;
+}
+
+void CrackEvolution::book(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
+  const double moved = work_that_moves(event, outcome, options);
   state_.work += outcome.work_before;
-  state_.work = in_range(state_.work + outcome.work);
-  state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
+  state_.work = in_range(state_.work + (outcome.work - moved));
+  state_.released_energy = in_range(state_.released_energy + (outcome.released_energy - moved));
   state_.bond_energy = in_range(state_.bond_energy + outcome.bond_energy);
   ++state_.events;
   state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
+  add(state_.resistance, event, outcome);
   if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
   HistoryEntry line;
   line.event = state_.events;

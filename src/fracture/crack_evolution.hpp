@@ -122,11 +122,13 @@ class CrackEvolution {
 
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
-  bool perform(const Event& event, bool keep_what_was_reached);
+  bool has_come_apart(const Event* next, double target, const SteppingOptions& options);
+  bool perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached);
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
-  void book(const Event& event, const Outcome& outcome);
+  double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
+  void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.
   void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions);

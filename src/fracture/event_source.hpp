@@ -8,11 +8,17 @@
 
 namespace bempd::fracture {
 
+// Rounding in the ratio of a term that just reaches its critical value.
+constexpr double ratio_rounding = 1e-9;
+
 // Terms that reach their critical value together, at one load factor.
 struct Event {
   double load_factor = 0;
   double ratio = 0;                 // largest stretch over critical stretch
   double critical_load_factor = 0;  // at which the term of this ratio just reaches its critical value
+  // The term of this ratio is stretched beyond what it bears, not just to it.
+  bool is_out_of_balance() const { return ratio > 1 + ratio_rounding; }
+
   // Of these terms, ascending; not told where the event lies beyond the target.
   std::vector<coupling::StageChange> changes;
 
@@ -38,6 +44,8 @@ struct Outcome {
   double energy_scale = 0;  // what energies are measured by at least
   std::int64_t fragments = 0;
   std::vector<double> reactions;  // after it, x and y of every support
+  double resistance_before = 0;   // at the same load factor
+  double resistance = 0;
 };
 
 // Says where on the way of the load factor the next event comes, and performs it on the body.

@@ -58,6 +58,14 @@ struct BodyState {
   std::vector<GrowingTip> tips;  // of cracks that grow as lines
 };
 
+// What the body bears: half of the sum of the magnitudes of all support forces and nodal loads, the pull in a tensile
+// test.
+struct Resistance {
+  double present = 0;    // after the last event [N]
+  double peak = 0;       // the largest that was borne in equilibrium just before an event [N]
+  double stiffness = 1;  // share that events have left of it, each at the loads of its own
+};
+
 // What the run has counted and added up.
 struct Sums {
   std::int64_t events = 0;
@@ -69,6 +77,8 @@ struct Sums {
   double largest_work = 0;
   double worst_energy_balance_error = 0;
   double residual = 0;  // at the last line of the history
+  Resistance resistance;
+  double work_out_of_balance = 0;  // of loads since equilibrium was lost, as far as it is stored
 };
 
 // Everything that a run changes. Copying it saves the run; the factorization is rebuilt from it.

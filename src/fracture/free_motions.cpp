@@ -35,31 +35,6 @@ std::vector<int> visible_nodes(const EquilibriumSystem& system, const std::vecto
   return nodes;
 }
 
-// The largest deviation of the nodes' motion from the rigid one that is nearest in the mean square.
-double bending(const std::vector<Point>& positions, const std::vector<int>& nodes, const Eigen::VectorXd& motion) {
-  if (nodes.size() < 2) return 0;
-  Point centre = Point::Zero();
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (int node : nodes) {
-    centre += positions[node] / static_cast<double>(nodes.size());
-    mean += motion.segment<2>(2 * node) / static_cast<double>(nodes.size());
-  }
-  double turned = 0, inertia = 0;
-  const auto lever = [&](int node) {
-    return Eigen::Vector2d(centre.y() - positions[node].y(), positions[node].x() - centre.x());
-  };
-  for (int node : nodes) {
-    turned += lever(node).dot(motion.segment<2>(2 * node) - mean);
-    inertia += lever(node).squaredNorm();
-  }
-  double largest = 0;
-  for (int node : nodes) {
-    const Eigen::Vector2d rigid = mean + turned / inertia * lever(node);
-    largest = std::max(largest, (motion.segment<2>(2 * node) - rigid).norm());
-  }
-  return largest;
-}
-
 bool is_free(const EquilibriumSystem& system, const std::vector<Point>& positions, const coupling::SoftMotion& soft) {
   if (soft.resistance > free_motion_resistance) return false;
   for (std::size_t t = 0; t < system.terms().size(); ++t) {
@@ -67,7 +42,8 @@ bool is_free(const EquilibriumSystem& system, const std::vector<Point>& position
     if (std::abs(system.terms().elongation(t, soft.motion.data())) > free_elongation) return false;
   }
   return std::all_of(system.dense_bodies().begin(), system.dense_bodies().end(), [&](const std::vector<int>& body) {
-    return bending(positions, visible_nodes(system, body), soft.motion) <= free_bending;
+    const std::vector<int> nodes = visible_nodes(system, body);
+    return coupling::nearest_rigid_motion(positions, nodes, soft.motion).deviation <= free_bending;
   });
 }
 

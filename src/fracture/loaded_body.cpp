@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "error.hpp"
+#include "fracture/balance.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
 
@@ -12,62 +12,20 @@ namespace bempd::fracture {
 
 namespace {
 
-// Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
-constexpr double separated_energy_ratio = 1e-10;
-
-// What next to nothing resists at all: the energy of moving supports against the largest stiffness, up to rounding.
-constexpr double energy_rounding = 1e-14;
-
-// Forces and energies are not measured by less than this share of what moving supports would make of the largest
-// stiffness: where they move a body without stress all forces are rounding, of some 1e-14 of that. Ordinary scenes lie
-// above: a strip under tension at 1 / (number of elements along it).
-constexpr double scale_without_stress = 1e-5;
-
 // From this residual on a motion may have lost its resistance.
 constexpr double suspicious_residual = 1e-8;
 
-// How far supports, and springs that hold what came free, have moved the body.
-double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
-  double largest = system.support_motion(load_factor);
-  for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
-  return largest;
+std::vector<int> nodes_with_force(const coupling::Affine& force) {
+  std::vector<int> nodes;
+  for (Eigen::Index node = 0; node < force.rows() / 2; ++node)
+    if (!force.middleRows<2>(2 * node).isZero(0)) nodes.push_back(static_cast<int>(node));
+  return nodes;
 }
 
 }  // namespace
 
 using coupling::Affine;
 using coupling::evaluate;
-
-bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
-  const double moved = system.support_motion();
-  const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
-  return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
-}
-
-void fail_out_of_range() {
-  fail(Failure::unsolvable,
-       "displacements or forces are beyond the range of numbers; choose other units or smaller loads");
-}
-
-double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
-                double largest_force) {
-  double unbalanced = 0;
-  const Eigen::VectorXd load = evaluate(system.force(), load_factor);
-  for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
-    if (system.is_prescribed(static_cast<int>(dof))) continue;
-    unbalanced = std::max(unbalanced, std::abs(internal_force[dof] - load[dof]));
-  }
-  return largest_force > 0 ? unbalanced / largest_force : unbalanced;
-}
-
-double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  return scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
-}
-
-double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  const double moved = moved_by_holds(system, load_factor);
-  return scale_without_stress * system.largest_stiffness() * moved * moved;
-}
 
 LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                        std::vector<double> critical_stretch, const std::vector<int>& cut,
@@ -99,9 +57,11 @@ double LoadedBody::energy_at_rest() const {
 
 void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
   Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = without_lost_loads(force);
+  std::vector<int> loaded = nodes_with_force(force);
   // From here on no memory is needed: either all of it happens or nothing.
   force_ = std::move(own_force);
   prescribed_ = std::move(own_prescribed);
+  loaded_nodes_ = std::move(loaded);
   state_.in_equilibrium = false;
   state_.first_unit_energy = -1;
   system_.set_load(std::move(carried), std::move(held));
@@ -120,11 +80,12 @@ void LoadedBody::take_over(const Affine& force, const Affine& prescribed) {
 }
 
 ActingLoads LoadedBody::acting_loads() const {
-  return {force_, prescribed_, state_.in_equilibrium, state_.first_unit_energy};
+  return {force_, prescribed_, loaded_nodes_, state_.in_equilibrium, state_.first_unit_energy};
 }
 
 void LoadedBody::act_again(ActingLoads loads) noexcept {
   force_.swap(loads.force);
+  loaded_nodes_.swap(loads.loaded_nodes);
   prescribed_.swap(loads.prescribed);
   state_.in_equilibrium = loads.in_equilibrium;
   state_.first_unit_energy = loads.first_unit_energy;
@@ -280,6 +241,14 @@ std::vector<double> LoadedBody::reactions() const {
     result.insert(result.end(), {force.x(), force.y()});
   }
   return result;
+}
+
+double LoadedBody::resistance(const std::vector<double>& reactions) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < reactions.size(); i += 2) sum += std::hypot(reactions[i], reactions[i + 1]);
+  const Eigen::Vector2d at(1, state_.load_factor);
+  for (int node : loaded_nodes_) sum += (system_.force().middleRows<2>(2 * node) * at).norm();
+  return 0.5 * sum;
 }
 
 }  // namespace bempd::fracture

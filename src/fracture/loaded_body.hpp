@@ -10,25 +10,10 @@
 
 namespace bempd::fracture {
 
-// True if nothing resists the proportional load any more, given its energy and that in the undamaged scene.
-bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
-
-[[noreturn]] void fail_out_of_range();
-
-// Largest force at a free node that internal forces leave over, relative to the largest one met so far.
-double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
-                double largest_force);
-
-// No result is given out whose residual or energy balance is off by more (bempd.h says so).
-constexpr double most_residual = 1e-6, most_imbalance = 1e-6;
-
-// What forces, and energies, are measured by at least where supports move.
-double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
-double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
-
 // Loads as a host gave them, and whether the body is in equilibrium under them.
 struct ActingLoads {
   coupling::Affine force, prescribed;
+  std::vector<int> loaded_nodes;
   bool in_equilibrium = false;
   double first_unit_energy = -1;
 };
@@ -95,6 +80,8 @@ class LoadedBody {
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
+  // Half of the sum of the magnitudes of these reactions and of the nodal loads at the present load factor.
+  double resistance(const std::vector<double>& reactions) const;
   double reaction_at(int dof) const;  // of one that is held [N]
 
  private:
@@ -107,6 +94,7 @@ class LoadedBody {
   StretchRatios ratios_;
   std::vector<std::vector<int>> reaction_dofs_;
   coupling::Affine force_, prescribed_;  // as the host gave them
+  std::vector<int> loaded_nodes_;
   BodyState& state_;
   double seconds_search_ = 0;
 };

@@ -33,6 +33,7 @@ struct SteppingOptions {
   bool window = true;       // compute events ahead in a window around what breaks, where that is possible
   double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
   Control control = Control::load;
+  double separation_share = 0;  // of the largest resistance: what is left of the load's connection counts for nothing
   const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fracture/balance.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
 
@@ -120,6 +121,7 @@ Outcome WholeBodyEvents::perform() {
   Outcome outcome;
   BodyState& state = body_.state();
   outcome.work_before = body_.move_to(event_.load_factor);
+  outcome.resistance_before = body_.resistance(body_.reactions());
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
@@ -152,6 +154,7 @@ Outcome WholeBodyEvents::perform() {
   outcome.residual = body_.residual();
   outcome.energy_scale = energy_scale_of_supports(system_, event_.load_factor);
   outcome.reactions = body_.reactions();
+  outcome.resistance = body_.resistance(outcome.reactions);
   return outcome;
 }
 

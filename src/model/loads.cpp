@@ -89,8 +89,10 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
     const StepResult result = run(target, goal);
     loads_.in_force.swap(way);
     loads_.end_of_way = target;
-    const bool arrived = goal == fracture::Goal::load_factor || result.reason == fracture::StopReason::load_factor;
-    if (arrived && load_factor() == target) arrive(std::move(at_end), std::move(said));
+    using fracture::StopReason;
+    const bool arrived = result.reason == StopReason::load_factor ||
+                         (result.reason == StopReason::separated && goal == fracture::Goal::load_factor);
+    if (arrived) arrive(std::move(at_end), std::move(said));
     return result;
   } catch (...) {
     if (before) go_back_to(std::move(*before));

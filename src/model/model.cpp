@@ -16,12 +16,9 @@ namespace bempd::model {
 
 namespace {
 
-// Rounding in the ratio of a bond that just reaches its critical stretch.
-constexpr double ratio_rounding = 1e-9;
-
 // The first event for which the load had to be higher than what bonds could carry; 0 if there is none.
 std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
-  const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + ratio_rounding; };
+  const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + fracture::ratio_rounding; };
   const auto found = std::find_if(lines.begin(), lines.end(), unstable);
   return found == lines.end() ? 0 : found->event;
 }
@@ -82,6 +79,7 @@ void Model::prepare() {
   regions::require_memory(scene_, options_);
   prepared_ = build();
   ++generation_;
+  prepared_->anchored_pieces = anchored_pieces();
   say([&] { tell_of_preparation(); });
 }
 

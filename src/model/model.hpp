@@ -14,6 +14,7 @@
 
 #include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
+#include "coupling/rigid_motion.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "fracture/interface_bonds.hpp"
 #include "model/fingerprint.hpp"
@@ -60,6 +61,7 @@ struct PreparedScene {
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
+  int anchored_pieces = 0;  // at first
   std::int64_t interior_kernel_evaluations = 0;
   std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
@@ -73,6 +75,19 @@ struct GrowthResult {
 };
 
 struct Growing;
+
+// Sets of nodes that bonds and boundary elements join.
+struct Pieces {
+  std::vector<std::vector<int>> nodes;
+  std::vector<int> of_node;  // numbers from 1
+};
+
+struct PieceState {
+  std::int64_t nodes = 0;
+  int supports = 0, loads = 0;  // that hold and load it
+  int free_motions = 0;         // rigid ones that supports leave it
+  coupling::RigidFit motion;
+};
 
 // A scene, its state, and what can be asked of them.
 class Model {
@@ -144,6 +159,15 @@ class Model {
   // Of all supports on an edge (edge_reactions.cpp).
   EdgeReaction edge_reaction(int region, int edge, const Point& about);
 
+  // What the body has come into, the largest piece first, and what holds and loads them (pieces.cpp).
+  const Pieces& pieces();
+  std::vector<int> pieces_of_support(int support);  // numbers from 1, ascending
+  std::vector<int> pieces_of_load(int load);
+  std::vector<int> node_pieces(int region);
+  PieceState piece(int number);
+  // Separated, but bonds still connect what is held and loaded.
+  bool hangs();
+
   // Values at places in the body; stress only if asked for.
   std::vector<regions::PointValue> evaluate(const std::vector<Point>& places, bool with_stress,
                                             const results::Side& side = {});
@@ -197,6 +221,7 @@ class Model {
   void warn_of_blas() const;
   void warn_of_overlap();
   void warn_of_interface();
+  void tell_of_hinge();
   void warn_of_equilibrium();  // all there is
   bool has_crack_elements() const;
   bool records_tips() const { return options_.whole_number("tips.record") > 0; }
@@ -214,6 +239,9 @@ class Model {
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
+  std::vector<int> loaded_nodes(int load);
+  std::vector<int> pieces_of(std::vector<int> nodes);
+  int anchored_pieces();
   regions::Solution solution() const { return solution_of(*prepared_); }
   static regions::Solution solution_of(const PreparedScene& prepared);
   results::FieldsOfScene fields();
@@ -241,6 +269,8 @@ class Model {
   Log log_;
   HostListener phases_;
   std::atomic<bool> cancel_requested_{false}, stop_requested_{false};
+  Pieces pieces_;
+  std::int64_t pieces_generation_ = 0;
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
   std::vector<results::TipRecord> tip_history_;
@@ -248,7 +278,7 @@ class Model {
   std::int64_t factors_generation_ = 0;
   std::set<std::pair<int, int>> frozen_tips_;  // crack and end
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
-  bool warned_of_interface_ = false;
+  bool warned_of_interface_ = false, warned_of_hinge_ = false;
 };
 
 // Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.

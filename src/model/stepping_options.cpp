@@ -40,6 +40,10 @@ const scene::OptionGroup stepping_group(scene::OptionPlace::stepping, [] {
       scene::number_option("stepping.max_breaks_per_solve", "Most bonds that break at one event; 0 for no limit.", 0, 0,
                            1e9, true),
       scene::number_option("stepping.max_events", "Events in one step after which it gives up.", 1e7, 1, 1e15, true),
+      scene::number_option("stepping.separation_share",
+                           "The body is separated once it bears less than this share of the largest force that it has "
+                           "borne, and bonds that are left break under larger loads only; 0: once nothing is borne.",
+                           0.02, 0, 0.5, false),
       scene::number_option("tips.record",
                            "Tips of cracks are recorded at every event whose number this divides and at the ends of "
                            "steps, and shown in snapshots; 0 for never.",
@@ -62,6 +66,7 @@ fracture::SteppingOptions stepping_options(const scene::Options& options) {
   result.max_breaks_per_solve = options.whole_number("stepping.max_breaks_per_solve");
   result.max_events = static_cast<std::int64_t>(options.number("stepping.max_events"));
   result.window = options.text_value("stepping.solver") == "window";
+  result.separation_share = options.number("stepping.separation_share");
   result.window_ahead = options.number("stepping.window_length");
   return result;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/resistance.hpp"
 #include "linalg/blas.hpp"
 #include "model/model.hpp"
 
@@ -91,6 +92,26 @@ void Model::warn_of_interface() {
               "peridynamic region more room there if it should go on"));
 }
 
+// The bond that bears most of what is left is of the hinge.
+void Model::tell_of_hinge() {
+  fracture::CrackEvolution& evolution = *prepared_->evolution;
+  const fracture::EvolutionState& state = evolution.state();
+  const coupling::Terms& terms = prepared_->system->terms();
+  double largest = -1;
+  std::size_t place = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const double force = prepared_->system->present_stiffness()[t] *
+                         terms.elastic_elongation(t, state.total_displacement.data(), state.load_factor);
+    if (std::abs(force) <= largest) continue;
+    largest = std::abs(force);
+    place = t;
+  }
+  const Point& at = prepared_->discretization.positions[static_cast<std::size_t>(terms.first[place])];
+  log(1, text("separated but for a hinge: bonds near (", at.x(), ", ", at.y(), ") bear ",
+              state.resistance.present / state.resistance.peak,
+              " of the largest force so far, less than the option stepping.separation_share"));
+}
+
 void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
   const fracture::CrackEvolution& evolution = *prepared_->evolution;
   log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,
@@ -103,6 +124,11 @@ void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
   }
   warn_of_equilibrium();
   if (result.broken_bonds > 0) warn_of_interface();
+  const fracture::EvolutionState& state = evolution.progress();
+  if (log_ && !warned_of_hinge_ && state.separated && fracture::hangs(state.resistance)) {
+    warned_of_hinge_ = true;
+    tell_of_hinge();
+  }
   if (new_fragments > 0)
     log(1, text(new_fragments, " pieces have come free of all supports; they stay where they are"));
 }

@@ -7,7 +7,7 @@ enum {
   offset_load_factor = 16 + 3 * 8,
   offset_in_equilibrium = offset_load_factor + 8,
   offset_events = offset_in_equilibrium + 2,
-  offset_arrays = offset_events + 3 * 8 + 8 * 8
+  offset_arrays = offset_events + 3 * 8 + 12 * 8
 };
 enum {
   displacement,

@@ -39,6 +39,7 @@ from .reports import (
     CrackTip,
     EdgeReaction,
     Growth,
+    Piece,
     PointValues,
     Singularity,
     SingularityKind,
@@ -56,7 +57,7 @@ __version__ = version()
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
     "CrackTip", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
-    "OutOfMemoryError", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
+    "OutOfMemoryError", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

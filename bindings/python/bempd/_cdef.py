@@ -174,6 +174,10 @@ typedef struct bempd_step_report {
   double seconds_search;
   double bond_energy;
   int64_t unstable_event;
+  double resistance;
+  double peak_resistance;
+  int32_t hanging;
+  int32_t reserved;
 } bempd_step_report;
 bempd_status bempd_step_report_init(bempd_step_report *report, int64_t struct_size);
 bempd_status bempd_prepare(bempd_model *model);
@@ -225,6 +229,29 @@ bempd_status bempd_reaction_moment(bempd_model *model, int32_t support, double x
     double *moment);
 bempd_status bempd_edge_reaction(bempd_model *model, int32_t region, int32_t edge, double x,
     double y, double *force, double *moment);
+bempd_status bempd_piece_count(bempd_model *model, int64_t *count);
+bempd_status bempd_copy_node_pieces(bempd_model *model, int32_t region, int64_t capacity,
+    int32_t *pieces);
+bempd_status bempd_support_piece(bempd_model *model, int32_t support, int32_t *piece);
+bempd_status bempd_load_piece(bempd_model *model, int32_t load, int32_t *piece);
+bempd_status bempd_are_connected(bempd_model *model, int32_t support, int32_t other,
+    int32_t *connected);
+typedef struct bempd_piece {
+  int64_t struct_size;
+  int64_t nodes;
+  int32_t supports;
+  int32_t loads;
+  int32_t free_motions;
+  int32_t reserved;
+  double x;
+  double y;
+  double move_x;
+  double move_y;
+  double rotation;
+  double deviation;
+} bempd_piece;
+bempd_status bempd_piece_init(bempd_piece *piece, int64_t struct_size);
+bempd_status bempd_get_piece(bempd_model *model, int32_t number, bempd_piece *piece);
 bempd_status bempd_evaluate(bempd_model *model, int64_t count, const double *points,
     double *displacement, double *stress, int32_t *regions);
 typedef enum bempd_face {
@@ -1016,7 +1043,10 @@ since: 0.3""",
 since: 0.1""",
     "BEMPD_STOP_LOAD_FACTOR": """The load factor asked for was reached.""",
     "BEMPD_STOP_EVENT": """One event happened (bempd_step_to_next_event()).""",
-    "BEMPD_STOP_SEPARATED": """The body is separated: the proportional load meets no resistance any more.""",
+    "BEMPD_STOP_SEPARATED": """\
+The body is separated: what carried load between supports and loads, proportional or constant, bears
+nothing any more; or less than the option stepping.separation_share of the largest force so far, and
+the bonds that are left break under larger loads only (`hanging`).""",
     "BEMPD_STOP_NO_FURTHER_EVENT": """No bond can break however far the load factor goes in this direction.""",
     "BEMPD_STOP_NO_ADMISSIBLE_LOAD": """\
 With the option stepping.control = "path": what is constant of loads and supports stretches bonds
@@ -1042,7 +1072,7 @@ too small, and the log warns; energy_balance_error says nothing then, all else i
 since: 0.1""",
     "bempd_step_report.struct_size": """sizeof(bempd_step_report), set by bempd_step_report_init()""",
     "bempd_step_report.stop_reason": """a bempd_stop_reason""",
-    "bempd_step_report.separated": """1 once the load path is cut""",
+    "bempd_step_report.separated": """1 once the load path is cut (BEMPD_STOP_SEPARATED)""",
     "bempd_step_report.events": """events in this step: batches of bonds broken at one load factor""",
     "bempd_step_report.broken_bonds": """bonds broken in this step""",
     "bempd_step_report.total_events": """events since the beginning""",
@@ -1051,8 +1081,11 @@ bonds broken since the beginning, without those cut by initial cracks""",
     "bempd_step_report.fragments": """pieces come free of all supports, or loaded ones that swing on a hinge""",
     "bempd_step_report.load_factor": """load factor reached [-]""",
     "bempd_step_report.stored_energy": """elastic energy at the end [J]""",
-    "bempd_step_report.released_energy": """energy released by breaking bonds since the beginning [J]""",
-    "bempd_step_report.work": """work of loads and supports since the beginning [J]""",
+    "bempd_step_report.released_energy": """\
+energy released by breaking bonds since the beginning [J]; where equilibrium is lost under forces,
+what these give from there on counts only as far as bonds take it""",
+    "bempd_step_report.work": """\
+work of loads and supports since the beginning, without what then would have become motion [J]""",
     "bempd_step_report.energy_balance_error": """\
 |work - stored - released| over the largest work so far, worst of all events [-]; not small in
 scheme paper, whose stiffness is unsymmetric""",
@@ -1069,6 +1102,14 @@ stretch; the rest would have become motion [J]""",
     "bempd_step_report.unstable_event": """\
 number of the first event of this step at which equilibrium was lost: bonds were stretched beyond
 what they bear; 0 if each event was in equilibrium""",
+    "bempd_step_report.resistance": """\
+force that the body bore after the last event: half of the sum of the magnitudes of all support
+forces and nodal loads, the pull in a tensile test; 0 before the first event [N]""",
+    "bempd_step_report.peak_resistance": """the largest that it bore in equilibrium just before an event [N]""",
+    "bempd_step_report.hanging": """\
+1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears nothing,
+or less than the option stepping.separation_share of the peak""",
+    "bempd_step_report.reserved": """0""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
 
@@ -1141,11 +1182,11 @@ and may be the time of the host. Values at the end are those that bempd_step() t
 factor would have; a proportional part counts there with that load factor. Before the first step the
 body is at rest, and the way begins at zero.
 
-A step that ends before (at an event, separated, or without an admissible load) leaves loads and
-supports where they were on the way. The same call with the same load factor goes on from there, as
-if it had not stopped; with another one, or after new values, it begins a new straight line there;
-bempd_step() goes to the values at once. A call that fails or is cancelled leaves everything as it
-was before.
+A step that ends before (at an event, separated, on request, without an admissible load) leaves
+loads and supports where they were on the way. The same call with the same load factor goes on from
+there, as if it had not stopped; with another one, or after new values, it begins a new straight
+line there; bempd_step() goes to the values at once. A call that fails or is cancelled leaves
+everything as it was before.
 
 model [in]: the model
 load_factor [in]: where the way ends, above or below the present one [-]
@@ -1329,6 +1370,86 @@ y [in]: [m]
 force [out]: shape [2], resultant [N]; may be NULL
 moment [out]: positive counter-clockwise [N m]; may be NULL
 return: status; an edge without a support is an argument error
+since: 0.3""",
+    "bempd_piece_count": """\
+Number of pieces that the body consists of: material points and boundary elements that intact bonds,
+interfaces and BEM regions join. A point without any bond is a piece too. Prepares the model.
+
+model [in]: the model
+count [out]: their number
+return: status
+since: 0.3""",
+    "bempd_copy_node_pieces": """\
+Pieces of the nodes of a region. Pieces have numbers from 1, the one with the most nodes first,
+which change as bonds break. Prepares the model.
+
+model [in]: the model
+region [in]: id of a region
+capacity [in]: integers in pieces, at least as many as bempd_node_count() tells
+pieces [out]: shape [nodes], number of a piece each
+return: status
+since: 0.3""",
+    "bempd_support_piece": """\
+Piece that a support holds.
+
+model [in]: the model, which is prepared if needed
+support [in]: id of a support
+piece [out]: its number, or 0 if the support holds nodes of several pieces
+return: status
+since: 0.3""",
+    "bempd_load_piece": """\
+Piece that a load acts on, also while its values are 0.
+
+model [in]: the model, which is prepared if needed
+load [in]: id of a load
+piece [out]: its number, or 0 if the load acts on several pieces
+return: status
+since: 0.3""",
+    "bempd_are_connected": """\
+Whether two supports still hold the same piece.
+
+model [in]: the model, which is prepared if needed
+support [in]: id of a support
+other [in]: id of another one
+connected [out]: 1 if some piece has nodes of both, else 0
+return: status
+since: 0.3""",
+    "bempd_piece": """\
+A piece of the body. Fill it with bempd_piece_init().
+
+Its motion is the small rigid one nearest to the displacement of its nodes in the mean square. A
+piece that supports leave free to move is held where it came free: it has no loads, and its motion
+is the one it had then.
+
+since: 0.3""",
+    "bempd_piece.struct_size": """sizeof(bempd_piece), set by bempd_piece_init()""",
+    "bempd_piece.nodes": """material points and boundary nodes""",
+    "bempd_piece.supports": """supports that hold it""",
+    "bempd_piece.loads": """loads that act on it""",
+    "bempd_piece.free_motions": """independent rigid motions that supports leave it: 0 held, 3 all""",
+    "bempd_piece.reserved": """0""",
+    "bempd_piece.x": """mean of the places of its nodes [m]""",
+    "bempd_piece.y": """[m]""",
+    "bempd_piece.move_x": """displacement there [m]""",
+    "bempd_piece.move_y": """[m]""",
+    "bempd_piece.rotation": """about that place, counter-clockwise [rad]""",
+    "bempd_piece.deviation": """\
+largest difference of a node's displacement from this motion: 0 for a rigid one [m]""",
+    "bempd_piece_init": """\
+Set struct_size and zeros.
+
+piece [out]: the struct to fill
+struct_size [in]: sizeof(bempd_piece) as the caller was compiled: older programs keep working when
+  it grows
+return: status
+since: 0.3""",
+    "bempd_get_piece": """\
+A piece.
+
+model [in]: the model, which is prepared if needed
+number [in]: 1 .. bempd_piece_count()
+piece [in,out]: struct_size in, the rest out
+return: status
 since: 0.3""",
     "bempd_evaluate": """\
 Displacement and stress at places in the body: by the interior identities in BEM regions, by

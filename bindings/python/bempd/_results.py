@@ -21,6 +21,7 @@ from .reports import (
     CrackTip,
     EdgeReaction,
     Growth,
+    Piece,
     PointValues,
     Singularity,
     Statistics,
@@ -197,6 +198,45 @@ class Results:
         self._open().call("bempd_evaluate_in", region, arguments.choice("evaluate_in: face", face, FACES), count,
                           arguments.doubles(places), arguments.doubles(displacement), arguments.doubles(tensor))
         return PointValues(displacement, tensor, np.full(count, region, dtype=np.int32))
+
+    @property
+    def piece_count(self) -> int:
+        """Number of pieces that the body consists of; a material point without any bond is one too."""
+        return int(self._number("bempd_piece_count", "int64_t"))
+
+    def piece(self, number: int) -> Piece:
+        """A piece, from 1; the one with the most nodes is the first."""
+        struct = new_struct("bempd_piece", "bempd_piece_init")
+        self._open().call("bempd_get_piece", number, struct)
+        return Piece(**values_of(struct, "bempd_piece", Piece))
+
+    def node_pieces(self, region: int) -> npt.NDArray[np.int32]:
+        """Numbers of the pieces of the nodes of a region, shape (nodes,)."""
+        pieces = np.empty(self.node_count(region), dtype=np.int32)
+        self._open().call("bempd_copy_node_pieces", region, len(pieces), ffi.from_buffer("int32_t[]", pieces))
+        return pieces
+
+    def support_piece(self, support: int) -> int:
+        """Number of the piece that a support holds; 0 if it holds nodes of several."""
+        return int(self._number("bempd_support_piece", "int32_t", support))
+
+    def load_piece(self, load: int) -> int:
+        """Number of the piece that a load acts on, also while it is 0; 0 if it acts on several."""
+        return int(self._number("bempd_load_piece", "int32_t", load))
+
+    def are_connected(self, support: int, other: int) -> bool:
+        """Whether two supports still hold the same piece.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_pd_region(glass, bempd.rectangle(0, 0, 8, 4), spacing=1, horizon_ratio=2)
+        >>> cut = model.add_crack([(4.5, 0), (4.5, 4)])
+        >>> left, right = model.fix_edge(plate, 4), model.fix_edge(plate, 2)
+        >>> model.are_connected(left, right), model.piece_count
+        (False, 2)
+        """
+        return bool(self._number("bempd_are_connected", "int32_t", support, other))
 
     def singularities(self) -> list[Singularity]:
         """Places where stress is unbounded, so that its number there depends on the elements.

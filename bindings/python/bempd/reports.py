@@ -155,6 +155,25 @@ class StepReport:
     seconds_search: float
     bond_energy: float  #: of the released energy what bonds take at their critical stretch; the rest would be motion [J]
     unstable_event: int  #: first event of this step at which equilibrium was lost; 0 if each was in equilibrium
+    resistance: float  #: force that the body bore after the last event, the pull in a tensile test [N]
+    peak_resistance: float  #: the largest that it bore in equilibrium [N]
+    hanging: bool  #: separated, but some bonds still connect what carried the load
+
+
+@dataclasses.dataclass(frozen=True)
+class Piece:
+    """A piece of the body: what intact bonds, interfaces and BEM regions join."""
+
+    nodes: int  #: material points and boundary nodes
+    supports: int  #: that hold it
+    loads: int  #: that act on it
+    free_motions: int  #: independent rigid motions that supports leave it
+    x: float  #: mean of the places of its nodes [m]
+    y: float
+    move_x: float  #: the rigid motion nearest to that of its nodes: displacement there [m]
+    move_y: float
+    rotation: float  #: counter-clockwise [rad]
+    deviation: float  #: largest difference of a node's displacement from this motion [m]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -224,7 +243,7 @@ def step_report(struct: Any) -> StepReport:
     """The report as a value."""
     values = values_of(struct, "bempd_step_report", StepReport)
     values["stop_reason"] = StopReason(values["stop_reason"])
-    values["separated"] = bool(values["separated"])
+    values["separated"], values["hanging"] = bool(values["separated"]), bool(values["hanging"])
     return StepReport(**values)
 
 

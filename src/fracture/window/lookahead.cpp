@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cancellation.hpp"
+#include "fracture/balance.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
@@ -207,6 +208,7 @@ bool Lookahead::perform_in_window(const std::vector<int>& chosen, ForeseenEvent&
   foreseen.after = WindowFunctions::energy(after);
   foreseen.broken = static_cast<std::int64_t>(gone.size());
   foreseen.work = WindowFunctions::work(before, after, f);
+  foreseen.reactions_before = functions_.reactions(before, f);
   foreseen.reactions = functions_.reactions(after, f);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(chosen[i], f);

@@ -21,9 +21,9 @@ struct ForeseenEvent {
   std::vector<coupling::StageChange> back;  // undoes its changes
   std::int64_t broken = 0;                  // terms that are gone
   EnergyForm before, after;
-  double work = 0, released = 0;  // of the break itself
-  double largest_force = 0;       // internal nodal force that is known to be reached until then
-  std::vector<double> reactions;  // after it
+  double work = 0, released = 0;                    // of the break itself
+  double largest_force = 0;                         // internal nodal force that is known to be reached until then
+  std::vector<double> reactions_before, reactions;  // after it
 };
 
 // Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those

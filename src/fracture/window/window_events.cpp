@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "error.hpp"
+#include "fracture/balance.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::fracture {
@@ -103,6 +104,8 @@ Outcome WindowEvents::perform() {
   outcome.energy_scale = energy_scale_of_supports(body_.system(), event.load_factor);
   outcome.reactions = foreseen.reactions;
   state.load_factor = event.load_factor;
+  outcome.resistance_before = body_.resistance(foreseen.reactions_before);
+  outcome.resistance = body_.resistance(foreseen.reactions);
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
   for (const coupling::StageChange& c : event.changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   lookahead_.take();

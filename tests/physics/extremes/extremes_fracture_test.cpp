@@ -18,6 +18,7 @@ bempd_step_report tear_tall_strip(Model& model, int rows, double tie_band) {
   model.fix(1, 4, BEMPD_BOTH);
   model.prescribe(3, 2, BEMPD_X, 0, 1e-3);
   model.set("stepping.tie_band", tie_band);
+  model.set("stepping.separation_share", 0);  // to the last bond
   return model.run(1e6);
 }
 

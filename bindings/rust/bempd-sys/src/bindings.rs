@@ -1036,7 +1036,9 @@ extern "C" {
 pub const BEMPD_STOP_LOAD_FACTOR: bempd_stop_reason = 1;
 /// One event happened (bempd_step_to_next_event()).
 pub const BEMPD_STOP_EVENT: bempd_stop_reason = 2;
-/// The body is separated: the proportional load meets no resistance any more.
+/// The body is separated: what carried load between supports and loads, proportional or constant,
+/// bears nothing any more; or less than the option stepping.separation_share of the largest force
+/// so far, and the bonds that are left break under larger loads only (`hanging`).
 pub const BEMPD_STOP_SEPARATED: bempd_stop_reason = 3;
 /// No bond can break however far the load factor goes in this direction.
 pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
@@ -1073,7 +1075,7 @@ pub struct bempd_step_report {
     pub struct_size: i64,
     /// a bempd_stop_reason
     pub stop_reason: i32,
-    /// 1 once the load path is cut
+    /// 1 once the load path is cut (BEMPD_STOP_SEPARATED)
     pub separated: i32,
     /// events in this step: batches of bonds broken at one load factor
     pub events: i64,
@@ -1089,9 +1091,11 @@ pub struct bempd_step_report {
     pub load_factor: f64,
     /// elastic energy at the end \[J\]
     pub stored_energy: f64,
-    /// energy released by breaking bonds since the beginning \[J\]
+    /// energy released by breaking bonds since the beginning \[J\]; where equilibrium is lost under
+    /// forces, what these give from there on counts only as far as bonds take it
     pub released_energy: f64,
-    /// work of loads and supports since the beginning \[J\]
+    /// work of loads and supports since the beginning, without what then would have become motion
+    /// \[J\]
     pub work: f64,
     /// \|work - stored - released\| over the largest work so far, worst of all events \[-\]; not small
     /// in scheme paper, whose stiffness is unsymmetric
@@ -1114,6 +1118,16 @@ pub struct bempd_step_report {
     /// number of the first event of this step at which equilibrium was lost: bonds were stretched
     /// beyond what they bear; 0 if each event was in equilibrium
     pub unstable_event: i64,
+    /// force that the body bore after the last event: half of the sum of the magnitudes of all
+    /// support forces and nodal loads, the pull in a tensile test; 0 before the first event \[N\]
+    pub resistance: f64,
+    /// the largest that it bore in equilibrium just before an event \[N\]
+    pub peak_resistance: f64,
+    /// 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears
+    /// nothing, or less than the option stepping.separation_share of the peak
+    pub hanging: i32,
+    /// 0
+    pub reserved: i32,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -1217,11 +1231,11 @@ extern "C" {
     /// to the same load factor would have; a proportional part counts there with that load factor.
     /// Before the first step the body is at rest, and the way begins at zero.
     ///
-    /// A step that ends before (at an event, separated, or without an admissible load) leaves loads
-    /// and supports where they were on the way. The same call with the same load factor goes on
-    /// from there, as if it had not stopped; with another one, or after new values, it begins a new
-    /// straight line there; bempd_step() goes to the values at once. A call that fails or is
-    /// cancelled leaves everything as it was before.
+    /// A step that ends before (at an event, separated, on request, without an admissible load)
+    /// leaves loads and supports where they were on the way. The same call with the same load
+    /// factor goes on from there, as if it had not stopped; with another one, or after new values,
+    /// it begins a new straight line there; bempd_step() goes to the values at once. A call that
+    /// fails or is cancelled leaves everything as it was before.
     ///
     /// * model \[in\]: the model
     /// * load_factor \[in\]: where the way ends, above or below the present one \[-\]
@@ -1505,6 +1519,133 @@ extern "C" {
         y: f64,
         force: *mut f64,
         moment: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of pieces that the body consists of: material points and boundary elements that
+    /// intact bonds, interfaces and BEM regions join. A point without any bond is a piece too.
+    /// Prepares the model.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: their number
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_piece_count(model: *mut bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// Pieces of the nodes of a region. Pieces have numbers from 1, the one with the most nodes
+    /// first, which change as bonds break. Prepares the model.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * capacity \[in\]: integers in pieces, at least as many as bempd_node_count() tells
+    /// * pieces \[out\]: shape \[nodes\], number of a piece each
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_copy_node_pieces(
+        model: *mut bempd_model,
+        region: i32,
+        capacity: i64,
+        pieces: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Piece that a support holds.
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * support \[in\]: id of a support
+    /// * piece \[out\]: its number, or 0 if the support holds nodes of several pieces
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_support_piece(
+        model: *mut bempd_model,
+        support: i32,
+        piece: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Piece that a load acts on, also while its values are 0.
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * load \[in\]: id of a load
+    /// * piece \[out\]: its number, or 0 if the load acts on several pieces
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_load_piece(model: *mut bempd_model, load: i32, piece: *mut i32) -> bempd_status;
+}
+extern "C" {
+    /// Whether two supports still hold the same piece.
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * support \[in\]: id of a support
+    /// * other \[in\]: id of another one
+    /// * connected \[out\]: 1 if some piece has nodes of both, else 0
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_are_connected(
+        model: *mut bempd_model,
+        support: i32,
+        other: i32,
+        connected: *mut i32,
+    ) -> bempd_status;
+}
+/// A piece of the body. Fill it with bempd_piece_init().
+///
+/// Its motion is the small rigid one nearest to the displacement of its nodes in the mean square. A
+/// piece that supports leave free to move is held where it came free: it has no loads, and its
+/// motion is the one it had then.
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_piece {
+    /// sizeof(bempd_piece), set by bempd_piece_init()
+    pub struct_size: i64,
+    /// material points and boundary nodes
+    pub nodes: i64,
+    /// supports that hold it
+    pub supports: i32,
+    /// loads that act on it
+    pub loads: i32,
+    /// independent rigid motions that supports leave it: 0 held, 3 all
+    pub free_motions: i32,
+    /// 0
+    pub reserved: i32,
+    /// mean of the places of its nodes \[m\]
+    pub x: f64,
+    /// \[m\]
+    pub y: f64,
+    /// displacement there \[m\]
+    pub move_x: f64,
+    /// \[m\]
+    pub move_y: f64,
+    /// about that place, counter-clockwise \[rad\]
+    pub rotation: f64,
+    /// largest difference of a node's displacement from this motion: 0 for a rigid one \[m\]
+    pub deviation: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * piece \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_piece) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_piece_init(piece: *mut bempd_piece, struct_size: i64) -> bempd_status;
+}
+extern "C" {
+    /// A piece.
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * number \[in\]: 1 .. bempd_piece_count()
+    /// * piece \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_piece(
+        model: *mut bempd_model,
+        number: i32,
+        piece: *mut bempd_piece,
     ) -> bempd_status;
 }
 extern "C" {

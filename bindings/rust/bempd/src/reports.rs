@@ -263,6 +263,38 @@ mirror! {
         bond_energy: f64,
         /// The first event of this step at which equilibrium was lost; 0 if each was in equilibrium.
         unstable_event: i64,
+        /// Force that the body bore after the last event, the pull in a tensile test [N].
+        resistance: f64,
+        /// The largest that it bore in equilibrium just before an event [N].
+        peak_resistance: f64,
+        /// Whether it is separated, but some bonds still connect what carried the load.
+        hanging: bool,
+    }
+}
+
+mirror! {
+    /// A piece of the body: what intact bonds, interfaces and boundary element regions join.
+    Piece of bempd_piece {
+        /// Material points and boundary nodes.
+        nodes: i64,
+        /// Supports that hold it.
+        supports: i32,
+        /// Loads that act on it.
+        loads: i32,
+        /// Independent rigid motions that supports leave it.
+        free_motions: i32,
+        /// Mean of the places of its nodes [m].
+        x: f64,
+        /// The same [m].
+        y: f64,
+        /// The rigid motion nearest to that of its nodes: displacement there [m].
+        move_x: f64,
+        /// The same [m].
+        move_y: f64,
+        /// Rotation about that place, counter-clockwise [rad].
+        rotation: f64,
+        /// Largest difference of a node's displacement from this motion [m].
+        deviation: f64,
     }
 }
 

@@ -1,6 +1,6 @@
 use crate::{
-    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, Model, RegionId, Result,
-    Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
+    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, LoadId, Model, Piece, RegionId,
+    Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
 /// Node indices, from 0, of the boundary elements or lattice cells of a region.
@@ -154,6 +154,36 @@ impl Model {
     pub fn evaluate_in(&self, region: RegionId, face: Face, places: &[[f64; 2]]) -> Result<PointValues> {
         let (displacement, stress) = self.handle.evaluate_in(region.0, face as i32, places)?;
         Ok(PointValues { displacement, stress, regions: vec![region; places.len()] })
+    }
+
+    /// Number of pieces that the body consists of; a material point without any bond is one too.
+    pub fn piece_count(&self) -> Result<usize> {
+        self.handle.piece_count().map(|count| count as usize)
+    }
+
+    /// A piece, from 1; the one with the most nodes is the first.
+    pub fn piece(&self, number: i32) -> Result<Piece> {
+        Ok(Piece::from_raw(&self.handle.piece(number)?))
+    }
+
+    /// Numbers of the pieces of the nodes of a region.
+    pub fn node_pieces(&self, region: RegionId) -> Result<Vec<i32>> {
+        self.handle.node_pieces(region.0)
+    }
+
+    /// Number of the piece that a support holds; none if it holds nodes of several.
+    pub fn support_piece(&self, support: SupportId) -> Result<Option<i32>> {
+        self.handle.support_piece(support.0).map(|piece| Some(piece).filter(|number| *number > 0))
+    }
+
+    /// Number of the piece that a load acts on, also while it is 0; none if it acts on several.
+    pub fn load_piece(&self, load: LoadId) -> Result<Option<i32>> {
+        self.handle.load_piece(load.0).map(|piece| Some(piece).filter(|number| *number > 0))
+    }
+
+    /// Whether two supports still hold the same piece.
+    pub fn are_connected(&self, support: SupportId, other: SupportId) -> Result<bool> {
+        self.handle.are_connected(support.0, other.0).map(|connected| connected != 0)
     }
 
     /// All places where stress is unbounded, so that its number there depends on the elements.

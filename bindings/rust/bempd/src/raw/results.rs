@@ -163,6 +163,35 @@ impl Handle {
         Ok((displacement, stress))
     }
 
+    pub(crate) fn piece_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_piece_count(model, count) })
+    }
+
+    pub(crate) fn piece(&self, number: i32) -> Result<sys::bempd_piece> {
+        let mut piece = filled(sys::bempd_piece_init)?;
+        self.call(|model| unsafe { sys::bempd_get_piece(model, number, &mut piece) })?;
+        Ok(piece)
+    }
+
+    pub(crate) fn node_pieces(&self, region: i32) -> Result<Vec<i32>> {
+        let count = self.node_count(region)?;
+        let mut pieces = vec![0; count as usize];
+        self.call(|model| unsafe { sys::bempd_copy_node_pieces(model, region, count, pieces.as_mut_ptr()) })?;
+        Ok(pieces)
+    }
+
+    pub(crate) fn support_piece(&self, support: i32) -> Result<i32> {
+        self.output(|model, piece| unsafe { sys::bempd_support_piece(model, support, piece) })
+    }
+
+    pub(crate) fn load_piece(&self, load: i32) -> Result<i32> {
+        self.output(|model, piece| unsafe { sys::bempd_load_piece(model, load, piece) })
+    }
+
+    pub(crate) fn are_connected(&self, support: i32, other: i32) -> Result<i32> {
+        self.output(|model, connected| unsafe { sys::bempd_are_connected(model, support, other, connected) })
+    }
+
     pub(crate) fn singularity_count(&self) -> Result<i64> {
         self.output(|model, count| unsafe { sys::bempd_singularity_count(model, count) })
     }

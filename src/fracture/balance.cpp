@@ -1,0 +1,80 @@
+#include "fracture/balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
+constexpr double separated_energy_ratio = 1e-10;
+
+// What next to nothing resists at all: the energy of moving supports against the largest stiffness, up to rounding.
+constexpr double energy_rounding = 1e-14;
+
+// Forces and energies are not measured by less than this share of what moving supports would make of the largest
+// stiffness: where they move a body without stress all forces are rounding, of some 1e-14 of that. Ordinary scenes lie
+// above: a strip under tension at 1 / (number of elements along it).
+constexpr double scale_without_stress = 1e-5;
+
+// How far supports, and springs that hold what came free, have moved the body.
+double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
+  double largest = system.support_motion(load_factor);
+  for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
+  return largest;
+}
+
+}  // namespace
+
+bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy) {
+  const double moved = system.support_motion();
+  const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
+  return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
+}
+
+void fail_out_of_range() {
+  fail(Failure::unsolvable,
+       "displacements or forces are beyond the range of numbers; choose other units or smaller loads");
+}
+
+double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
+                double largest_force) {
+  double unbalanced = 0;
+  const Eigen::VectorXd load = coupling::evaluate(system.force(), load_factor);
+  for (Eigen::Index dof = 0; dof < load.size(); ++dof) {
+    if (system.is_prescribed(static_cast<int>(dof))) continue;
+    unbalanced = std::max(unbalanced, std::abs(internal_force[dof] - load[dof]));
+  }
+  return largest_force > 0 ? unbalanced / largest_force : unbalanced;
+}
+
+double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
+  return scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
+}
+
+double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
+  const double moved = moved_by_holds(system, load_factor);
+  return scale_without_stress * system.largest_stiffness() * moved * moved;
+}
+
+double in_range(double energy) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::isnan(energy) ? largest : std::clamp(energy, -largest, largest);
+}
+
+void require_balance(double residual, double energy_balance_error) {
+  if (residual > most_residual) {
+    fail(Failure::unsolvable, "forces are out of balance by ", residual,
+         " of the largest one: a part is held by next to nothing, or very slender; check supports and cracks");
+  }
+  if (energy_balance_error > most_imbalance) {
+    fail(Failure::unsolvable, "work and energies differ by ", energy_balance_error,
+         " of the largest work: a part is held by next to nothing, or very slender; check supports and cracks");
+  }
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "coupling/equilibrium_system.hpp"
+
+namespace bempd::fracture {
+
+// True if nothing resists the proportional load any more, given its energy and that in the undamaged scene.
+bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
+
+[[noreturn]] void fail_out_of_range();
+
+// Energies that no number can hold are told as the largest one, and Model warns of them.
+double in_range(double energy);
+
+// Largest force at a free node that internal forces leave over, relative to the largest one met so far.
+double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
+                double largest_force);
+
+// No result is given out whose residual or energy balance is off by more (bempd.h says so).
+constexpr double most_residual = 1e-6, most_imbalance = 1e-6;
+
+// What forces, and energies, are measured by at least where supports move.
+double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
+double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
+
+// Throws Error (unsolvable) for what is off by more.
+void require_balance(double residual, double energy_balance_error);
+
+}  // namespace bempd::fracture

@@ -1,0 +1,87 @@
+#include "fracture/balance.hpp"
+#include "fracture/crack_evolution.hpp"
+
+// What comes upon a run from outside: new loads, and cracks that have grown.
+namespace bempd::fracture {
+
+using coupling::Affine;
+
+void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
+  sources_.refresh();
+  sources_.settle();
+  body_.set_load(force, prescribed);
+  work_within_ = work_within;
+}
+
+void CrackEvolution::take_over(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
+  sources_.refresh();
+  sources_.settle();
+  body_.take_over(force, prescribed);
+  work_within_ = work_within;
+}
+
+void CrackEvolution::act_again(Loads loads) noexcept {
+  body_.act_again(std::move(loads.acting));
+  work_within_ = loads.work_within;
+  sources_.abandon();
+}
+
+double CrackEvolution::within(double load_factor) const {
+  const Eigen::Vector2d loads(1, load_factor);
+  return 0.5 * loads.dot(work_within_ * loads);
+}
+
+double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }
+
+void CrackEvolution::find_equilibrium() {
+  sources_.refresh();
+  if (state_.in_equilibrium) return;
+  BodyState before = state_;
+  try {
+    LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+    require_balance(body_.residual(), 0);
+    held_ = std::move(found.held);
+    state_.fragments += found.fragments;
+    state_.work = in_range(state_.work + found.work);
+  } catch (...) {
+    static_cast<BodyState&>(state_) = std::move(before);
+    sources_.abandon();
+    throw;
+  }
+}
+
+// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
+// have come to.
+void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
+  const EvolutionState& old = before.state();
+  static_cast<Sums&>(state_) = old;
+  state_.history = old.history;
+  state_.reactions = old.reactions;
+  state_.extensions = old.extensions;
+  state_.load_factor = old.load_factor;
+  state_.largest_force = old.largest_force;
+  held_ = body_.find_equilibrium().held;
+  const double f = state_.load_factor;
+  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within(f) - before.within(f);
+  state_.work = in_range(state_.work + work);
+  state_.released_energy =
+      in_range(state_.released_energy + work + before.body_.stored_energy() - body_.stored_energy());
+  ++state_.events;
+  HistoryEntry line;
+  line.event = state_.events;
+  line.stretch_ratio = 1;
+  line.stored_energy = body_.stored_energy();
+  line.critical_stored_energy = in_range(line.stored_energy + within(f));
+  line.critical_load_factor = state_.load_factor;
+  line.residual = body_.residual();
+  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
+}
+
+void CrackEvolution::book(const std::vector<CrackExtension>& extensions) {
+  for (const CrackExtension& extension : extensions) {
+    state_.extensions.push_back(extension);
+    state_.extensions.back().event = state_.events;
+  }
+}
+
+}  // namespace bempd::fracture
