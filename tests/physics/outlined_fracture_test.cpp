@@ -79,6 +79,22 @@ TEST(OutlinedFracture, state_is_returned_to) {
   EXPECT_EQ(other.model.displacements(), displacement);
 }
 
+// A crack along a row of the lattice, or through its points aslant, moves the lattice.
+TEST(OutlinedFracture, cracks_may_lie_where_points_would_be) {
+  for (const Outline& crack : {Outline{{0, 10}, {6, 10}}, Outline{{4, 6}, {8, 10}}}) {
+    Model model;
+    const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
+    const int32_t region = model.pd(id, rectangle(0, 0, 26, 20), 1, 3);
+    model.circular_hole(region, {17, 10}, 3);
+    model.fix(region, 1, BEMPD_BOTH);
+    model.prescribe(region, 3, BEMPD_Y, 0, 0.01);
+    model.crack(crack);
+    model.next_event(1);
+    const std::vector<int32_t> states = model.bonds(region).states;
+    EXPECT_GT(std::count(states.begin(), states.end(), BEMPD_BOND_CUT), 20);
+  }
+}
+
 // A crack from an edge, its tip far from it: what the tip carries does not depend on where the points of the edge lie.
 TEST(OutlinedFracture, tips_are_those_of_a_region_on_lattice_rows) {
   const auto tip_with = [](const char* points) {

@@ -18,6 +18,19 @@ constexpr double weight[4] = {0.1739274225687269, 0.3260725774312731, 0.32607257
 // A piece between places that are asked for has at least this length, in spacings.
 constexpr double shortest_piece = 0.75;
 
+// Between a segment and the points of a lattice beside it, along the axis that it is steeper to.
+double distance_from_points(const Segment& segment, const Point& shift) {
+  const Point along = segment.direction();
+  const int axis = std::abs(along.x()) >= std::abs(along.y()) ? 0 : 1;
+  const double from = segment.start[axis] - shift[axis], to = segment.end[axis] - shift[axis];
+  double least = 0.5;
+  for (double row = std::ceil(std::min(from, to)); row <= std::max(from, to); ++row) {
+    const double off = segment.at((row - from) / (to - from))[1 - axis] - shift[1 - axis];
+    least = std::min(least, std::abs(off - std::round(off)));
+  }
+  return least;
+}
+
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 }  // namespace
@@ -103,20 +116,12 @@ pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation
     for (std::size_t k = 0; k + 1 < crack.points.size(); ++k)
       segments.push_back(
           {turn.transpose() * to_grid(crack.points[k]), turn.transpose() * to_grid(crack.points[k + 1])});
-  // Only along rows and columns can all points keep away.
   double best = -1;
   Point best_shift = Point::Zero();
   for (int k = 0; k < steps * steps; ++k) {
     const Point shift = Point(k % steps, k / steps) / steps;
     double least = 0.5;
-    for (const Segment& s : segments) {
-      const Point along = s.direction();
-      for (int axis = 0; axis < 2; ++axis) {
-        if (std::abs(along[1 - axis]) > 1e-6 * along.norm()) continue;
-        const double off = s.start[1 - axis] - shift[1 - axis];
-        least = std::min(least, std::abs(off - std::round(off)));
-      }
-    }
+    for (const Segment& s : segments) least = std::min(least, distance_from_points(s, shift));
     if (least > best + 1e-9) best = least, best_shift = shift;
   }
   return {turn * best_shift, choice_.angle, !segments.empty()};
@@ -140,6 +145,11 @@ void OutlinedRegion::require_possible_corners() const {
 
 void OutlinedRegion::build(const Preparation& preparation, Contributions& contributions) {
   require_possible_corners();
+  const Box box = bounding_box(preparation.scene.region(id()).outline());
+  constexpr double most_places = 1e8;
+  const double places = box.volume() / (spacing() * spacing());
+  require(places <= most_places, "region ", id(), " lies in a rectangle of ", places, " spacings ", spacing(),
+          " squared; the limit is ", most_places, ": choose a larger spacing");
   const std::vector<char> is_shared = shared_points(preparation);
   const pd::Chords chords = body_.chords;
   const int threads = preparation.options.whole_number("threads");
