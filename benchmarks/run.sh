@@ -36,7 +36,7 @@ export PATH="/usr/bin:/bin:$PATH"
   python3 python3-cffi python3-numpy python3-matplotlib "${peers[@]}"
 
 if [ "$name" != windows ]; then  # which builds a library of its own
-  cmake --preset release -Wno-dev -D BEMPD_BUILD_BENCHMARKS=ON >/dev/null
+  cmake --preset release -Wno-dev -D BEMPD_BUILD_BENCHMARKS=ON -D BEMPD_COMPILE_TOGETHER=ON >/dev/null
   cmake --build --preset release -j "$(nproc)" --target bempd "${programs[@]}"
 fi
 

@@ -3,7 +3,7 @@
 #   tests/run.sh        both sparse backends, then clang's sanitizers and fuzz targets in a host that fetches the library
 #   tests/run.sh quick  the default backend only
 #   tests/run.sh long   all of it, the site of documents looked at in Chromium, the library without the scheme paper, then
-#                       unit tests under the sanitizers, threads, clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target,
+#                       unit and physics tests under the sanitizers, threads, clang, and searches of an hour and more (BEMPD_FUZZ_SECONDS, 1800 for each fuzz target,
 #                       BEMPD_SCENES, 20000, and BEMPD_ALLOCATIONS that fail in each call, 2000, 0 for all, shorten or
 #                       lengthen them)
 set -euo pipefail
