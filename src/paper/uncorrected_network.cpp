@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cancellation.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/micromodulus.hpp"
 
 namespace bempd::paper {
@@ -132,7 +133,7 @@ Network build_uncorrected_network(const std::vector<Point>& points, const std::v
                                   const std::vector<Face>& faces, int horizon_ratio,
                                   const PlaneElasticity& elasticity) {
   assert(horizon_ratio >= 1 && volumes.size() == points.size());
-  assert(std::abs(elasticity.c12() * 3 - elasticity.c11()) < 1e-9 * elasticity.c11());
+  assert(is_bond_based(elasticity));
   const double horizon = horizon_ratio, unit = elasticity.thickness * elasticity.c11();
   Bins bins(points, horizon);
   for (std::size_t f = 0; f < faces.size(); ++f) bins.add(faces[f], static_cast<int>(f));

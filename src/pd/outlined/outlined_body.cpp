@@ -8,6 +8,7 @@
 #include "linalg/disjoint_sets.hpp"
 #include "linalg/least_change.hpp"
 #include "parallel.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/outlined/outlined_bonds.hpp"
 #include "pd/outlined/surface_balance.hpp"
 
@@ -142,7 +143,7 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
-  assert(std::abs(elasticity.c12() * 3 - elasticity.c11()) < 1e-9 * elasticity.c11());
+  assert(is_bond_based(elasticity));
   std::optional<OutlinedBody> best;
   for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed)) {
     OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, kernel);
