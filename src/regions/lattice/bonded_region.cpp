@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/interface_trace.hpp"
 #include "error.hpp"
 #include "pd/crack.hpp"
 #include "pd/critical_stretch.hpp"
@@ -93,6 +94,27 @@ void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& 
 void BondedRegion::add_statistics(RegionStatistics& statistics) const {
   statistics.material_points += point_count();
   statistics.seconds_lattice += seconds_preparing;
+}
+
+void BondedRegion::tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
+                              coupling::NodeTies& ties) const {
+  const Point &start = leading.places.front(), &end = leading.places.back();
+  std::vector<double> stations;
+  for (std::size_t a = 0; a < leading.places.size(); a += 2)
+    stations.push_back((leading.places[a] - start).norm() / apart);
+  stations.back() = static_cast<double>(points.size() - 1);
+  const auto trace = coupling::interface_trace(stations);
+  require(trace.has_value(), "edge ", leading.edge, " of region ", leader,
+          " has elements of its own on the interface with region ", id(), ", from (", start.x(), ", ", start.y(),
+          ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
+          " material points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow them");
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    std::vector<coupling::NodeTies::Master> masters;
+    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+    for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it)
+      masters.push_back({leading.nodes[static_cast<std::size_t>(it.col())], it.value()});
+    ties.add(nodes_[points[i]], std::move(masters));
+  }
 }
 
 }  // namespace bempd::regions

@@ -80,6 +80,10 @@ class BondedRegion : public Region {
   // Adds the bonds of its network to the scene's, as a row.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
 
+  // Ties points of a straight interface, in order and so far apart, to the elements of the region that leads there.
+  void tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
+                  coupling::NodeTies& ties) const;
+
   int point_count() const { return static_cast<int>(points_.size()); }
   int horizon_ratio() const { return horizon_ratio_; }
   double critical_stretch(const scene::Options& options) const;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <typeinfo>
 
-#include "coupling/interface_trace.hpp"
 #include "error.hpp"
 #include "regions/lattice/lattice_group.hpp"
 
@@ -118,24 +117,7 @@ void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& co
 }
 
 void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {
-  const Point &start = leading.places.front(), &end = leading.places.back();
-  const std::vector<int> points = points_along(start, end);
-  std::vector<double> stations;
-  for (std::size_t a = 0; a < leading.places.size(); a += 2)
-    stations.push_back((leading.places[a] - start).norm() / spacing());
-  stations.back() = static_cast<double>(points.size() - 1);
-  const auto trace = coupling::interface_trace(stations);
-  require(trace.has_value(), "edge ", leading.edge, " of region ", leader,
-          " has elements of its own on the interface with region ", id(), ", from (", start.x(), ", ", start.y(),
-          ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
-          " lattice points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow the lattice");
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    std::vector<coupling::NodeTies::Master> masters;
-    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-    for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it)
-      masters.push_back({leading.nodes[static_cast<std::size_t>(it.col())], it.value()});
-    ties.add(nodes_[points[i]], std::move(masters));
-  }
+  tie_points(leading, leader, points_along(leading.places.front(), leading.places.back()), spacing(), ties);
 }
 
 }  // namespace bempd::regions

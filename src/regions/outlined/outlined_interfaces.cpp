@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/interface_trace.hpp"
 #include "error.hpp"
 #include "regions/outlined/outlined_region.hpp"
 
@@ -96,21 +95,7 @@ void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling
   const auto along = [&](int i) { return (position(i) - start).dot(end - start); };
   std::sort(points.begin(), points.end(), [&](int i, int j) { return along(i) < along(j); });
   const double chord = (end - start).norm() / static_cast<double>(points.size() - 1);
-  std::vector<double> stations;
-  for (std::size_t a = 0; a < leading.places.size(); a += 2)
-    stations.push_back((leading.places[a] - start).norm() / chord);
-  const auto trace = coupling::interface_trace(stations);
-  require(trace.has_value(), "edge ", leading.edge, " of region ", leader,
-          " has elements of its own on the interface with region ", id(), ", from (", start.x(), ", ", start.y(),
-          ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
-          " material points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow the points");
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    std::vector<coupling::NodeTies::Master> masters;
-    using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-    for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it)
-      masters.push_back({leading.nodes[static_cast<std::size_t>(it.col())], it.value()});
-    ties.add(nodes_[points[i]], std::move(masters));
-  }
+  tie_points(leading, leader, points, chord, ties);
 }
 
 }  // namespace bempd::regions
