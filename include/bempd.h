@@ -215,6 +215,19 @@ BEMPD_API bempd_status bempd_add_material(bempd_model* model, const bempd_materi
 BEMPD_API bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count,
                                             const double* vertices, double element_length, int32_t* region);
 
+/** @brief Add a region as bempd_add_bem_region() does, with edges that may be circular arcs from the start: lines
+ * between its vertices need not make an outline, so that those of arcs may cross.
+ * @param[in] model the model @param[in] material id of a material @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
+ * @param[in] bulges shape [vertex_count], one for each edge: the tangent of a quarter of the angle that the arc turns
+ * from its first vertex to its last one, counter-clockwise positive, 0 for a straight edge, 1 for half a circle that
+ * bulges out of the body (as in DXF files); NULL for straight edges [-]
+ * @param[in] element_length longest element on any edge [m], > 0
+ * @param[out] region its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_bem_region_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
+                                                      const double* vertices, const double* bulges,
+                                                      double element_length, int32_t* region);
+
 /** @brief Add a round region treated by boundary elements. Its edges are four quarter circles: the first begins at the
  * place with the largest x, and they run counter-clockwise. It fits into a circular hole of the same centre and radius.
  * @param[in] model the model @param[in] material id of a material @param[in] x centre [m] @param[in] y centre [m]
@@ -248,12 +261,32 @@ BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material,
                                            const double* vertices, double spacing, int32_t horizon_ratio,
                                            int32_t* region);
 
+/** @brief Add a region as bempd_add_pd_region() does, with edges that may be circular arcs from the start, as in
+ * bempd_add_bem_region_with_arcs().
+ * @param[in] model the model @param[in] material id of a material, as for bempd_add_pd_region()
+ * @param[in] vertex_count number of vertices, >= 3 @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
+ * @param[in] bulges shape [vertex_count]; NULL for straight edges [-] @param[in] spacing lattice spacing [m], > 0
+ * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+ * @param[out] region its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_pd_region_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
+                                                     const double* vertices, const double* bulges, double spacing,
+                                                     int32_t horizon_ratio, int32_t* region);
+
 /** @brief Cut a hole into a region. The hole's edges continue the region's numbering.
  * @param[in] model the model @param[in] region id of a region @param[in] vertex_count number of vertices, >= 3
  * @param[in] vertices shape [vertex_count][2], clockwise (the body on the left) [m]
  * @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
                                       int32_t* first_edge);
+
+/** @brief Cut a hole into a region as bempd_add_hole() does, with edges that may be circular arcs from the start, as in
+ * bempd_add_bem_region_with_arcs(): -1 is half a circle that bulges into the body.
+ * @param[in] model the model @param[in] region id of a region @param[in] vertex_count number of vertices, >= 3
+ * @param[in] vertices shape [vertex_count][2], clockwise (the body on the left) [m]
+ * @param[in] bulges shape [vertex_count]; NULL for straight edges [-]
+ * @param[out] first_edge number of the hole's first edge; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_hole_with_arcs(bempd_model* model, int32_t region, int64_t vertex_count,
+                                                const double* vertices, const double* bulges, int32_t* first_edge);
 
 /** @brief Cut a circular hole into a region. Its edges are four quarter circles: the first begins at the place with
  * the largest x, and they run clockwise.

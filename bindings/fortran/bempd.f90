@@ -153,15 +153,16 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_material
-    module subroutine add_bem_region(self, material, vertices, element_length, region, stat, errmsg)
+    module subroutine add_bem_region(self, material, vertices, element_length, region, stat, errmsg, bulges)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: material
       real(c_double), intent(in) :: vertices(:, :), element_length
       integer(c_int32_t), intent(out), optional :: region
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
+      real(c_double), intent(in), optional :: bulges(:)
     end subroutine add_bem_region
-    module subroutine add_pd_region(self, material, vertices, spacing, horizon_ratio, region, stat, errmsg)
+    module subroutine add_pd_region(self, material, vertices, spacing, horizon_ratio, region, stat, errmsg, bulges)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: material
       real(c_double), intent(in) :: vertices(:, :), spacing
@@ -169,14 +170,16 @@ module bempd
       integer(c_int32_t), intent(out), optional :: region
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
+      real(c_double), intent(in), optional :: bulges(:)
     end subroutine add_pd_region
-    module subroutine add_hole(self, region, vertices, first_edge, stat, errmsg)
+    module subroutine add_hole(self, region, vertices, first_edge, stat, errmsg, bulges)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region
       real(c_double), intent(in) :: vertices(:, :)
       integer(c_int32_t), intent(out), optional :: first_edge
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
+      real(c_double), intent(in), optional :: bulges(:)
     end subroutine add_hole
     module subroutine add_circular_hole(self, region, x, y, radius, first_edge, stat, errmsg)
       class(bempd_model), intent(inout) :: self

@@ -872,6 +872,33 @@ module bempd_c
       integer(c_int) :: bempd_add_bem_region
     end function bempd_add_bem_region
 
+    !> Add a region as bempd_add_bem_region() does, with edges that may be circular arcs from the start: lines between
+    !> its vertices need not make an outline, so that those of arcs may cross.
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+    !> bulges [in]: shape [vertex_count], one for each edge: the tangent of a quarter of the angle that the arc turns
+    !>   from its first vertex to its last one, counter-clockwise positive, 0 for a straight edge, 1 for half a circle
+    !>   that bulges out of the body (as in DXF files); NULL for straight edges [-]
+    !> element_length [in]: longest element on any edge [m], > 0
+    !> region [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_bem_region_with_arcs(model, material, vertex_count, vertices, bulges, element_length, region) &
+        bind(c, name="bempd_add_bem_region_with_arcs")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: vertex_count
+      real(c_double), intent(in) :: vertices(2, *)
+      type(c_ptr), value :: bulges
+      real(c_double), value :: element_length
+      type(c_ptr), value :: region
+      integer(c_int) :: bempd_add_bem_region_with_arcs
+    end function bempd_add_bem_region_with_arcs
+
     !> Add a round region treated by boundary elements. Its edges are four quarter circles: the first begins at the
     !> place with the largest x, and they run counter-clockwise. It fits into a circular hole of the same centre and
     !> radius.
@@ -937,6 +964,33 @@ module bempd_c
       integer(c_int) :: bempd_add_pd_region
     end function bempd_add_pd_region
 
+    !> Add a region as bempd_add_pd_region() does, with edges that may be circular arcs from the start, as in
+    !> bempd_add_bem_region_with_arcs().
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material, as for bempd_add_pd_region()
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+    !> bulges [in]: shape [vertex_count]; NULL for straight edges [-]
+    !> spacing [in]: lattice spacing [m], > 0
+    !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+    !> region [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_pd_region_with_arcs(model, material, vertex_count, vertices, bulges, spacing, horizon_ratio, &
+        region) bind(c, name="bempd_add_pd_region_with_arcs")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: vertex_count
+      real(c_double), intent(in) :: vertices(2, *)
+      type(c_ptr), value :: bulges
+      real(c_double), value :: spacing
+      integer(c_int32_t), value :: horizon_ratio
+      type(c_ptr), value :: region
+      integer(c_int) :: bempd_add_pd_region_with_arcs
+    end function bempd_add_pd_region_with_arcs
+
     !> Cut a hole into a region. The hole's edges continue the region's numbering.
     !>
     !> model [in]: the model
@@ -955,6 +1009,29 @@ module bempd_c
       type(c_ptr), value :: first_edge
       integer(c_int) :: bempd_add_hole
     end function bempd_add_hole
+
+    !> Cut a hole into a region as bempd_add_hole() does, with edges that may be circular arcs from the start, as in
+    !> bempd_add_bem_region_with_arcs(): -1 is half a circle that bulges into the body.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], clockwise (the body on the left) [m]
+    !> bulges [in]: shape [vertex_count]; NULL for straight edges [-]
+    !> first_edge [out]: number of the hole's first edge; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_hole_with_arcs(model, region, vertex_count, vertices, bulges, first_edge) &
+        bind(c, name="bempd_add_hole_with_arcs")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int64_t), value :: vertex_count
+      real(c_double), intent(in) :: vertices(2, *)
+      type(c_ptr), value :: bulges
+      type(c_ptr), value :: first_edge
+      integer(c_int) :: bempd_add_hole_with_arcs
+    end function bempd_add_hole_with_arcs
 
     !> Cut a circular hole into a region. Its edges are four quarter circles: the first begins at the place with the
     !> largest x, and they run clockwise.

@@ -52,11 +52,17 @@ contains
 
   module procedure add_bem_region
     integer(c_int32_t), target :: new
+    real(c_double), allocatable, target :: bends(:)
 
     new = 0
-    if (are_points(self, "bempd_add_bem_region", "vertices", vertices, stat, errmsg)) then
-      call finish(self, bempd_add_bem_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
-        element_length, c_loc(new)), stat, errmsg)
+    if (can_be_loop(self, "bempd_add_bem_region", vertices, bulges, bends, stat, errmsg)) then
+      if (present(bulges)) then
+        call finish(self, bempd_add_bem_region_with_arcs(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
+          c_loc(bends), element_length, c_loc(new)), stat, errmsg)
+      else
+        call finish(self, bempd_add_bem_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
+          element_length, c_loc(new)), stat, errmsg)
+      end if
     end if
     call give(new, region)
   end procedure add_bem_region
@@ -64,24 +70,36 @@ contains
   module procedure add_pd_region
     integer(c_int32_t) :: ratio
     integer(c_int32_t), target :: new
+    real(c_double), allocatable, target :: bends(:)
 
     ratio = 0
     if (present(horizon_ratio)) ratio = horizon_ratio
     new = 0
-    if (are_points(self, "bempd_add_pd_region", "vertices", vertices, stat, errmsg)) then
-      call finish(self, bempd_add_pd_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, spacing, &
-        ratio, c_loc(new)), stat, errmsg)
+    if (can_be_loop(self, "bempd_add_pd_region", vertices, bulges, bends, stat, errmsg)) then
+      if (present(bulges)) then
+        call finish(self, bempd_add_pd_region_with_arcs(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
+          c_loc(bends), spacing, ratio, c_loc(new)), stat, errmsg)
+      else
+        call finish(self, bempd_add_pd_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, spacing, &
+          ratio, c_loc(new)), stat, errmsg)
+      end if
     end if
     call give(new, region)
   end procedure add_pd_region
 
   module procedure add_hole
     integer(c_int32_t), target :: new
+    real(c_double), allocatable, target :: bends(:)
 
     new = 0
-    if (are_points(self, "bempd_add_hole", "vertices", vertices, stat, errmsg)) then
-      call finish(self, bempd_add_hole(self%handle, region, size(vertices, 2, c_int64_t), vertices, c_loc(new)), stat, &
-        errmsg)
+    if (can_be_loop(self, "bempd_add_hole", vertices, bulges, bends, stat, errmsg)) then
+      if (present(bulges)) then
+        call finish(self, bempd_add_hole_with_arcs(self%handle, region, size(vertices, 2, c_int64_t), vertices, &
+          c_loc(bends), c_loc(new)), stat, errmsg)
+      else
+        call finish(self, bempd_add_hole(self%handle, region, size(vertices, 2, c_int64_t), vertices, c_loc(new)), stat, &
+          errmsg)
+      end if
     end if
     call give(new, first_edge)
   end procedure add_hole

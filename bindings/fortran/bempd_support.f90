@@ -71,6 +71,44 @@ contains
       "); it must be (2,n), x and y of each point side by side; try transpose(" // array_name // ")", stat, errmsg)
   end function are_points
 
+  !> Whether vertices are (2,n) with as many bulges or none; refuses them if not. Copies the bulges as are_bulges() does.
+  logical function can_be_loop(self, procedure_name, vertices, bulges, bends, stat, errmsg)
+    class(bempd_model), intent(inout) :: self
+    character(*), intent(in) :: procedure_name
+    real(c_double), intent(in) :: vertices(:, :)
+    real(c_double), intent(in), optional :: bulges(:)
+    real(c_double), allocatable, target, intent(out) :: bends(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+
+    can_be_loop = are_points(self, procedure_name, "vertices", vertices, stat, errmsg)
+    if (can_be_loop) can_be_loop = are_bulges(self, procedure_name, vertices, bulges, bends, stat, errmsg)
+  end function can_be_loop
+
+  !> Whether there is a bulge for each vertex; they are copied to where C can read them, as 0 if there are none.
+  logical function are_bulges(self, procedure_name, vertices, bulges, bends, stat, errmsg)
+    class(bempd_model), intent(inout) :: self
+    character(*), intent(in) :: procedure_name
+    real(c_double), intent(in) :: vertices(:, :)
+    real(c_double), intent(in), optional :: bulges(:)
+    real(c_double), allocatable, target, intent(out) :: bends(:)
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+    character(24) :: numbers(2)
+
+    allocate (bends(size(vertices, 2)), source=0.0_c_double)
+    are_bulges = .true.
+    if (.not. present(bulges)) return
+    are_bulges = size(bulges) == size(bends)
+    if (are_bulges) then
+      bends = bulges
+    else
+      write (numbers, '(i0)') size(bulges), size(bends)
+      call refuse(self, procedure_name // ": there are " // trim(numbers(1)) // " bulges for " // trim(numbers(2)) // &
+        " edges; give one for each", stat, errmsg)
+    end if
+  end function are_bulges
+
   !> Whether both parts have as many numbers; they are copied to where C can read them, with 0 for a missing part.
   logical function are_values(self, procedure_name, constant, proportional, parts, stat, errmsg)
     class(bempd_model), intent(inout) :: self

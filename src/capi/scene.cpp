@@ -11,6 +11,49 @@ namespace {
 
 constexpr bempd_material material_defaults{sizeof(bempd_material), 0, 0, 1, 0, 0, BEMPD_PLANE_STRESS, 0, 0};
 
+// A loop as a caller gives it.
+struct GivenLoop {
+  std::int64_t vertex_count;
+  const double* vertices;
+  const double* bulges = nullptr;
+
+  std::vector<Point> points() const { return points_from(vertices, vertex_count, "vertices"); }
+  std::vector<double> bends() const {
+    return bulges ? std::vector(bulges, bulges + vertex_count) : std::vector<double>();
+  }
+};
+
+bempd_status add_bem_region(bempd_model* model, const char* call, int32_t material, const GivenLoop& loop,
+                            double element_length, int32_t* region) {
+  return with_model(model, call, [&](model::Model& m) {
+    const auto points = loop.points();
+    const int added = regions::add_boundary_region(m.editable_scene(), material, points, element_length, loop.bends());
+    if (region) *region = added;
+  });
+}
+
+bempd_status add_pd_region(bempd_model* model, const char* call, int32_t material, const GivenLoop& loop,
+                           double spacing, int32_t horizon_ratio, int32_t* region) {
+  return with_model(model, call, [&](model::Model& m) {
+    const auto points = loop.points();
+    const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
+    const regions::PointChoice choice{m.options().text_value("pd.outline_points") == "always",
+                                      m.options().number("pd.lattice_angle")};
+    const int added =
+        regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice, loop.bends());
+    if (region) *region = added;
+  });
+}
+
+bempd_status add_hole(bempd_model* model, const char* call, int32_t region, const GivenLoop& loop,
+                      int32_t* first_edge) {
+  return with_model(model, call, [&](model::Model& m) {
+    const auto points = loop.points();
+    const int edge = m.editable_scene().add_hole(region, points, loop.bends());
+    if (first_edge) *first_edge = edge;
+  });
+}
+
 }  // namespace
 
 bempd_status bempd_material_init(bempd_material* material, int64_t struct_size) {
@@ -42,11 +85,13 @@ bempd_status bempd_add_material(bempd_model* model, const bempd_material* materi
 
 bempd_status bempd_add_bem_region(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
                                   double element_length, int32_t* region) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    const auto points = points_from(vertices, vertex_count, "vertices");
-    const int added = regions::add_boundary_region(m.editable_scene(), material, points, element_length);
-    if (region) *region = added;
-  });
+  return add_bem_region(model, __func__, material, {vertex_count, vertices}, element_length, region);
+}
+
+bempd_status bempd_add_bem_region_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
+                                            const double* vertices, const double* bulges, double element_length,
+                                            int32_t* region) {
+  return add_bem_region(model, __func__, material, {vertex_count, vertices, bulges}, element_length, region);
 }
 
 bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, double y, double radius,
@@ -59,22 +104,23 @@ bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, 
 
 bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
                                  double spacing, int32_t horizon_ratio, int32_t* region) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    const auto points = points_from(vertices, vertex_count, "vertices");
-    const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
-    const regions::PointChoice choice{m.options().text_value("pd.outline_points") == "always",
-                                      m.options().number("pd.lattice_angle")};
-    const int added = regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice);
-    if (region) *region = added;
-  });
+  return add_pd_region(model, __func__, material, {vertex_count, vertices}, spacing, horizon_ratio, region);
+}
+
+bempd_status bempd_add_pd_region_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
+                                           const double* vertices, const double* bulges, double spacing,
+                                           int32_t horizon_ratio, int32_t* region) {
+  return add_pd_region(model, __func__, material, {vertex_count, vertices, bulges}, spacing, horizon_ratio, region);
 }
 
 bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
                             int32_t* first_edge) {
-  return with_model(model, __func__, [&](model::Model& m) {
-    const int edge = m.editable_scene().add_hole(region, points_from(vertices, vertex_count, "vertices"));
-    if (first_edge) *first_edge = edge;
-  });
+  return add_hole(model, __func__, region, {vertex_count, vertices}, first_edge);
+}
+
+bempd_status bempd_add_hole_with_arcs(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,
+                                      const double* bulges, int32_t* first_edge) {
+  return add_hole(model, __func__, region, {vertex_count, vertices, bulges}, first_edge);
 }
 
 bempd_status bempd_add_circular_hole(bempd_model* model, int32_t region, double x, double y, double radius,

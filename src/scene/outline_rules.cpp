@@ -55,7 +55,8 @@ std::string describe(const OutlineCheck& check, const Outline& outline) {
                   "; remove the spike");
     case OutlineDefect::self_crossing:
       return text("edges ", a, " and ", b, " of the outline cross or touch at ", place_of(check.where),
-                  "; an outline must not cross itself");
+                  "; an outline must not cross itself (where edges are meant to be arcs, give their bulges together with "
+                  "the vertices)");
     case OutlineDefect::wrong_orientation:
       if (arcs_turn_round(outline, check.loop)) {
         return "an arc bulges across the outline to its other side; give a place on the arc that is closer to the edge";
@@ -82,6 +83,20 @@ void require_sound(const Outline& outline) {
 void require_circle(const Point& centre, double radius) {
   require(centre.allFinite(), "the centre is (", centre.x(), ", ", centre.y(), "); coordinates must be finite numbers");
   require(std::isfinite(radius) && radius > 0, "radius is ", radius, "; it must be > 0");
+}
+
+void append_loop(Outline& outline, const std::vector<Point>& vertices, const std::vector<double>& bulges) {
+  require_points(vertices, "vertex");
+  const int first = static_cast<int>(edges_of(outline).size());
+  for (std::size_t k = 0; k < bulges.size(); ++k) {
+    require(std::isfinite(bulges[k]), "bulge ", k + 1, " is ", bulges[k],
+            "; it must be a finite number: the tangent of a quarter of the angle that the edge turns, 0 for a straight "
+            "edge");
+    if (bulges[k] == 0) continue;
+    const Arc arc{vertices[k], vertices[(k + 1) % vertices.size()], 4 * std::atan(bulges[k])};
+    outline.curved.emplace(first + static_cast<int>(k), Edge(arc));
+  }
+  outline.loops.push_back(vertices);
 }
 
 void append_circle(Outline& outline, const Point& centre, double radius, bool clockwise) {

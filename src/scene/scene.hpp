@@ -28,7 +28,8 @@ class Scene {
  public:
   int add_material(const Material& material);
   int add_region(std::unique_ptr<Region> region);
-  int add_hole(int region, const std::vector<Point>& vertices);  // number of its first edge
+  // Number of its first edge.
+  int add_hole(int region, const std::vector<Point>& vertices, const std::vector<double>& bulges = {});
   int add_circular_hole(int region, const Point& centre, double radius);
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
   // The edge becomes the arc through a place between its ends.

@@ -21,11 +21,12 @@ void bend(Region& region, int number, const Arc& arc, double tolerance) {
 
 }  // namespace
 
-int Scene::add_hole(int region_id, const std::vector<Point>& vertices) {
+int Scene::add_hole(int region_id, const std::vector<Point>& vertices, const std::vector<double>& bulges) {
   Region& region = mutable_region(region_id);
-  require_points(vertices, "vertex");
   Outline changed = region.outline();
-  changed.loops.push_back(vertices);
+  append_loop(changed, vertices, bulges);
+  require(changed.curved.size() == region.outline().curved.size() || region.may_be_curved(), "region ", region_id,
+          " is ", region.adjective(), "; the edges of its holes are straight");
   require_sound(changed);
   const int first_edge = region.edge_count() + 1;
   region.set_outline(std::move(changed));

@@ -452,7 +452,7 @@ contains
     type(bempd_singularity), allocatable :: singular(:)
     real(dp), allocatable :: stress(:, :)
     real(dp) :: force(2), moment
-    integer(c_int32_t) :: disc
+    integer(c_int32_t) :: disc, spiral
     integer :: stat
     character(200) :: message
 
@@ -463,6 +463,15 @@ contains
     call model%set_edge_arc_about(disc, 1, .5_dp, 3._dp, .6_dp, BEMPD_CLOCKWISE, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_edge_arc_about: edge 1 of region 2 begins 0.5")
     call model%fix_edge(disc, 1, BEMPD_BOTH)
+    ! Of a spiral the chords of two edges cross.
+    call model%add_bem_region(1, reshape([6._dp, 0._dp, 8._dp, 0._dp, 6._dp, 1._dp, 8._dp, 1._dp], [2, 4]), .2_dp, &
+      bulges=[0._dp, 1._dp, 0._dp], stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_add_bem_region: there are 3 bulges for 4 edges")
+    call model%add_bem_region(1, reshape([6._dp, 0._dp, 8._dp, 0._dp, 6._dp, 1._dp, 8._dp, 1._dp], [2, 4]), .2_dp, &
+      region=spiral, bulges=[0._dp, tan(3 * acos(-1._dp) / 8), 0._dp, 0._dp])
+    call model%add_hole(spiral, reshape([6.8_dp, 1.6_dp, 7.1_dp, 2.2_dp, 7.4_dp, 1.6_dp], [2, 3]), &
+      bulges=[0._dp, 0._dp, .2_dp])
+    call model%fix_edge(spiral, 1, BEMPD_BOTH)
     call model%step(1._dp)
     call model%edge_reaction(1, 4, 0._dp, .5_dp, force, moment)
     call check(abs(force(1) + 10) < 1e-9_dp .and. abs(moment) < 1e-9_dp, "the edge holds the traction")

@@ -103,7 +103,63 @@ static void nodes_lie_on_the_circle_and_loads_act_on_it(void) {
   bempd_model_free(model);
 }
 
+/* A spiral of which the chords of two edges cross: 3/4 of a circle from (2, 0) to (0, 1), and straight edges. */
+static const double spiral[4][2] = {{0.0, 0.0}, {2.0, 0.0}, {0.0, 1.0}, {2.0, 1.0}};
+static double three_quarters(void) { return tan(3.0 * 3.14159265358979323846 / 8.0); }
+
+static void chords_of_arcs_given_with_the_vertices_may_cross(void) {
+  bempd_model* model = new_model();
+  const int32_t material = add_sound_material(model);
+  double bulges[4] = {0.0, 0.0, 0.0, 0.0}, force[2];
+  const double pi = 3.14159265358979323846, square = 2.5 * (1.5 * pi + 1.0) / 2.0;
+  int32_t region = 0, clamp = 0;
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "bulges",
+              bempd_add_bem_region(model, material, 4, &spiral[0][0], 0.2, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "cross",
+              bempd_add_bem_region_with_arcs(model, material, 4, &spiral[0][0], NULL, 0.2, NULL));
+  bulges[1] = three_quarters();
+  CHECK_OK(model, bempd_add_bem_region_with_arcs(model, material, 4, &spiral[0][0], bulges, 0.2, &region));
+  CHECK_OK(model, bempd_fix_edge(model, region, 1, BEMPD_BOTH, &clamp));
+  CHECK_OK(model, bempd_add_body_force(model, region, BEMPD_Y, -1.0, 0.0, NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(model, bempd_reaction(model, clamp, force));
+  CHECK(fabs(force[1] / (square * sound_material().thickness) - 1.0) < 1e-9);
+  bempd_model_free(model);
+}
+
+static void bulges_are_finite_and_arcs_do_not_cross(void) {
+  bempd_model* model = pd_block();
+  const double square[4][2] = {{20.0, 0.0}, {28.0, 0.0}, {28.0, 8.0}, {20.0, 8.0}};
+  const double hole[4][2] = {{22.0, 4.0}, {24.0, 6.0}, {26.0, 4.0}, {24.0, 2.0}};
+  const double round[4] = {-0.41421356237309503, -0.41421356237309503, -0.41421356237309503, -0.41421356237309503};
+  double bulges[4] = {0.0, NAN, 0.0, 0.0};
+  int32_t region = 0, first = 0;
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "bulge 2 is nan",
+              bempd_add_bem_region_with_arcs(model, 1, 4, &square[0][0], bulges, 1.0, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "bulge 2 is nan",
+              bempd_add_pd_region_with_arcs(model, 1, 4, &square[0][0], bulges, 1.0, 3, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "vertices",
+              bempd_add_pd_region_with_arcs(model, 1, 4, NULL, bulges, 1.0, 3, NULL));
+  bulges[1] = 1.0e300;
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "cross|touch|finite|number",
+              bempd_add_bem_region_with_arcs(model, 1, 4, &square[0][0], bulges, 1.0, NULL));
+  bulges[1] = -1.0;
+  bulges[3] = -1.0; /* half circles that meet in the middle */
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "cross|touch",
+              bempd_add_pd_region_with_arcs(model, 1, 4, &square[0][0], bulges, 1.0, 3, NULL));
+  bulges[1] = 0.5;
+  bulges[3] = 0.0;
+  CHECK_OK(model, bempd_add_pd_region_with_arcs(model, 1, 4, &square[0][0], bulges, 1.0, 3, &region));
+  CHECK_OK(model, bempd_add_hole_with_arcs(model, region, 4, &hole[0][0], round, &first));
+  CHECK(first == 5);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "bulge 2 is nan",
+              (bulges[1] = NAN, bempd_add_hole_with_arcs(model, region, 4, &hole[0][0], bulges, NULL)));
+  bempd_model_free(model);
+}
+
 int main(void) {
+  chords_of_arcs_given_with_the_vertices_may_cross();
+  bulges_are_finite_and_arcs_do_not_cross();
   places_on_arcs_are_finite_and_between_the_ends();
   arcs_may_not_cross_the_outline();
   circular_holes_lie_inside_and_apart();

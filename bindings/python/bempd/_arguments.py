@@ -50,6 +50,16 @@ def one_number(values: Optional[npt.ArrayLike]) -> Optional[float]:
     return float(array[0]) if array.size and (array == array[0]).all() else None
 
 
+def bulge_array(name: str, value: Optional[npt.ArrayLike], edges: int) -> Optional[FloatArray]:
+    """One number for each edge of a loop, or none at all."""
+    if value is None:
+        return None
+    array = real_array(name, value)
+    if array.shape != (edges,):
+        raise ArgumentError(f"{name} has the shape {array.shape}; give one number for each of the {edges} edges")
+    return array
+
+
 def doubles(array: Optional[FloatArray]) -> Any:
     """Pointer to the numbers of an array, which must live through the call; NULL for None."""
     return ffi.NULL if array is None else ffi.from_buffer("double[]", array)

@@ -67,12 +67,20 @@ bempd_status bempd_material_init(bempd_material *material, int64_t struct_size);
 bempd_status bempd_add_material(bempd_model *model, const bempd_material *material, int32_t *id);
 bempd_status bempd_add_bem_region(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, double element_length, int32_t *region);
+bempd_status bempd_add_bem_region_with_arcs(bempd_model *model, int32_t material,
+    int64_t vertex_count, const double *vertices, const double *bulges, double element_length,
+    int32_t *region);
 bempd_status bempd_add_bem_disc(bempd_model *model, int32_t material, double x, double y,
     double radius, double element_length, int32_t *region);
 bempd_status bempd_add_pd_region(bempd_model *model, int32_t material, int64_t vertex_count,
     const double *vertices, double spacing, int32_t horizon_ratio, int32_t *region);
+bempd_status bempd_add_pd_region_with_arcs(bempd_model *model, int32_t material,
+    int64_t vertex_count, const double *vertices, const double *bulges, double spacing,
+    int32_t horizon_ratio, int32_t *region);
 bempd_status bempd_add_hole(bempd_model *model, int32_t region, int64_t vertex_count,
     const double *vertices, int32_t *first_edge);
+bempd_status bempd_add_hole_with_arcs(bempd_model *model, int32_t region, int64_t vertex_count,
+    const double *vertices, const double *bulges, int32_t *first_edge);
 bempd_status bempd_add_circular_hole(bempd_model *model, int32_t region, double x, double y,
     double radius, int32_t *first_edge);
 bempd_status bempd_set_edge_arc(bempd_model *model, int32_t region, int32_t edge, double x,
@@ -603,6 +611,22 @@ element_length [in]: longest element on any edge [m], > 0
 region [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_bem_region_with_arcs": """\
+Add a region as bempd_add_bem_region() does, with edges that may be circular arcs from the start:
+lines between its vertices need not make an outline, so that those of arcs may cross.
+
+model [in]: the model
+material [in]: id of a material
+vertex_count [in]: number of vertices, >= 3
+vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+bulges [in]: shape [vertex_count], one for each edge: the tangent of a quarter of the angle that the
+  arc turns from its first vertex to its last one, counter-clockwise positive, 0 for a straight
+  edge, 1 for half a circle that bulges out of the body (as in DXF files); NULL for straight edges
+  [-]
+element_length [in]: longest element on any edge [m], > 0
+region [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_add_bem_disc": """\
 Add a round region treated by boundary elements. Its edges are four quarter circles: the first
 begins at the place with the largest x, and they run counter-clockwise. It fits into a circular hole
@@ -645,6 +669,20 @@ horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon
 region [out]: its id; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_pd_region_with_arcs": """\
+Add a region as bempd_add_pd_region() does, with edges that may be circular arcs from the start, as
+in bempd_add_bem_region_with_arcs().
+
+model [in]: the model
+material [in]: id of a material, as for bempd_add_pd_region()
+vertex_count [in]: number of vertices, >= 3
+vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+bulges [in]: shape [vertex_count]; NULL for straight edges [-]
+spacing [in]: lattice spacing [m], > 0
+horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+region [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_add_hole": """\
 Cut a hole into a region. The hole's edges continue the region's numbering.
 
@@ -655,6 +693,18 @@ vertices [in]: shape [vertex_count][2], clockwise (the body on the left) [m]
 first_edge [out]: number of the hole's first edge; may be NULL
 return: status
 since: 0.1""",
+    "bempd_add_hole_with_arcs": """\
+Cut a hole into a region as bempd_add_hole() does, with edges that may be circular arcs from the
+start, as in bempd_add_bem_region_with_arcs(): -1 is half a circle that bulges into the body.
+
+model [in]: the model
+region [in]: id of a region
+vertex_count [in]: number of vertices, >= 3
+vertices [in]: shape [vertex_count][2], clockwise (the body on the left) [m]
+bulges [in]: shape [vertex_count]; NULL for straight edges [-]
+first_edge [out]: number of the hole's first edge; may be NULL
+return: status
+since: 0.3""",
     "bempd_add_circular_hole": """\
 Cut a circular hole into a region. Its edges are four quarter circles: the first begins at the place
 with the largest x, and they run clockwise.

@@ -68,15 +68,20 @@ class Scene:
         self._sketch.materials += 1
         return number
 
-    def add_bem_region(self, material: int, vertices: npt.ArrayLike, element_length: float) -> int:
+    def add_bem_region(self, material: int, vertices: npt.ArrayLike, element_length: float, *,
+                       bulges: Optional[npt.ArrayLike] = None) -> int:
         """Add a polygon treated by boundary elements; returns its id.
 
         `vertices` run counter-clockwise; edge k (1, 2, ...) goes from vertex k to the next. Edges that coincide with
-        edges of other regions are bonded.
+        edges of other regions are bonded. `bulges`, one for each edge, make arcs: the tangent of a quarter of the angle
+        that the edge turns, 0 for a straight one, 1 for half a circle that bulges out of the body (as in DXF files).
         """
         points = arguments.point_array("add_bem_region: vertices", vertices)
-        region = self._added("bempd_add_bem_region", material, len(points), arguments.doubles(points), element_length)
+        bends = arguments.bulge_array("add_bem_region: bulges", bulges, len(points))
+        region = self._added("bempd_add_bem_region_with_arcs", material, len(points), arguments.doubles(points),
+                             arguments.doubles(bends), element_length)
         self._sketch.regions[region] = Region("BEM", arguments.pairs(points))
+        self._sketch.regions[region].bend(1, bends)
         return region
 
     def add_bem_disc(self, material: int, centre: Sequence[float], radius: float, element_length: float) -> int:
@@ -86,24 +91,34 @@ class Scene:
         self._sketch.add_circle(region, place, radius, hole=False)
         return region
 
-    def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0) -> int:
+    def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0, *,
+                      bulges: Optional[npt.ArrayLike] = None) -> int:
         """Add a polygon treated by peridynamics; returns its id.
 
         With edges parallel to the axes material points lie on the corners of square cells of size `spacing`, also on the
         boundary; with others they lie on the edges, about `spacing` apart, and on a lattice inside. `horizon_ratio` is
-        the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio.
+        the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio. `bulges` make arcs of edges as in
+        add_bem_region().
         """
         points = arguments.point_array("add_pd_region: vertices", vertices)
-        region = self._added("bempd_add_pd_region", material, len(points), arguments.doubles(points), spacing,
-                             horizon_ratio)
+        bends = arguments.bulge_array("add_pd_region: bulges", bulges, len(points))
+        region = self._added("bempd_add_pd_region_with_arcs", material, len(points), arguments.doubles(points),
+                             arguments.doubles(bends), spacing, horizon_ratio)
         self._sketch.regions[region] = Region("PD", arguments.pairs(points))
+        self._sketch.regions[region].bend(1, bends)
         return region
 
-    def add_hole(self, region: int, vertices: npt.ArrayLike) -> int:
-        """Cut a hole into a region, its vertices clockwise; returns the number of the hole's first edge."""
+    def add_hole(self, region: int, vertices: npt.ArrayLike, *, bulges: Optional[npt.ArrayLike] = None) -> int:
+        """Cut a hole into a region, its vertices clockwise; returns the number of the hole's first edge.
+
+        `bulges` make arcs of its edges as in add_bem_region(): -1 is half a circle that bulges into the body.
+        """
         points = arguments.point_array("add_hole: vertices", vertices)
-        edge = self._added("bempd_add_hole", region, len(points), arguments.doubles(points))
+        bends = arguments.bulge_array("add_hole: bulges", bulges, len(points))
+        edge = self._added("bempd_add_hole_with_arcs", region, len(points), arguments.doubles(points),
+                           arguments.doubles(bends))
         self._sketch.regions[region].loops.append(arguments.pairs(points))
+        self._sketch.regions[region].bend(edge, bends)
         return edge
 
     def add_circular_hole(self, region: int, centre: Sequence[float], radius: float) -> int:

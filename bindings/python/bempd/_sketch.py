@@ -42,6 +42,13 @@ def arc_through(start: Place, between: Place, end: Place) -> Optional[Arc]:
     return Arc((start[0] + (cy * b - by * c) / area, start[1] + (bx * c - cx * b) / area), area > 0)
 
 
+def arc_of_bulge(start: Place, end: Place, bulge: float) -> Arc:
+    """The arc of which the bulge is the tangent of a quarter of the angle that it turns."""
+    along = (1 - bulge * bulge) / (4 * bulge)
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    return Arc(((start[0] + end[0]) / 2 - along * dy, (start[1] + end[1]) / 2 + along * dx), bulge > 0)
+
+
 class Region:
     """Loops of vertices; edges are numbered through all of them from 1."""
 
@@ -58,6 +65,13 @@ class Region:
                 return loop[before], loop[(before + 1) % len(loop)]
             before -= len(loop)
         return None
+
+    def bend(self, first: int, bulges: Optional[Sequence[float]]) -> None:
+        """Make arcs of a loop's edges, of which the first one is given."""
+        for edge, bulge in enumerate(() if bulges is None else bulges, first):
+            ends = self.ends(edge)
+            if ends is not None and bulge != 0:
+                self.arcs[edge] = arc_of_bulge(*ends, float(bulge))
 
     def way(self, edge: int) -> list[Place]:
         """Places along an edge, with its end."""

@@ -31,7 +31,6 @@ double perimeter(const Outline& outline) {
 }
 
 Outline checked(Outline outline) {
-  scene::require_points(outline.loops.front(), "vertex");
   scene::require_sound(outline);
   return outline;
 }
@@ -83,9 +82,12 @@ std::unique_ptr<regions::Region> BoundaryDescription::build(int id, const Prepar
   return preparation.scheme.boundary_region(id, *this, preparation.scene.material(material()));
 }
 
-int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length) {
+int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length,
+                        const std::vector<double>& bulges) {
   scene.material(material);
-  return scene.add_region(std::make_unique<BoundaryDescription>(material, Outline{{vertices}, {}}, element_length));
+  Outline outline;
+  scene::append_loop(outline, vertices, bulges);
+  return scene.add_region(std::make_unique<BoundaryDescription>(material, std::move(outline), element_length));
 }
 
 int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length) {

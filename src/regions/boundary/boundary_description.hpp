@@ -30,7 +30,8 @@ class BoundaryDescription final : public scene::Region {
 };
 
 // Adds one to the scene and returns its id.
-int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length);
+int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length,
+                        const std::vector<double>& bulges = {});
 int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length);
 
 }  // namespace bempd::regions

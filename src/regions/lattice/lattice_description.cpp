@@ -72,13 +72,11 @@ void require_ratio(int material_id, const PlaneElasticity& elasticity) {
           ": choose one in this range, or make the region a BEM region");
 }
 
-Outline checked_outline(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
-                        double spacing, int horizon_ratio) {
+Outline checked_outline(int material_id, const scene::Material& material, Outline outline, double spacing,
+                        int horizon_ratio) {
   require_ratio(material_id, material.elasticity);
   require(horizon_ratio >= 2 && horizon_ratio <= 8, "horizon_ratio is ", horizon_ratio, "; it must be 2 .. 8");
   require(std::isfinite(spacing) && spacing > 0, "spacing is ", spacing, "; it must be > 0");
-  scene::require_points(vertices, "vertex");
-  Outline outline{{vertices}};
   scene::require_sound(outline);
   const double cells = cells_of(outline, spacing);
   const double bonds = bonds_of(outline, spacing, horizon_ratio);
@@ -89,18 +87,17 @@ Outline checked_outline(int material_id, const scene::Material& material, const 
 
 }  // namespace
 
-LatticeDescription::LatticeDescription(int material_id, const scene::Material& material,
-                                       const std::vector<Point>& vertices, double spacing, int horizon_ratio)
-    : LatticeDescription(material_id, material, vertices, spacing, horizon_ratio, true) {}
+LatticeDescription::LatticeDescription(int material_id, const scene::Material& material, Outline outline,
+                                       double spacing, int horizon_ratio)
+    : LatticeDescription(material_id, material, std::move(outline), spacing, horizon_ratio, true) {}
 
-LatticeDescription::LatticeDescription(int material_id, const scene::Material& material,
-                                       const std::vector<Point>& vertices, double spacing, int horizon_ratio,
-                                       bool on_rows)
-    : Region(material_id, checked_outline(material_id, material, vertices, spacing, horizon_ratio)),
+LatticeDescription::LatticeDescription(int material_id, const scene::Material& material, Outline outline,
+                                       double spacing, int horizon_ratio, bool on_rows)
+    : Region(material_id, checked_outline(material_id, material, std::move(outline), spacing, horizon_ratio)),
       horizon_ratio_(horizon_ratio),
       squares_per_cell_(static_cast<double>(pd::cell_squares(material.elasticity).size())) {
   lattice_.spacing = spacing;
-  if (on_rows) lattice_ = require_lattice(outline(), spacing);
+  if (on_rows) lattice_ = require_lattice(this->outline(), spacing);
 }
 
 void LatticeDescription::set_outline(Outline changed) {
@@ -126,8 +123,9 @@ std::unique_ptr<regions::Region> LatticeDescription::build(int id, const Prepara
 
 int add_lattice_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
                        int horizon_ratio) {
-  return scene.add_region(
-      std::make_unique<LatticeDescription>(material, scene.material(material), vertices, spacing, horizon_ratio));
+  scene::require_points(vertices, "vertex");
+  return scene.add_region(std::make_unique<LatticeDescription>(material, scene.material(material), Outline{{vertices}},
+                                                               spacing, horizon_ratio));
 }
 
 }  // namespace bempd::regions

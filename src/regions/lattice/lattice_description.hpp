@@ -12,8 +12,8 @@ class LatticeDescription : public scene::Region {
  public:
   // Throws Error (argument) for an outline that the spacing does not divide, a horizon out of range, and a
   // Poisson's ratio out of range; `material_id` names the material in sentences.
-  LatticeDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
-                     double spacing, int horizon_ratio);
+  LatticeDescription(int material_id, const scene::Material& material, Outline outline, double spacing,
+                     int horizon_ratio);
 
   const LatticeOutline& lattice() const { return lattice_; }
   int horizon_ratio() const { return horizon_ratio_; }
@@ -29,8 +29,8 @@ class LatticeDescription : public scene::Region {
 
  protected:
   // Without `on_rows` the outline may be any one, and the lattice has a spacing only.
-  LatticeDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
-                     double spacing, int horizon_ratio, bool on_rows);
+  LatticeDescription(int material_id, const scene::Material& material, Outline outline, double spacing,
+                     int horizon_ratio, bool on_rows);
 
  private:
   int horizon_ratio_;

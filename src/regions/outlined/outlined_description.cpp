@@ -6,6 +6,7 @@
 #include "error.hpp"
 #include "pd/cell_squares.hpp"
 #include "regions/scheme.hpp"
+#include "scene/outline_rules.hpp"
 
 namespace bempd::regions {
 
@@ -27,13 +28,12 @@ void require_horizon(int horizon_ratio) {
 
 }  // namespace
 
-OutlinedDescription::OutlinedDescription(int material_id, const scene::Material& material,
-                                         const std::vector<Point>& vertices, double spacing, int horizon_ratio,
-                                         const PointChoice& choice)
-    : LatticeDescription(material_id, material, vertices, spacing, horizon_ratio,
-                         choice.is_plain() && is_rectilinear(Outline{{vertices}})),
+OutlinedDescription::OutlinedDescription(int material_id, const scene::Material& material, Outline outline,
+                                         double spacing, int horizon_ratio, const PointChoice& choice)
+    : LatticeDescription(material_id, material, outline, spacing, horizon_ratio,
+                         choice.is_plain() && is_rectilinear(outline)),
       choice_(choice),
-      on_rows_(is_on_rows(outline())) {
+      on_rows_(is_on_rows(this->outline())) {
   if (!on_rows_) require_horizon(horizon_ratio);
 }
 
@@ -74,9 +74,11 @@ std::unique_ptr<regions::Region> OutlinedDescription::build(int id, const Prepar
 }
 
 int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
-                           int horizon_ratio, const PointChoice& choice) {
-  return scene.add_region(std::make_unique<OutlinedDescription>(material, scene.material(material), vertices, spacing,
-                                                                horizon_ratio, choice));
+                           int horizon_ratio, const PointChoice& choice, const std::vector<double>& bulges) {
+  Outline outline;
+  scene::append_loop(outline, vertices, bulges);
+  return scene.add_region(std::make_unique<OutlinedDescription>(material, scene.material(material), std::move(outline),
+                                                                spacing, horizon_ratio, choice));
 }
 
 }  // namespace bempd::regions

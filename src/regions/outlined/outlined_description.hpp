@@ -16,8 +16,8 @@ struct PointChoice {
 // axes, else with points on its outline.
 class OutlinedDescription final : public LatticeDescription {
  public:
-  OutlinedDescription(int material_id, const scene::Material& material, const std::vector<Point>& vertices,
-                      double spacing, int horizon_ratio, const PointChoice& choice);
+  OutlinedDescription(int material_id, const scene::Material& material, Outline outline, double spacing,
+                      int horizon_ratio, const PointChoice& choice);
 
   const PointChoice& choice() const { return choice_; }
 
@@ -38,6 +38,6 @@ class OutlinedDescription final : public LatticeDescription {
 
 // Adds one to the scene and returns its id.
 int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
-                           int horizon_ratio, const PointChoice& choice = {});
+                           int horizon_ratio, const PointChoice& choice = {}, const std::vector<double>& bulges = {});
 
 }  // namespace bempd::regions

@@ -212,6 +212,17 @@ def test_curved_edges():
         about.set_edge_arc_about(square, 2, (4, 0.5), 0.5, "left")
     about.fix_edge(disc, 1)
     about.fix_edge(square, 4)
+    # Of a spiral the chords of two edges cross.
+    spiral = [(6, 0), (8, 0), (6, 1), (8, 1)]
+    with pytest.raises(bempd.ArgumentError, match="add_bem_region: edges 2 and 4 of the outline cross.*bulges"):
+        about.add_bem_region(material, spiral, 0.2)
+    with pytest.raises(bempd.ArgumentError, match=r"add_bem_region: bulges has the shape \(3,\); give one number for each"):
+        about.add_bem_region(material, spiral, 0.2, bulges=[0, 1, 0])
+    turned = about.add_bem_region(material, spiral, 0.2, bulges=[0, np.tan(3 * np.pi / 8), 0, 0])
+    edge = about.add_hole(turned, [(7.2, 2), (7.5, 2), (7.8, 2)], bulges=[0, 0, 1])
+    about.fix_edge(turned, 1)
+    on_edges = about.field(turned, "position")
+    assert edge == 5 and np.hypot(*(on_edges - (7.5, 1.5)).T).max() == pytest.approx(np.hypot(1.5, 1.5))
     assert np.hypot(*(about.field(disc, "position") - (1, 2)).T) == pytest.approx(0.5, abs=1e-14)
     assert about.field(square, "position")[:, 0].max() == pytest.approx(4.5, abs=1e-14)
 

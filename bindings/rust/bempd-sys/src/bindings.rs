@@ -309,6 +309,32 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a region as bempd_add_bem_region() does, with edges that may be circular arcs from the
+    /// start: lines between its vertices need not make an outline, so that those of arcs may cross.
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material
+    /// * vertex_count \[in\]: number of vertices, \>= 3
+    /// * vertices \[in\]: shape \[vertex_count\]\[2\], counter-clockwise \[m\]
+    /// * bulges \[in\]: shape \[vertex_count\], one for each edge: the tangent of a quarter of the angle
+    ///   that the arc turns from its first vertex to its last one, counter-clockwise positive, 0
+    ///   for a straight edge, 1 for half a circle that bulges out of the body (as in DXF files);
+    ///   NULL for straight edges \[-\]
+    /// * element_length \[in\]: longest element on any edge \[m\], \> 0
+    /// * region \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_bem_region_with_arcs(
+        model: *mut bempd_model,
+        material: i32,
+        vertex_count: i64,
+        vertices: *const f64,
+        bulges: *const f64,
+        element_length: f64,
+        region: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add a round region treated by boundary elements. Its edges are four quarter circles: the
     /// first begins at the place with the largest x, and they run counter-clockwise. It fits into a
     /// circular hole of the same centre and radius.
@@ -373,6 +399,31 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add a region as bempd_add_pd_region() does, with edges that may be circular arcs from the
+    /// start, as in bempd_add_bem_region_with_arcs().
+    ///
+    /// * model \[in\]: the model
+    /// * material \[in\]: id of a material, as for bempd_add_pd_region()
+    /// * vertex_count \[in\]: number of vertices, \>= 3
+    /// * vertices \[in\]: shape \[vertex_count\]\[2\], counter-clockwise \[m\]
+    /// * bulges \[in\]: shape \[vertex_count\]; NULL for straight edges \[-\]
+    /// * spacing \[in\]: lattice spacing \[m\], \> 0
+    /// * horizon_ratio \[in\]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio \[-\]
+    /// * region \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_pd_region_with_arcs(
+        model: *mut bempd_model,
+        material: i32,
+        vertex_count: i64,
+        vertices: *const f64,
+        bulges: *const f64,
+        spacing: f64,
+        horizon_ratio: i32,
+        region: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Cut a hole into a region. The hole's edges continue the region's numbering.
     ///
     /// * model \[in\]: the model
@@ -387,6 +438,28 @@ extern "C" {
         region: i32,
         vertex_count: i64,
         vertices: *const f64,
+        first_edge: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Cut a hole into a region as bempd_add_hole() does, with edges that may be circular arcs from
+    /// the start, as in bempd_add_bem_region_with_arcs(): -1 is half a circle that bulges into the
+    /// body.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * vertex_count \[in\]: number of vertices, \>= 3
+    /// * vertices \[in\]: shape \[vertex_count\]\[2\], clockwise (the body on the left) \[m\]
+    /// * bulges \[in\]: shape \[vertex_count\]; NULL for straight edges \[-\]
+    /// * first_edge \[out\]: number of the hole's first edge; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_hole_with_arcs(
+        model: *mut bempd_model,
+        region: i32,
+        vertex_count: i64,
+        vertices: *const f64,
+        bulges: *const f64,
         first_edge: *mut i32,
     ) -> bempd_status;
 }

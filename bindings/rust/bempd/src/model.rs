@@ -58,6 +58,19 @@ impl Model {
         self.handle.add_bem_region(material.0, vertices, element_length).map(RegionId)
     }
 
+    /// Adds a region as [`Model::add_bem_region`] does, with edges that may be circular arcs. `bulges`, one for each edge,
+    /// are the tangent of a quarter of the angle that the edge turns: 0 for a straight one, 1 for half a circle that
+    /// bulges out of the body (as in DXF files).
+    pub fn add_bem_region_with_arcs(
+        &mut self,
+        material: MaterialId,
+        vertices: &[[f64; 2]],
+        bulges: &[f64],
+        element_length: f64,
+    ) -> Result<RegionId> {
+        self.handle.add_bem_region_with_arcs(material.0, vertices, bulges, element_length).map(RegionId)
+    }
+
     /// Adds a round region treated by boundary elements no longer than `element_length` [m]: four quarter circles,
     /// counter-clockwise from the place with the largest x.
     pub fn add_bem_disc(
@@ -86,10 +99,30 @@ impl Model {
         self.handle.add_pd_region(material.0, vertices, spacing, ratio).map(RegionId)
     }
 
+    /// Adds a region as [`Model::add_pd_region`] does, with edges that may be circular arcs, given as for
+    /// [`Model::add_bem_region_with_arcs`].
+    pub fn add_pd_region_with_arcs(
+        &mut self,
+        material: MaterialId,
+        vertices: &[[f64; 2]],
+        bulges: &[f64],
+        spacing: f64,
+        horizon_ratio: impl Into<Option<i32>>,
+    ) -> Result<RegionId> {
+        let ratio = horizon_ratio.into().unwrap_or(0);
+        self.handle.add_pd_region_with_arcs(material.0, vertices, bulges, spacing, ratio).map(RegionId)
+    }
+
     /// Cuts a hole into a region and returns the number of its first edge: the hole's edges continue the region's
     /// numbering. `vertices` run clockwise, with the body on the left [m].
     pub fn add_hole(&mut self, region: RegionId, vertices: &[[f64; 2]]) -> Result<i32> {
         self.handle.add_hole(region.0, vertices)
+    }
+
+    /// Cuts a hole as [`Model::add_hole`] does, with edges that may be circular arcs: a bulge of -1 is half a circle that
+    /// bulges into the body.
+    pub fn add_hole_with_arcs(&mut self, region: RegionId, vertices: &[[f64; 2]], bulges: &[f64]) -> Result<i32> {
+        self.handle.add_hole_with_arcs(region.0, vertices, bulges)
     }
 
     /// Cuts a circular hole into a boundary element region [m] and returns the number of its first edge: four quarter

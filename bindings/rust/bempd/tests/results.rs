@@ -164,6 +164,17 @@ fn arcs_are_given_by_centre_and_radius() {
     model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.5, Turn::CounterClockwise).unwrap();
     assert!(model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.6, Turn::Clockwise).is_err());
     let disc = model.add_bem_disc(material, [3.0, 0.0], 0.5, 0.2).unwrap();
+    // Of a spiral the chords of two edges cross.
+    let spiral = [[6.0, 0.0], [8.0, 0.0], [6.0, 1.0], [8.0, 1.0]];
+    let bulges = [0.0, (3.0 * std::f64::consts::PI / 8.0).tan(), 0.0, 0.0];
+    assert!(model.add_bem_region(material, &spiral, 0.2).is_err());
+    let error = model.add_bem_region_with_arcs(material, &spiral, &bulges[1..], 0.2).unwrap_err();
+    assert!(error.to_string().contains("3 bulges for 4 edges"), "{error}");
+    let turned = model.add_bem_region_with_arcs(material, &spiral, &bulges, 0.2).unwrap();
+    let hole = [[6.8, 1.6], [7.1, 2.2], [7.4, 1.6]];
+    assert_eq!(model.add_hole_with_arcs(turned, &hole, &[0.0, 0.0, 0.2]).unwrap(), 5);
+    let square_with_arc = rectangle(10.0, 0.0, 18.0, 8.0);
+    model.add_pd_region_with_arcs(material, &square_with_arc, &[0.0, 0.4, 0.0, 0.0], 1.0, 3).unwrap();
     model.fix_edge(square, 4, Component::Both).unwrap();
     model.fix_edge(disc, 1, Component::Both).unwrap();
     let view = model.view(disc, Field::Position).unwrap();

@@ -2,7 +2,15 @@ use bempd_sys as sys;
 
 use super::handle::{filled, Handle};
 use super::points;
-use crate::{Material, Result};
+use crate::{Error, Material, Result};
+
+// Address of numbers of which there is one for each edge.
+fn of_edges(vertices: &[[f64; 2]], bulges: &[f64]) -> Result<*const f64> {
+    if vertices.len() == bulges.len() {
+        return Ok(bulges.as_ptr());
+    }
+    Err(Error::Argument(format!("there are {} bulges for {} edges; give one for each", bulges.len(), vertices.len())))
+}
 
 // SAFETY, for every call of this file: `call` and `output` give a valid model and place for the result, and arrays are
 // given with their own length.
@@ -17,6 +25,20 @@ impl Handle {
         let (count, vertices) = points(vertices);
         self.output(|model, region| unsafe {
             sys::bempd_add_bem_region(model, material, count, vertices, element_length, region)
+        })
+    }
+
+    pub(crate) fn add_bem_region_with_arcs(
+        &mut self,
+        material: i32,
+        vertices: &[[f64; 2]],
+        bulges: &[f64],
+        element_length: f64,
+    ) -> Result<i32> {
+        let bulges = of_edges(vertices, bulges)?;
+        let (count, vertices) = points(vertices);
+        self.output(|model, region| unsafe {
+            sys::bempd_add_bem_region_with_arcs(model, material, count, vertices, bulges, element_length, region)
         })
     }
 
@@ -37,9 +59,41 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_pd_region_with_arcs(
+        &mut self,
+        material: i32,
+        vertices: &[[f64; 2]],
+        bulges: &[f64],
+        spacing: f64,
+        horizon_ratio: i32,
+    ) -> Result<i32> {
+        let bulges = of_edges(vertices, bulges)?;
+        let (count, vertices) = points(vertices);
+        self.output(|model, region| unsafe {
+            sys::bempd_add_pd_region_with_arcs(
+                model,
+                material,
+                count,
+                vertices,
+                bulges,
+                spacing,
+                horizon_ratio,
+                region,
+            )
+        })
+    }
+
     pub(crate) fn add_hole(&mut self, region: i32, vertices: &[[f64; 2]]) -> Result<i32> {
         let (count, vertices) = points(vertices);
         self.output(|model, first_edge| unsafe { sys::bempd_add_hole(model, region, count, vertices, first_edge) })
+    }
+
+    pub(crate) fn add_hole_with_arcs(&mut self, region: i32, vertices: &[[f64; 2]], bulges: &[f64]) -> Result<i32> {
+        let bulges = of_edges(vertices, bulges)?;
+        let (count, vertices) = points(vertices);
+        self.output(|model, first_edge| unsafe {
+            sys::bempd_add_hole_with_arcs(model, region, count, vertices, bulges, first_edge)
+        })
     }
 
     pub(crate) fn add_circular_hole(&mut self, region: i32, [x, y]: [f64; 2], radius: f64) -> Result<i32> {
