@@ -385,7 +385,8 @@ module bempd_c
   !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
   !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
   !> two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring
-  !> fits: `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are NaN.
+  !> fits: `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are 0, which
+  !> says nothing then.
   !>
   !> Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has
   !> grown: to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end.
@@ -421,8 +422,8 @@ module bempd_c
     real(c_double) :: error
     !> angle from the direction to that of the largest hoop stress, counter-clockwise [rad]
     real(c_double) :: kink_angle
-    !> smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; infinite if it
-    !> never is or the material has none [-]
+    !> smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; the largest double
+    !> (DBL_MAX) if it never is or the material has none [-]
     real(c_double) :: critical_load_factor
     !> a bempd_tip_method (since 0.3, as all that follows)
     integer(c_int32_t) :: method

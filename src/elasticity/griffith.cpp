@@ -6,7 +6,7 @@
 namespace bempd {
 
 namespace {
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::max();
 }
 
 double plane_modulus(const PlaneElasticity& elasticity) {

@@ -171,11 +171,14 @@ GrowthResult Model::grow_cracks(double length) {
   Growing growing = growing_tips(free_tips(), length, options_);
   std::vector<scene::Crack> before = scene_.cracks();
   fracture::EvolutionState state = prepared_->evolution->state();
+  const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
   GrowthResult result;
+  std::unique_ptr<PreparedScene> next;  // once the longer cracks are in place: the shorter ones
+  bool in_place = false;
   try {
     if (load_factor() != growing.load_factor)
       prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {});
-    std::unique_ptr<PreparedScene> next = extended_scene(before, growing);
+    next = extended_scene(before, growing);
     if (options_.text_value("growth.direction") == "chord" &&
         turn_to_chords(growing, tips_of(*next, regions::TipDetail::factors), options_)) {
       next = extended_scene(before, growing);
@@ -185,16 +188,20 @@ GrowthResult Model::grow_cracks(double length) {
         share_energy(growing.extensions, tip_factors_, thickness_at(scene_, *next, growing.extensions),
                      next->evolution->progress().released_energy - prepared_->evolution->progress().released_energy);
     next->evolution->book(growing.extensions);
-    loads_.in_force = scene_.values();
-    prepared_ = std::move(next);
-    factors_generation_ = ++generation_;
+    scene::SceneValues in_force = scene_.values();
+    prepared_.swap(next), in_place = true;
+    ++generation_;
+    if (records_tips()) record_tips();
+    loads_.in_force = std::move(in_force);
+    factors_generation_ = generation_;
   } catch (...) {
+    if (in_place) prepared_.swap(next);
+    tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
     scene_.set_cracks(std::move(before));
     prepared_->evolution->restore(std::move(state));
     ++generation_;
     throw;
   }
-  if (records_tips()) record_tips();
   say([&] {
     for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
     log(2, text("load factor ", result.load_factor, ": ", result.tips, " tips have grown by ", result.length));

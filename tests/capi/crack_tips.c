@@ -1,4 +1,6 @@
 /* Cracks in BEM regions: stress intensity factors, openings, loads on faces, and what is refused. */
+#include <float.h>
+
 #include "scenes.h"
 
 static const double pi = 3.14159265358979323846;
@@ -67,7 +69,7 @@ static void an_edge_crack_has_one_tip_and_an_opening(void) {
   CHECK(count == 1);
   /* Kaya and Erdogan 1987: 2.8246. */
   CHECK_CLOSE(tip_of(model, 0).stress_intensity_1, 2.8246 * sqrt(pi), 2e-4 * 5);
-  CHECK(isinf(tip_of(model, 0).critical_load_factor));
+  CHECK(tip_of(model, 0).critical_load_factor == DBL_MAX);
   CHECK_OK(model, bempd_crack_opening(model, 1, 3, fractions, normal, tangential));
   CHECK(normal[0] > normal[1] && normal[1] > 0);
   CHECK_CLOSE(normal[2], 0, 1e-12);

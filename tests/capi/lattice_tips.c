@@ -88,8 +88,8 @@ static void short_cracks_have_no_contours(void) {
     const bempd_crack_tip tip = tip_of(model, 1);
     CHECK(tip.contours == 0 && tip.contour_radius == 0 && tip.felt_ahead == 0);
     CHECK_CLOSE(tip.x, 2, 1e-12);
-    CHECK(isnan(tip.stress_intensity_1) && isnan(tip.stress_intensity_2) && isnan(tip.energy_release_rate));
-    CHECK(isnan(tip.t_stress) && isnan(tip.error) && isnan(tip.kink_angle) && isnan(tip.critical_load_factor));
+    CHECK(tip.stress_intensity_1 == 0 && tip.stress_intensity_2 == 0 && tip.energy_release_rate == 0);
+    CHECK(tip.t_stress == 0 && tip.error == 0 && tip.kink_angle == 0 && tip.critical_load_factor == 0);
   }
   bempd_model_free(model);
 }

@@ -1665,7 +1665,7 @@ middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it
 factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
 two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is
 shorter, no ring fits: `contours` is 0, and factors, G, T, their error, the kink angle and the
-critical load factor are NaN.
+critical load factor are 0, which says nothing then.
 
 Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it.
 Then it has grown: to the middle of the lattice cell that lies farthest along the cells which such
@@ -1691,8 +1691,8 @@ rings [Pa m^(1/2)]""",
     "bempd_crack_tip.kink_angle": """\
 angle from the direction to that of the largest hoop stress, counter-clockwise [rad]""",
     "bempd_crack_tip.critical_load_factor": """\
-smallest load factor >= 0 at which the energy release rate is the material's fracture_energy;
-infinite if it never is or the material has none [-]""",
+smallest load factor >= 0 at which the energy release rate is the material's fracture_energy; the
+largest double (DBL_MAX) if it never is or the material has none [-]""",
     "bempd_crack_tip.method": """a bempd_tip_method (since 0.3, as all that follows)""",
     "bempd_crack_tip.contours": """rings that the values come from; 0 if none fits, and in BEM regions""",
     "bempd_crack_tip.grown": """1 if bonds have broken since so that the tip is not the described end any more""",

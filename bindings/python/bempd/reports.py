@@ -83,9 +83,9 @@ class CrackTip:
     t_stress: float  #: stress along the crack beside the singular one [Pa]
     error: float  #: estimate for the stress intensity factors
     kink_angle: float  #: from the direction to that of the largest hoop stress, counter-clockwise [rad]
-    critical_load_factor: float  #: at which the fracture energy is reached; infinite if it never is
+    critical_load_factor: float  #: at which the fracture energy is reached; the largest number if it never is
     method: TipMethod
-    contours: int  #: rings that the values come from; a tip in a PD region that has 0 has NaN for them
+    contours: int  #: rings that the values come from; a tip in a PD region that has 0 has 0 for them, too
     grown: bool  #: whether bonds have broken since so that the tip is not the described end any more
     branched: bool  #: whether other ways lead on from the crack, too
     contour_radius: float  #: of the largest ring [m]

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -44,9 +43,7 @@ double felt_ahead(const TipRings& rings, double radius, double horizon, const Ei
 }
 
 TipValues without_contours(const LatticeTip& tip) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  TipValues values{tip.crack, tip.end, tip.axes.place, tip.axes.direction, {unknown, unknown}, unknown, unknown,
-                   unknown,   unknown, unknown};
+  TipValues values{tip.crack, tip.end, tip.axes.place, tip.axes.direction, {0, 0}, 0, 0, 0, 0, 0};
   values.method = TipMethod::contours;
   values.grown = tip.grown, values.branched = tip.branched;
   return values;

@@ -1960,7 +1960,7 @@ pub type bempd_tip_method = ::std::os::raw::c_uint;
 /// makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that.
 /// Where less than two horizons around a tip are free of other cracks, bends and branches, or the
 /// crack behind it is shorter, no ring fits: `contours` is 0, and factors, G, T, their error, the
-/// kink angle and the critical load factor are NaN.
+/// kink angle and the critical load factor are 0, which says nothing then.
 ///
 /// Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to
 /// it. Then it has grown: to the middle of the lattice cell that lies farthest along the cells
@@ -1999,7 +1999,7 @@ pub struct bempd_crack_tip {
     /// angle from the direction to that of the largest hoop stress, counter-clockwise \[rad\]
     pub kink_angle: f64,
     /// smallest load factor \>= 0 at which the energy release rate is the material's
-    /// fracture_energy; infinite if it never is or the material has none \[-\]
+    /// fracture_energy; the largest double (DBL_MAX) if it never is or the material has none \[-\]
     pub critical_load_factor: f64,
     /// a bempd_tip_method (since 0.3, as all that follows)
     pub method: i32,
