@@ -67,7 +67,7 @@ void Scene::build() {
 }
 
 void Scene::act() {
-  switch (bytes_.pick(24)) {
+  switch (bytes_.pick(32)) {
     case 0:
       return set_option();
     case 1:
@@ -105,6 +105,20 @@ void Scene::act() {
       return keep_state();
     case 19:
       return write_files();
+    case 20:
+      return add_curved();
+    case 21:
+      return add_whole_load();
+    case 22:
+      return grow();
+    case 23:
+      return read_tips();
+    case 24:
+      return read_pieces();
+    case 25:
+      return remove();
+    case 26:
+      return interrupt();
     default:
       return advance();
   }

@@ -18,6 +18,9 @@ struct Marks {
   double load_factor = 0;
 };
 
+// A failed call leaves the model as it was.
+void require_same(const char* call, const Marks& before, const Marks& after);
+
 // What the host remembers: how many of each kind it has added, so that most ids are good ones, and where they lie.
 class Scene {
  public:
@@ -31,6 +34,8 @@ class Scene {
 
   // A body as hosts build it, in calls that mostly succeed; act() then meets a prepared model soon.
   void build();
+  // A plate of boundary elements with cracks.
+  void build_cracked();
 
  private:
   struct Place {
@@ -47,13 +52,22 @@ class Scene {
   void mesh_edge();
   void add_crack(bool in_lattice);
 
+  // In scene_cracks.cpp.
+  void add_curved();
+  void grow();
+  void read_tips();
+  void read_pieces();
+  void remove();
+
   // In scene_conditions.cpp.
+  void add_whole_load();
   void add_support();
   void add_load();
   void change_values();
 
   // In scene_runs.cpp.
   void advance();
+  void interrupt();
   void read_report(const char* call, const bempd_step_report& report);
   void read_fields();
   void read_bonds(std::int32_t region);

@@ -23,11 +23,27 @@ void Scene::set_option() {
                                        Word{"paper.interface", "traction"},
                                        Word{"paper.corner_tractions", "one"},
                                        Word{"bem.grading", "none"},
+                                       Word{"growth.criterion", "energy"},
+                                       Word{"growth.direction", "chord"},
+                                       Word{"stepping.control", "path"},
+                                       Word{"pd.crack_rule", "line"},
+                                       Word{"pd.outline_points", "always"},
                                        Word{"scheme", "nothing"},
                                        Word{"", ""}};
-  static constexpr std::array<const char*, 8> names = {
-      "pd.horizon_ratio",       "bem.quadrature_tolerance",      "stepping.increment", "stepping.tie_band",
-      "stepping.window_length", "stepping.max_breaks_per_solve", "no option",          "scheme"};
+  static constexpr std::array<const char*, 14> names = {"pd.horizon_ratio",
+                                                        "bem.quadrature_tolerance",
+                                                        "stepping.increment",
+                                                        "stepping.tie_band",
+                                                        "stepping.window_length",
+                                                        "stepping.max_breaks_per_solve",
+                                                        "no option",
+                                                        "scheme",
+                                                        "tips.record",
+                                                        "pd.lattice_angle",
+                                                        "stepping.separation_share",
+                                                        "growth.share",
+                                                        "growth.exponent",
+                                                        "memory.limit"};
   if (bytes_.pick(2) == 0) {
     const Word word = bytes_.of(words);
     FUZZ_CALL(bempd_set_option_text, model_, word.name, word.value);
@@ -53,6 +69,7 @@ void Scene::add_material(bool sound) {
     material.thickness = bytes_.mostly(1);
     material.critical_stretch = bytes_.mostly(bytes_.pick(4) == 0 ? 0 : 1e-3);
     material.fracture_energy = bytes_.mostly(0);
+    material.thermal_expansion = bytes_.mostly(bytes_.pick(2) == 0 ? 0 : 1e-4);
     material.plane = bytes_.byte() < 240 ? 1 + (material.poisson_ratio == 0.25) : bytes_.pick(5);
   }
   if (FUZZ_CALL(bempd_add_material, model_, &material, nullptr)) ++materials_;

@@ -86,6 +86,26 @@ void Scene::add_load() {
   load_values_.push_back(way == 0 ? count : 1);
 }
 
+// Weight, heat and pressure.
+void Scene::add_whole_load() {
+  const std::int32_t of = region();
+  const double constant = bytes_.number(), proportional = bytes_.number();
+  bool added = false;
+  switch (bytes_.pick(3)) {
+    case 0:
+      added = FUZZ_CALL(bempd_add_body_force, model_, of, component(2), constant, proportional, nullptr);
+      break;
+    case 1:
+      added = FUZZ_CALL(bempd_add_temperature, model_, of, constant, proportional, nullptr);
+      break;
+    default:
+      added = FUZZ_CALL(bempd_add_pressure, model_, of, edge(), 0.0, 1.0, 1, &constant, &proportional, nullptr);
+  }
+  if (!added) return;
+  ++loads_;
+  load_values_.push_back(1);
+}
+
 void Scene::change_values() {
   const bool of_support = bytes_.pick(2) == 0;
   const auto& counts = of_support ? support_values_ : load_values_;

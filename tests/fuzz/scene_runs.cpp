@@ -32,14 +32,13 @@ class Folder {
   std::string path_;
 };
 
-// A failed call leaves the model as it was.
+}  // namespace
+
 void require_same(const char* call, const Marks& before, const Marks& after) {
   require_true(before.regions == after.regions, call, "failed, and the regions are others");
   require_true(before.lines == after.lines, call, "failed, and the history is another");
   require_true(before.load_factor == after.load_factor, call, "failed, and the load factor moved");
 }
-
-}  // namespace
 
 void Scene::advance() {
   const int way = bytes_.pick(6);
@@ -63,12 +62,21 @@ void Scene::advance() {
     read_report(call, report);
 }
 
+// Another thread's requests, which the next call hears.
+void Scene::interrupt() {
+  if (bytes_.pick(2) == 0) {
+    good("bempd_request_stop", model_, bempd_request_stop(model_));
+  } else {
+    good("bempd_request_cancel", model_, bempd_request_cancel(model_));
+  }
+}
+
 void Scene::read_report(const char* call, const bempd_step_report& r) {
   // Energies of loads near the end of the range of numbers are beyond it; the log says so.
   const std::array numbers = {r.load_factor,   r.residual,       r.seconds_total,
                               r.seconds_solve, r.seconds_update, r.seconds_search};
   require_finite(call, numbers.data(), numbers.size());
-  const bool known = r.stop_reason >= BEMPD_STOP_LOAD_FACTOR && r.stop_reason <= BEMPD_STOP_NO_EQUILIBRIUM;
+  const bool known = r.stop_reason >= BEMPD_STOP_LOAD_FACTOR && r.stop_reason <= BEMPD_STOP_REQUESTED;
   require_true(known, call, "an unknown reason to stop");
   require_true(r.events >= 0 && r.broken_bonds >= 0 && r.fragments >= 0, call, "a negative count");
 }
@@ -198,10 +206,15 @@ void Scene::write_files() {
   static const Folder folder;
   static constexpr std::array<const char*, 5> names = {"run", "a & b", "\xff", "line\nbreak", "no/such/folder"};
   const std::string path = folder / bytes_.of(names);
-  if (bytes_.pick(2) == 0) {
-    FUZZ_CALL(bempd_write_snapshot, model_, path.c_str());
-  } else {
-    FUZZ_CALL(bempd_write_history, model_, path.c_str());
+  switch (bytes_.pick(3)) {
+    case 0:
+      FUZZ_CALL(bempd_write_snapshot, model_, path.c_str());
+      break;
+    case 1:
+      FUZZ_CALL(bempd_write_tips, model_, path.c_str());
+      break;
+    default:
+      FUZZ_CALL(bempd_write_history, model_, path.c_str());
   }
 }
 
