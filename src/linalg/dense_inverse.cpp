@@ -8,6 +8,12 @@ namespace {
 
 constexpr Eigen::Index smallest_block = 48;
 
+// Rows or columns that a triangle of n rows is multiplied by in one part.
+Eigen::Index at_once(Eigen::Index n) {
+  const auto square = static_cast<double>(n) * static_cast<double>(n);
+  return std::max<Eigen::Index>(64, static_cast<Eigen::Index>(operations_at_once / square));
+}
+
 }  // namespace
 
 void invert_lower(Eigen::Ref<Eigen::MatrixXd> lower) {
@@ -22,8 +28,12 @@ void invert_lower(Eigen::Ref<Eigen::MatrixXd> lower) {
   auto c = lower.bottomRightCorner(n - half, n - half);
   invert_lower(a);
   solve_lower(c, b);
-  check_cancelled();
-  b = (-b * a.triangularView<Eigen::Lower>()).eval();
+  const Eigen::Index rows = at_once(a.rows());
+  for (Eigen::Index i = 0; i < b.rows(); i += rows) {
+    check_cancelled();
+    auto part = b.middleRows(i, std::min(rows, b.rows() - i));
+    part = (-part * a.triangularView<Eigen::Lower>()).eval();
+  }
   invert_lower(c);
 }
 
@@ -39,8 +49,12 @@ void multiply_by_transpose(Eigen::Ref<Eigen::MatrixXd> lower) {
   auto c = lower.bottomRightCorner(n - half, n - half);
   multiply_by_transpose(a);
   add_square(a, b.transpose());
-  check_cancelled();
-  b = (c.triangularView<Eigen::Lower>().transpose() * b).eval();
+  const Eigen::Index columns = at_once(c.rows());
+  for (Eigen::Index j = 0; j < b.cols(); j += columns) {
+    check_cancelled();
+    auto part = b.middleCols(j, std::min(columns, b.cols() - j));
+    part = (c.triangularView<Eigen::Lower>().transpose() * part).eval();
+  }
   multiply_by_transpose(c);
 }
 
