@@ -72,7 +72,24 @@ static void energies_beyond_the_range_stay_numbers(void) {
   bempd_model_free(model);
 }
 
+/** More bonds than 32 bits count: in one region, and in two that each would do. */
+static void bonds_that_no_int_counts_are_refused_before_memory_is_taken(void) {
+  bempd_model* model = new_model();
+  const int32_t material = add_sound_material(model);
+  const rectangle all = rectangle_of(0.0, 0.0, 20000.0, 20000.0);
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "the limit is 2147483647 bonds",
+              bempd_add_pd_region(model, material, 4, all.vertices, 1.0, 3, NULL));
+  CHECK_OK(model, bempd_set_option(model, "memory.limit", 1e9));
+  add_pd_rectangle(model, material, 0.0, 0.0, 10000.0, 10000.0, 1.0);
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  add_pd_rectangle(model, material, 20000.0, 0.0, 30000.0, 10000.0, 1.0);
+  CHECK_OK(model, bempd_fix_edge(model, 2, 4, BEMPD_BOTH, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "comes to about 2800000000 bonds; the limit is", bempd_prepare(model));
+  bempd_model_free(model);
+}
+
 int main(void) {
+  bonds_that_no_int_counts_are_refused_before_memory_is_taken();
   moduli_near_the_ends_are_refused();
   results_beyond_the_range_are_an_error();
   energies_beyond_the_range_stay_numbers();
