@@ -84,7 +84,7 @@ static void bonds_that_no_int_counts_are_refused_before_memory_is_taken(void) {
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   add_pd_rectangle(model, material, 20000.0, 0.0, 30000.0, 10000.0, 1.0);
   CHECK_OK(model, bempd_fix_edge(model, 2, 4, BEMPD_BOTH, NULL));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "comes to about 2800000000 bonds; the limit is", bempd_prepare(model));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "comes to about 2400000000 bonds; the limit is", bempd_prepare(model));
   bempd_model_free(model);
 }
 
