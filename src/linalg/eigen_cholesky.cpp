@@ -1,4 +1,4 @@
-#include <Eigen/SparseCholesky>
+#include <Eigen/OrderingMethods>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -6,6 +6,7 @@
 
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparsity_pattern.hpp"
+#include "linalg/up_looking_ldlt.hpp"
 
 namespace bempd::linalg {
 
@@ -36,8 +37,7 @@ class EigenCholesky final : public SparseCholesky {
     if (lower.rows() == 0) return has_factor_ = true;
     if (!lower.coeffs().allFinite()) return false;
     analyse(lower);
-    factor_.factorize(permuted(lower));
-    has_factor_ = factor_.info() == Eigen::Success && smallest_pivot_ratio() > singular_pivot_ratio;
+    has_factor_ = factor_.factorize(permuted(lower)) && smallest_pivot_ratio() > singular_pivot_ratio;
     return has_factor_;
   }
 
@@ -45,33 +45,35 @@ class EigenCholesky final : public SparseCholesky {
     assert(has_factor_ && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
     Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
-    ordered = factor_.solve(ordered).eval();
+    factor_.solve_forward(ordered);
+    ordered = factor_.pivots().cwiseInverse().asDiagonal() * ordered;
+    factor_.solve_backward(ordered);
     rhs(order_, Eigen::all) = ordered;
   }
 
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
-    factor_.matrixL().solveInPlace(ordered);
-    rhs = factor_.vectorD().cwiseSqrt().cwiseInverse().asDiagonal() * ordered;
+    factor_.solve_forward(ordered);
+    rhs = factor_.pivots().cwiseSqrt().cwiseInverse().asDiagonal() * ordered;
   }
 
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
-    const SparseMatrix& lower = factor_.matrixL().nestedExpression();  // without its unit diagonal
-    const Eigen::VectorXd pivots = factor_.vectorD();
+    const SparseMatrix& lower = factor_.unit_lower();
+    const Eigen::VectorXd& pivots = factor_.pivots();
     for (Eigen::Index j = lower.cols() - known - 1; j >= 0; --j) {
       transposed.col(j) /= std::sqrt(pivots[j]);
       for (SparseMatrix::InnerIterator it(lower, j); it; ++it) {
-        if (it.row() > j) transposed.col(j) -= it.value() * transposed.col(it.row());
+        transposed.col(j) -= it.value() * transposed.col(it.row());
       }
     }
   }
 
   Eigen::MatrixXd trailing_factor(int size) const override {
-    const SparseMatrix lower = factor_.matrixL();
+    const SparseMatrix& lower = factor_.unit_lower();
     const Eigen::Index first = lower.rows() - size;
     Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
     for (Eigen::Index j = 0; j < size; ++j) {
-      const double root = std::sqrt(factor_.vectorD()[first + j]);
+      const double root = std::sqrt(factor_.pivots()[first + j]);
       block(j, j) = root;
       for (SparseMatrix::InnerIterator it(lower, first + j); it; ++it) block(it.row() - first, j) = it.value() * root;
     }
@@ -87,7 +89,7 @@ class EigenCholesky final : public SparseCholesky {
     if (diagonal_.size() == 0) return 1;
     const Eigen::VectorXd scale = diagonal_(order_);
     double smallest = std::numeric_limits<double>::infinity();
-    const Eigen::VectorXd pivots = factor_.vectorD();
+    const Eigen::VectorXd& pivots = factor_.pivots();
     for (Eigen::Index j = 0; j < pivots.size(); ++j) {
       const double ratio = pivots[j] / scale[j];
       if (!(ratio >= smallest)) smallest = ratio;  // a NaN wins
@@ -96,7 +98,7 @@ class EigenCholesky final : public SparseCholesky {
   }
 
   std::int64_t factor_nonzeros() const override {
-    return diagonal_.size() == 0 ? 0 : factor_.matrixL().nestedExpression().nonZeros() + diagonal_.size();
+    return diagonal_.size() == 0 ? 0 : factor_.unit_lower().nonZeros() + diagonal_.size();
   }
 
  private:
@@ -104,7 +106,7 @@ class EigenCholesky final : public SparseCholesky {
     if (pattern_.matches(lower)) return;
     pattern_.clear();  // an exception on the way must not leave a pattern without its analysis
     order_ = wanted_order_.empty() ? minimum_degree(lower) : wanted_order_;
-    factor_.analyzePattern(permuted(lower));
+    factor_.analyse(permuted(lower));
     pattern_.assign(lower);
   }
 
@@ -123,7 +125,7 @@ class EigenCholesky final : public SparseCholesky {
     return result;
   }
 
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+  UpLookingLDLT factor_;
   std::vector<int> wanted_order_, order_;  // unknown eliminated k-th
   int kept_last_ = 0;
   Eigen::VectorXd diagonal_;      // of the matrix last factorized
