@@ -78,7 +78,7 @@ class BodyMesher {
   bool has_points_in_circle(const Side& side) const;
   bool split(std::size_t side);
   void split_crowded();
-  bool split_crowded_by(Point p);
+  bool split_crowded_by(const Point& place);
   std::optional<Point> missing_in(const Delaunay::Triangle& triangle) const;
 
   const std::vector<Edge>& boundary_;
@@ -147,7 +147,8 @@ void BodyMesher::split_crowded() {
     if (has_points_in_circle(sides_[k])) split(k);
 }
 
-bool BodyMesher::split_crowded_by(Point p) {
+bool BodyMesher::split_crowded_by(const Point& place) {
+  const Point p = place;  // it may be one of those that splitting moves
   bool any = false;
   for (std::size_t k = 0, count = sides_.size(); k < count; ++k)
     if (in_circle_over(sides_[k], p)) any = split(k) || any;

@@ -39,7 +39,7 @@ class Delaunay {
   };
   static constexpr int frame_points = 3;
 
-  const Place& place(int point) const { return places_[static_cast<std::size_t>(point + frame_points)]; }
+  const Place& place(int point) const { return places_[static_cast<std::size_t>(std::int64_t{point} + frame_points)]; }
   // Twice the area of the triangle.
   static std::int64_t turn(const Place& a, const Place& b, const Place& c);
   bool circle_holds(const Triangle& triangle, const Place& p) const;

@@ -45,7 +45,7 @@ class Region {
   virtual const char* adjective() const = 0;
 
   // Takes over a sound outline. Throws Error (argument) if the kind cannot have it, and stays as it was.
-  virtual void set_outline(Outline outline) { outline_ = std::move(outline); }
+  virtual void set_outline(Outline outline) { take_outline(std::move(outline)); }
 
   // Whether edges are divided into elements.
   virtual bool has_elements() const { return false; }
@@ -69,6 +69,9 @@ class Region {
 
   // The region as operators on nodes, still without them.
   virtual std::unique_ptr<regions::Region> build(int id, const regions::Preparation& preparation) const = 0;
+
+ protected:
+  void take_outline(Outline outline) { outline_ = std::move(outline); }
 
  private:
   double outline_size() const { return bounding_box(outline_).diagonal().norm(); }

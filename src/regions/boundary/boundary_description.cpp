@@ -44,7 +44,7 @@ BoundaryDescription::BoundaryDescription(int material, Outline outline, double e
 
 void BoundaryDescription::set_outline(Outline changed) {
   require_element_length(element_length_, perimeter(changed));
-  Region::set_outline(std::move(changed));
+  take_outline(std::move(changed));
 }
 
 void BoundaryDescription::set_edge_mesh(int edge, const scene::EdgeMesh& mesh) {

@@ -185,6 +185,7 @@ void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource sou
   const std::size_t count = points.size() - 1;
   if (piece.straight()) {
     std::vector<double> stations;
+    stations.reserve(points.size());
     for (const Point& at : points) stations.push_back((at - piece.start).norm() / piece.length());
     stations.back() = 1;
     return add({piece.start, piece.end, stations, 0});

@@ -90,6 +90,7 @@ class BondedRegion : public Region {
   // One entry a bond at its points, nonzero where it is broken or cut.
   std::vector<std::uint8_t> broken_bonds(const std::vector<char>& intact) const;
   Point position(int point) const { return from_grid(points_[static_cast<std::size_t>(point)]); }
+  std::vector<Point> positions() const;
   Point to_grid(const Point& p) const { return (p - origin_) / spacing(); }
   Point from_grid(const Point& p) const { return origin_ + spacing() * p; }
 

@@ -91,6 +91,7 @@ FieldValues BondedRegion::stress(const Solution& solution) const {
   auto strains = pd::bond_strains(count, *network(), states, displacement);
   strains.resize(own);  // at the others some bonds are missing
   std::vector<Eigen::Vector3d> stresses;
+  stresses.reserve(strains.size());
   for (const Eigen::Vector3d& strain : strains) stresses.push_back(pd::stress_of(strain, elasticity()));
   correct_at_losses(solution, strains, states, stresses);
   FieldValues field{{}, 3};
@@ -107,6 +108,13 @@ FieldValues BondedRegion::bond_stretch(const Solution& solution) const {
   return field;
 }
 
+std::vector<Point> BondedRegion::positions() const {
+  std::vector<Point> all;
+  all.reserve(static_cast<std::size_t>(point_count()));
+  for (int i = 0; i < point_count(); ++i) all.push_back(position(i));
+  return all;
+}
+
 // Split along the bonds between neighbours that are gone.
 RegionPicture BondedRegion::picture(const Solution& solution) const {
   const std::vector<std::uint8_t> broken = broken_bonds(solution.intact);
@@ -118,9 +126,7 @@ RegionPicture BondedRegion::picture(const Solution& solution) const {
   }
   const Cells whole = cells();
   if (parted.empty()) return {{}, whole};
-  std::vector<Point> places;
-  for (int i = 0; i < point_count(); ++i) places.push_back(position(i));
-  SplitCells split = split_cells(places, whole.nodes, parted);
+  SplitCells split = split_cells(positions(), whole.nodes, parted);
   return {std::move(split.added), {whole.nodes_per_cell, std::move(split.nodes)}};
 }
 

@@ -102,7 +102,7 @@ LatticeDescription::LatticeDescription(int material_id, const scene::Material& m
 
 void LatticeDescription::set_outline(Outline changed) {
   lattice_ = require_lattice(changed, lattice_.spacing);
-  Region::set_outline(std::move(changed));
+  take_outline(std::move(changed));
 }
 
 void LatticeDescription::add_size(scene::SizeEstimate& size) const {

@@ -33,9 +33,7 @@ Eigen::RowVector2d LatticeSwelling::at(const BondedRegion& region, int node) con
 void BondedRegion::swell(const Swelling& strain, LatticeSwelling& lattices) {
   lattices.add(*this, strain);
   is_swollen_ = true;
-  std::vector<Point> places;
-  for (int i = 0; i < point_count(); ++i) places.push_back(position(i));
-  free_swelling_ = FreeSwelling::through(places, strain);
+  free_swelling_ = FreeSwelling::through(positions(), strain);
 }
 
 std::vector<Eigen::RowVector2d> BondedRegion::strains_of_points(const LatticeSwelling& lattices) const {

@@ -28,7 +28,7 @@ void require_horizon(int horizon_ratio) {
 
 }  // namespace
 
-OutlinedDescription::OutlinedDescription(int material_id, const scene::Material& material, Outline outline,
+OutlinedDescription::OutlinedDescription(int material_id, const scene::Material& material, const Outline& outline,
                                          double spacing, int horizon_ratio, const PointChoice& choice)
     : LatticeDescription(material_id, material, outline, spacing, horizon_ratio,
                          choice.is_plain() && is_rectilinear(outline)),
@@ -47,7 +47,7 @@ void OutlinedDescription::set_outline(Outline changed) {
     LatticeDescription::set_outline(std::move(changed));
   } else {
     require_horizon(horizon_ratio());
-    Region::set_outline(std::move(changed));
+    take_outline(std::move(changed));
   }
   on_rows_ = on_rows;
 }
@@ -77,8 +77,8 @@ int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<
                            int horizon_ratio, const PointChoice& choice, const std::vector<double>& bulges) {
   Outline outline;
   scene::append_loop(outline, vertices, bulges);
-  return scene.add_region(std::make_unique<OutlinedDescription>(material, scene.material(material), std::move(outline),
-                                                                spacing, horizon_ratio, choice));
+  return scene.add_region(std::make_unique<OutlinedDescription>(material, scene.material(material), outline, spacing,
+                                                                horizon_ratio, choice));
 }
 
 }  // namespace bempd::regions
