@@ -5,9 +5,13 @@ from __future__ import annotations
 import collections
 import math
 import pathlib
+import re
 import statistics
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# What the option critical_stretch = running takes, for horizons from 2 spacings on.
+_SOURCE = (ROOT / "src/pd/critical_stretch.cpp").read_text(encoding="utf-8")
+RUNNING = dict(enumerate(map(float, re.search(r"from_2 = \{([^}]*)\}", _SOURCE).group(1).split(",")), 2))
 FIELDS = ("direction", "end", "first", "largest", "energy", "own", "events", "seconds")
 NAMES = {
     ("lattice", "quartic", "stretch"): "today: the most stretched bond",
@@ -86,6 +90,24 @@ def over_angle(rows: list[dict]) -> list[str]:
                              if mean else "- | - | - | -")
             if cells != ["- | - | - | -"] * 2:
                 lines.append(f"| {m} | {angle:g} | {cells[0]} | {cells[1]} |")
+    return lines
+
+
+def running(rows: list[dict]) -> list[str]:
+    """Energy of a crack that grows bond by bond per length of it, over the lattice's directions."""
+    lines = ["| m | runs | first break K / K_IC | energy per length / G0, mean | least .. largest | with `running` |", "|---|---|---|---|---|---|"]
+    for m in range(2, 8):
+        some = [r for r in rows if r["scene"] == "strip" and r["kind"] == ("lattice", "quartic", "stretch") and r["m"] == m
+                and math.isfinite(r["energy"]) and r["end"] > 11]
+        if not some:
+            continue
+        by_angle = collections.defaultdict(list)
+        for r in some:
+            by_angle[r["angle"]].append(r["energy"])
+        energies = [statistics.mean(values) for values in by_angle.values()]
+        taken = RUNNING.get(m, 1.0)
+        lines.append(f"| {m} | {len(some)} | {span([r['first'] for r in some])} | {statistics.mean(energies):.2f} | {span(energies)} |"
+                     f" {span([e / taken for e in energies])} |")
     return lines
 
 
@@ -188,7 +210,7 @@ def write(out: pathlib.Path) -> None:
         values = [float(v) for v in line.split()]
         reference[values[0]] = list(zip(values[2::3], values[3::3]))
     picture(drawn, reference, ROOT / "docs" / "directions.png")
-    tables = {"straight": straight(rows), "angles": over_angle(rows), "mixed": mixed(rows), "inclined": inclined(drawn, reference)}
+    tables = {"straight": straight(rows), "angles": over_angle(rows), "running": running(rows), "mixed": mixed(rows), "inclined": inclined(drawn, reference)}
     document = ROOT / "docs" / "directions.md"
     text = document.read_text(encoding="utf-8")
     for name, lines in tables.items():

@@ -60,6 +60,10 @@ def jobs() -> list[tuple]:
                 found.append(("strip", m, angle, 0, seed, "jitter=0.35", "quartic", BONDS[:1]))
                 found.append(("strip", m, angle, 0, seed, "lattice", "conical", BONDS[:1]))
                 found.append(("strip", m, angle, 0, seed, "lattice", "gauss", BONDS[:1]))
+    for seed in (1, 2):
+        for m in (2, 3, 4, 5, 6, 7):
+            for angle in (0, 15, 22.5, 30, 45):
+                found.append(("strip", m, angle, 0, seed, "lattice", "quartic", BONDS[:1]))
     for seed in range(1, 9):
         for m in (3, 4):
             found.append(("strip", m, 0, 0, seed, "lloyd=4", "quartic", BONDS[:2]))

@@ -1,5 +1,7 @@
 #include "pd/critical_stretch.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "elasticity/griffith.hpp"
@@ -19,6 +21,12 @@ double fracture_energy_factor(const PlaneElasticity& elasticity, const BondKerne
 double critical_stretch(double fracture_energy, const PlaneElasticity& elasticity, double horizon,
                         const BondKernel& kernel) {
   return std::sqrt(fracture_energy / (fracture_energy_factor(elasticity, kernel) * elasticity.young_modulus * horizon));
+}
+
+double running_energy(int horizon_ratio) {
+  constexpr std::array from_2 = {1.70, 1.30, 1.07};
+  const int place = std::max(0, horizon_ratio - 2);
+  return place < static_cast<int>(from_2.size()) ? from_2[static_cast<std::size_t>(place)] : 1;
 }
 
 double fracture_energy(double critical_stretch, const PlaneElasticity& elasticity, double horizon,

@@ -21,6 +21,11 @@ double critical_stretch(double fracture_energy, const PlaneElasticity& elasticit
 double fracture_energy(double critical_stretch, const PlaneElasticity& elasticity, double horizon,
                        const BondKernel& kernel = quartic_kernel());
 
+// Energy that a running crack takes in a lattice, over G0: the mean over directions of what bonds that break one by one
+// release per length (docs/directions.md; `benchmarks/run.sh directions` prints it). It is above 1 where bonds beside
+// the crack break as well.
+double running_energy(int horizon_ratio);
+
 // The same in plane stress by the constant as printed by Huang et al. (2015) and in Eq. 15 of Yang and Liu (2021),
 // which makes the energy 1.7 % too large and the stretch 0.8 % too small. For reproducing published numbers only.
 inline double printed_fracture_energy_factor() {

@@ -19,6 +19,7 @@ void Scene::set_option() {
                                        Word{"accuracy", "draft"},
                                        Word{"accuracy", "fine"},
                                        Word{"critical_stretch", "printed"},
+                                       Word{"critical_stretch", "running"},
                                        Word{"paper.lattice", "nodal"},
                                        Word{"paper.interface", "traction"},
                                        Word{"paper.corner_tractions", "one"},

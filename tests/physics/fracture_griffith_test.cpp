@@ -69,4 +69,40 @@ TEST(Griffith, share_of_the_load_with_a_horizon_of_6) {
   expect_claims(6, claims::griffith_first_6, claims::griffith_peak_6);
 }
 
+// The critical stretch of a crack that takes G0 while it runs; the table is in docs/directions.md. What tips are worth,
+// and a material that has a critical stretch of its own, stay as they are.
+TEST(Griffith, with_running_cracks_of_G0_the_first_break_is_earlier_by_the_root_of_what_they_take) {
+  const double taken[] = {1.30, 1.07, 1};
+  for (int horizon_ratio = 3; horizon_ratio <= 5; ++horizon_ratio) {
+    double load[2], critical[2];
+    for (int k = 0; k < 2; ++k) {
+      Model model;
+      if (k == 1) model.set_text("critical_stretch", "running");
+      build_griffith_plate(model, horizon_ratio);
+      load[k] = model.next_event(1e6).load_factor;
+      bempd_crack_tip tip;
+      ASSERT_EQ(bempd_crack_tip_init(&tip, sizeof tip), BEMPD_OK);
+      ASSERT_EQ(bempd_tip(model.get(), 0, &tip), BEMPD_OK);
+      critical[k] = tip.critical_load_factor;
+    }
+    EXPECT_NEAR(load[1] / load[0] * std::sqrt(taken[horizon_ratio - 3]), 1, 1e-12) << horizon_ratio;
+    EXPECT_NEAR(critical[1] / critical[0], 1, 0.05) << horizon_ratio;  // one bond is gone
+  }
+}
+
+TEST(Griffith, a_critical_stretch_that_is_given_stays) {
+  double load[2];
+  for (int k = 0; k < 2; ++k) {
+    Model model;
+    if (k == 1) model.set_text("critical_stretch", "running");
+    bempd_material solid = material(1, 1.0 / 3);
+    solid.critical_stretch = 1e-3;
+    const int32_t block = model.pd(model.add(solid), rectangle(0, 0, 12, 8), 1, 3);
+    model.fix(block, 4, BEMPD_BOTH);
+    model.traction(block, 2, [](double, double) { return Vector{1e-3, 0}; });
+    load[k] = model.next_event(1e6).load_factor;
+  }
+  EXPECT_EQ(load[0], load[1]);
+}
+
 }  // namespace

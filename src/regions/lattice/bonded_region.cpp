@@ -16,7 +16,10 @@ double BondedRegion::critical_stretch(const scene::Options& options) const {
 }
 
 double BondedRegion::critical_stretch(const Preparation& preparation) const {
-  return critical_stretch(preparation.options);
+  const double of_the_material = critical_stretch(preparation.options);
+  const bool of_running =
+      material().fracture_energy > 0 && preparation.options.text_value("critical_stretch") == "running";
+  return of_running ? of_the_material / std::sqrt(pd::running_energy(horizon_ratio_)) : of_the_material;
 }
 
 std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) const {
