@@ -88,6 +88,7 @@ std::vector<int> Model::node_pieces(int id) {
     return std::vector<int>(count, all.of_node[static_cast<std::size_t>(nodes.front())]);
   }
   std::vector<int> result;
+  result.reserve(nodes.size());
   for (int node : nodes) result.push_back(all.of_node[static_cast<std::size_t>(node)]);
   return result;
 }

@@ -29,7 +29,9 @@ VtuGrid grid_of_regions() {
 void add_mean(std::vector<double>& values, int components, const std::vector<int>& of) {
   for (int c = 0; c < components; ++c) {
     double sum = 0;
-    for (const int entry : of) sum += values[static_cast<std::size_t>(components * entry + c)];
+    for (const int entry : of)
+      sum +=
+          values[static_cast<std::size_t>(components) * static_cast<std::size_t>(entry) + static_cast<std::size_t>(c)];
     values.push_back(sum / static_cast<double>(of.size()));
   }
 }
@@ -103,6 +105,7 @@ VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   }
   const auto add = [&](const char* name, const auto& number_of) {
     std::vector<double> values;
+    values.reserve(tips.size());
     for (const regions::TipValues& tip : tips) values.push_back(number_of(tip));
     grid.point_data.push_back({name, 1, std::move(values)});
   };
@@ -151,6 +154,7 @@ std::vector<PicturePart> pictures(const scene::Scene& scene, const regions::Disc
     parts.emplace(number_of_cracks, PicturePart{number_of_cracks, "cracks", grid_of(cracks.faces)});
   if (!cracks.tips.empty()) parts.emplace(number_of_tips, PicturePart{number_of_tips, "tips", grid_of(cracks.tips)});
   std::vector<PicturePart> all;
+  all.reserve(parts.size());
   for (auto& [number, shown] : parts) all.push_back(std::move(shown));
   return all;
 }

@@ -40,6 +40,7 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     picture.displacements.insert(picture.displacements.end(), 3, 0.5 * (of_low + of_high));
   }
   std::vector<CrackPicture> all;
+  all.reserve(pictures.size());
   for (auto& [crack, picture] : pictures) all.push_back(std::move(picture));
   return all;
 }
