@@ -74,7 +74,7 @@ typedef enum bempd_status {
   BEMPD_ERROR_CANCELLED = -5,
   /** Not enough memory. */
   BEMPD_ERROR_MEMORY = -6,
-  /** A file could not be written. */
+  /** A file could not be written or read. */
   BEMPD_ERROR_IO = -7,
   /** A defect of the library; please report it. Only free the model now. */
   BEMPD_ERROR_INTERNAL = -8
@@ -460,6 +460,14 @@ BEMPD_API bempd_status bempd_add_pressure(bempd_model* model, int32_t region, in
                                           int64_t value_count, const double* constant, const double* proportional,
                                           int32_t* load);
 
+/** @brief Add forces on the nodes of a part of an edge that is not an interface, as a host that couples hands them
+ * over: 0 until bempd_set_load_nodal_values() gives each node its own.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part as a fraction of the edge [-] @param[in] to end of the part [-]
+ * @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_edge_forces(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                             int32_t* load);
+
 /** @brief Add a force on the node or material point at a place.
  * @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
  * @param[in] constant constant part [N] @param[in] proportional part multiplied by the load factor [N]
@@ -541,6 +549,59 @@ BEMPD_API bempd_status bempd_set_load_values(bempd_model* model, int32_t load, i
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_support_values(bempd_model* model, int32_t support, int64_t value_count,
                                                 const double* constant, const double* proportional);
+
+/** @brief Give a support on an edge new prescribed displacements at places along it; as bempd_set_support_values(),
+ * also for one that was given by a function, with other places each time. bempd_step_to_values() goes to them likewise.
+ * @param[in] model the model @param[in] support id of a support on an edge or a part of it
+ * @param[in] count number of places, >= 1
+ * @param[in] fractions shape [count], places as fractions of the part, ascending, 0 .. 1 [-]: linear between them,
+ * constant before the first and beyond the last one; bempd_fractions_on_edge() makes fractions of places
+ * @param[in] constant shape [count][2], constant part in x and y [m]; NULL for 0
+ * @param[in] proportional shape [count][2], part multiplied by the load factor [m]; NULL for 0
+ * @return status; components that the support does not hold are not looked at @since 0.3 */
+BEMPD_API bempd_status bempd_set_support_values_at(bempd_model* model, int32_t support, int64_t count,
+                                                   const double* fractions, const double* constant,
+                                                   const double* proportional);
+
+/** @brief Give a load along an edge or a crack new values at places; else as bempd_set_support_values_at(). A pressure
+ * or shear takes the component of its number: x for BEMPD_PRESSURE and pressures on edges, y for BEMPD_SHEAR.
+ * @param[in] model the model @param[in] load id of a load on an edge, a part of it, or a crack
+ * @param[in] count number of places, >= 1
+ * @param[in] fractions shape [count], places as fractions of the part, ascending, 0 .. 1 [-]
+ * @param[in] constant shape [count][2], constant part in x and y [Pa]; NULL for 0
+ * @param[in] proportional shape [count][2], part multiplied by the load factor [Pa]; NULL for 0
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_load_values_at(bempd_model* model, int32_t load, int64_t count,
+                                                const double* fractions, const double* constant,
+                                                const double* proportional);
+
+/** @brief Give every node that a support on an edge holds its displacement, as it is; else as
+ * bempd_set_support_values_at().
+ * @param[in] model the model, which is prepared if needed @param[in] support id of a support on an edge or a part of it
+ * @param[in] count number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+ * @param[in] constant shape [count][2], constant part in x and y [m]; NULL for 0
+ * @param[in] proportional shape [count][2], part multiplied by the load factor [m]; NULL for 0
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_support_nodal_values(bempd_model* model, int32_t support, int64_t count,
+                                                      const double* constant, const double* proportional);
+
+/** @brief Give a load on an edge its values at the nodes there: the forces of bempd_add_edge_forces() as they are,
+ * tractions with linear ones between them.
+ * @param[in] model the model, which is prepared if needed @param[in] load id of a load on an edge or a part of it
+ * @param[in] count number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+ * @param[in] constant shape [count][2], constant part in x and y [N] or [Pa]; NULL for 0
+ * @param[in] proportional shape [count][2], part multiplied by the load factor [N] or [Pa]; NULL for 0
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_load_nodal_values(bempd_model* model, int32_t load, int64_t count,
+                                                   const double* constant, const double* proportional);
+
+/** @brief Places beside an edge as fractions of its length, for hosts with a mesh of their own: the nearest place on
+ * the edge of each. @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] count number of places @param[in] points shape [count][2] [m]
+ * @param[out] fractions shape [count], 0 .. 1 [-]; may be NULL
+ * @param[out] distances shape [count], from the edge [m]; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_fractions_on_edge(const bempd_model* model, int32_t region, int32_t edge, int64_t count,
+                                               const double* points, double* fractions, double* distances);
 
 /** @brief Remove a support before the model is prepared; its id is not given again.
  * @param[in] model the model @param[in] support id of a support @return status @since 0.3 */
@@ -865,6 +926,46 @@ BEMPD_API bempd_status bempd_reaction_moment(bempd_model* model, int32_t support
  * @return status; an edge without a support is an argument error @since 0.3 */
 BEMPD_API bempd_status bempd_edge_reaction(bempd_model* model, int32_t region, int32_t edge, double x, double y,
                                            double* force, double* moment);
+
+/** @brief Number of nodes on an edge, and of elements or lattice cells with a side on it. Prepares the model.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[out] nodes their number; may be NULL @param[out] elements their number; may be NULL
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_edge_size(bempd_model* model, int32_t region, int32_t edge, int64_t* nodes,
+                                       int64_t* elements);
+
+/** @brief Nodes on an edge from its start to its end: boundary nodes or material points with displacements of their
+ * own. (Mid nodes of boundary elements that follow a lattice have none.)
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] capacity nodes that the arrays have room for
+ * @param[out] nodes shape [nodes], indices from 0 into the fields of the region's nodes; may be NULL
+ * @param[out] fractions shape [nodes], where they lie as fractions of the edge [-]; may be NULL
+ * @param[out] weights shape [nodes], the integral of each node's shape function along the edge, by which tractions
+ * become nodal forces: they sum to its length (points on slanted and round outlines, whose forces are balanced,
+ * to some parts in a thousand of it) [m]; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_copy_edge_nodes(bempd_model* model, int32_t region, int32_t edge, int64_t capacity,
+                                             int32_t* nodes, double* fractions, double* weights);
+
+/** @brief Elements or lattice cells with a side on an edge, from its start to its end.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] capacity integers in elements
+ * @param[out] elements shape [elements], indices from 0 as in bempd_copy_elements() @return status @since 0.3 */
+BEMPD_API bempd_status bempd_copy_edge_elements(bempd_model* model, int32_t region, int32_t edge, int64_t capacity,
+                                                int32_t* elements);
+
+/** @brief Force that supports and neighbouring regions exert on a region at every node of an edge, at the present load
+ * factor.
+ *
+ * The forces do work on the displacements of the nodes and on nothing else: those of an edge that a support holds sum
+ * to bempd_edge_reaction(), those on both sides of an interface to zero, and all that act on a region, with its loads,
+ * balance, each to rounding. The ends that edges share are divided as there. Regions whose bonds cross where they touch
+ * are one body in this: between them there are no forces of an edge.
+ * @param[in] model the model @param[in] region id of a region
+ * @param[in] edge number of an edge that a support holds or that is an interface
+ * @param[in] capacity nodes that forces has room for @param[out] forces shape [nodes][2], as bempd_copy_edge_nodes()
+ * has the nodes [N] @return status; another edge is an argument error @since 0.3 */
+BEMPD_API bempd_status bempd_copy_edge_forces(bempd_model* model, int32_t region, int32_t edge, int64_t capacity,
+                                              double* forces);
 
 /** @brief Number of pieces that the body consists of: material points and boundary elements that intact bonds,
  * interfaces and BEM regions join. A point without any bond is a piece too. Prepares the model.
@@ -1244,7 +1345,24 @@ BEMPD_API bempd_status bempd_history(const bempd_model* model, int64_t index, be
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state);
 
-/** @brief Bring a model back to a saved state. Loads and supports keep their present values.
+/** @brief What a saved state contains. @since 0.3 */
+typedef enum bempd_state_contents {
+  /** Bonds, cracks, displacements, history: loads and supports keep the values they have when it is restored. */
+  BEMPD_STATE_BODY = 1,
+  /** With the values of loads and supports, which restoring brings back. */
+  BEMPD_STATE_BODY_AND_VALUES = 2
+} bempd_state_contents;
+
+/** @brief Save the state as bempd_state_save(), with or without the values of loads and supports.
+ *
+ * Functions are part of a state in memory; those of a state that was read from bytes are not there, and loads and
+ * supports that had them keep their present values.
+ * @param[in] model the model @param[in] contents a bempd_state_contents
+ * @param[out] state the saved state; free it with bempd_state_free() @return status @since 0.3 */
+BEMPD_API bempd_status bempd_state_save_with(bempd_model* model, int32_t contents, bempd_state** state);
+
+/** @brief Bring a model back to a saved state. Loads and supports keep their present values, unless the state was saved
+ * with theirs.
  *
  * Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if the
  * host has said the same: regions with their materials, initial cracks, supports in their
@@ -1266,6 +1384,18 @@ BEMPD_API bempd_status bempd_state_to_bytes(const bempd_state* state, int64_t ca
 /** @brief Read a saved state from bytes. @param[in] size number of bytes @param[in] bytes shape [size]
  * @param[out] state the state; free it with bempd_state_free() @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_state** state);
+
+/** @brief Write a saved state to a file, so that a run can go on after its process has ended.
+ *
+ * The file is there as a whole or not at all: the bytes are written beside it, lie on the disk, and then take its
+ * place. What was there before, the last state say, stays until then.
+ * @param[in] state the state @param[in] path file name, UTF-8; the folder must exist @return status @since 0.3 */
+BEMPD_API bempd_status bempd_state_write(const bempd_state* state, const char* path);
+
+/** @brief Read a saved state from a file. @param[in] path file name, UTF-8
+ * @param[out] state the state; free it with bempd_state_free()
+ * @return status; BEMPD_ERROR_IO if it cannot be read, an argument error for what is no state @since 0.3 */
+BEMPD_API bempd_status bempd_state_read(const char* path, bempd_state** state);
 
 /* ------------------------------------------------------------------------------------------- Files */
 

@@ -21,7 +21,8 @@ module bempd
     BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, &
     BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, BEMPD_STOP_REQUESTED, &
-    BEMPD_UNTIL_VALUES, BEMPD_UNTIL_EVENT, BEMPD_UNTIL_SEPARATED, BEMPD_POSITION, &
+    BEMPD_UNTIL_VALUES, BEMPD_UNTIL_EVENT, BEMPD_UNTIL_SEPARATED, BEMPD_POSITION, BEMPD_STATE_BODY, &
+    BEMPD_STATE_BODY_AND_VALUES, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
@@ -56,6 +57,8 @@ module bempd
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
     procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
     procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
+    procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
+    procedure :: set_load_values_at, fractions_on_edge, edge_nodes, edge_elements, edge_forces
     procedure :: piece_count, piece, node_pieces, support_piece, load_piece, are_connected
     procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
@@ -67,6 +70,7 @@ module bempd
     type(c_ptr) :: handle = c_null_ptr
   contains
     procedure :: free => free_state, to_bytes, from_bytes
+    procedure :: write_file => write_state_file, read_file => read_state_file
     procedure, private :: refuse_copy_of_state
     generic :: assignment(=) => refuse_copy_of_state
     final :: finalize_state
@@ -84,6 +88,8 @@ module bempd
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
     edge_reaction, evaluate_in, singularities, &
+    add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at, set_load_values_at, &
+    fractions_on_edge, edge_nodes, edge_elements, edge_forces, &
     piece_count, piece, node_pieces, support_piece, load_piece, are_connected, &
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
@@ -98,7 +104,7 @@ module bempd
     history, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
     extensions, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
-    from_bytes, refuse_copy_of_state, finalize_state
+    from_bytes, write_state_file, read_state_file, refuse_copy_of_state, finalize_state
 
   interface
 
@@ -399,6 +405,79 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine set_support_values
+
+    ! Edges, for hosts that couple: values are (2,n), x and y of each place or node side by side.
+    module subroutine add_edge_forces(self, region, edge, from, to, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in), optional :: from, to
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_edge_forces
+    module subroutine set_support_nodal_values(self, support, constant, proportional, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(in), optional :: constant(:, :), proportional(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_support_nodal_values
+    module subroutine set_load_nodal_values(self, load, constant, proportional, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      real(c_double), intent(in), optional :: constant(:, :), proportional(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_load_nodal_values
+    module subroutine set_support_values_at(self, support, fractions, constant, proportional, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(in) :: fractions(:)
+      real(c_double), intent(in), optional :: constant(:, :), proportional(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_support_values_at
+    module subroutine set_load_values_at(self, load, fractions, constant, proportional, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: load
+      real(c_double), intent(in) :: fractions(:)
+      real(c_double), intent(in), optional :: constant(:, :), proportional(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine set_load_values_at
+    module subroutine fractions_on_edge(self, region, edge, points, fractions, distances, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), intent(in) :: points(:, :)
+      real(c_double), allocatable, intent(out), optional :: fractions(:), distances(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine fractions_on_edge
+    !> Nodes, from 1, where they lie as fractions of the edge, and the integrals of their shape functions [m].
+    module subroutine edge_nodes(self, region, edge, nodes, fractions, weights, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      integer(c_int32_t), allocatable, intent(out), optional :: nodes(:)
+      real(c_double), allocatable, intent(out), optional :: fractions(:), weights(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine edge_nodes
+    !> Elements or cells, from 1.
+    module subroutine edge_elements(self, region, edge, elements, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      integer(c_int32_t), allocatable, intent(out) :: elements(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine edge_elements
+    !> Forces (2,n) of supports and neighbours at the nodes of edge_nodes() [N].
+    module subroutine edge_forces(self, region, edge, forces, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region, edge
+      real(c_double), allocatable, intent(out) :: forces(:, :)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine edge_forces
 
     ! Callbacks; without a function there is none any more.
     module subroutine set_progress(self, function, user, stat, errmsg)
@@ -709,11 +788,13 @@ module bempd
     end subroutine history
 
     ! State and files.
-    module subroutine state_save(self, state, stat, errmsg)
+    !> With values=.true. it contains those of loads and supports, which restoring brings back.
+    module subroutine state_save(self, state, stat, errmsg, values)
       class(bempd_model), intent(inout) :: self
       class(bempd_state), intent(inout) :: state
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
+      logical, intent(in), optional :: values
     end subroutine state_save
     module subroutine state_restore(self, state, stat, errmsg)
       class(bempd_model), intent(inout) :: self
@@ -766,6 +847,19 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine from_bytes
+    !> A file that is there as a whole or not at all; one before it stays until then.
+    module subroutine write_state_file(self, path, stat, errmsg)
+      class(bempd_state), intent(in) :: self
+      character(*), intent(in) :: path
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine write_state_file
+    module subroutine read_state_file(self, path, stat, errmsg)
+      class(bempd_state), intent(inout) :: self
+      character(*), intent(in) :: path
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine read_state_file
 
     ! Without a model.
     module subroutine bempd_get_options(options, stat, errmsg)

@@ -29,7 +29,7 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_ERROR_CANCELLED = -5
   !> Not enough memory.
   integer(c_int), parameter :: BEMPD_ERROR_MEMORY = -6
-  !> A file could not be written.
+  !> A file could not be written or read.
   integer(c_int), parameter :: BEMPD_ERROR_IO = -7
   !> A defect of the library; please report it. Only free the model now.
   integer(c_int), parameter :: BEMPD_ERROR_INTERNAL = -8
@@ -185,6 +185,15 @@ module bempd_c
   integer, parameter :: bempd_tip_method = c_int
   integer(c_int), parameter :: BEMPD_TIP_ELEMENTS = 1
   integer(c_int), parameter :: BEMPD_TIP_CONTOURS = 2
+
+  !> What a saved state contains.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_state_contents = c_int
+  !> Bonds, cracks, displacements, history: loads and supports keep the values they have when it is restored.
+  integer(c_int), parameter :: BEMPD_STATE_BODY = 1
+  !> With the values of loads and supports, which restoring brings back.
+  integer(c_int), parameter :: BEMPD_STATE_BODY_AND_VALUES = 2
 
   !> Description of one option. Fill it with bempd_option_info_init().
   !>
@@ -1437,6 +1446,28 @@ module bempd_c
       integer(c_int) :: bempd_add_pressure
     end function bempd_add_pressure
 
+    !> Add forces on the nodes of a part of an edge that is not an interface, as a host that couples hands them over: 0
+    !> until bempd_set_load_nodal_values() gives each node its own.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> from [in]: start of the part as a fraction of the edge [-]
+    !> to [in]: end of the part [-]
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_edge_forces(model, region, edge, from, to, load) bind(c, name="bempd_add_edge_forces")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: from
+      real(c_double), value :: to
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_edge_forces
+    end function bempd_add_edge_forces
+
     !> Add a force on the node or material point at a place.
     !>
     !> model [in]: the model
@@ -1604,6 +1635,120 @@ module bempd_c
       type(c_ptr), value :: proportional
       integer(c_int) :: bempd_set_support_values
     end function bempd_set_support_values
+
+    !> Give a support on an edge new prescribed displacements at places along it; as bempd_set_support_values(), also
+    !> for one that was given by a function, with other places each time. bempd_step_to_values() goes to them likewise.
+    !>
+    !> model [in]: the model
+    !> support [in]: id of a support on an edge or a part of it
+    !> count [in]: number of places, >= 1
+    !> fractions [in]: shape [count], places as fractions of the part, ascending, 0 .. 1 [-]: linear between them,
+    !>   constant before the first and beyond the last one; bempd_fractions_on_edge() makes fractions of places
+    !> constant [in]: shape [count][2], constant part in x and y [m]; NULL for 0
+    !> proportional [in]: shape [count][2], part multiplied by the load factor [m]; NULL for 0
+    !> return: status; components that the support does not hold are not looked at
+    !> since: 0.3
+    function bempd_set_support_values_at(model, support, count, fractions, constant, proportional) &
+        bind(c, name="bempd_set_support_values_at")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: fractions(*)
+      type(c_ptr), value :: constant
+      type(c_ptr), value :: proportional
+      integer(c_int) :: bempd_set_support_values_at
+    end function bempd_set_support_values_at
+
+    !> Give a load along an edge or a crack new values at places; else as bempd_set_support_values_at(). A pressure or
+    !> shear takes the component of its number: x for BEMPD_PRESSURE and pressures on edges, y for BEMPD_SHEAR.
+    !>
+    !> model [in]: the model
+    !> load [in]: id of a load on an edge, a part of it, or a crack
+    !> count [in]: number of places, >= 1
+    !> fractions [in]: shape [count], places as fractions of the part, ascending, 0 .. 1 [-]
+    !> constant [in]: shape [count][2], constant part in x and y [Pa]; NULL for 0
+    !> proportional [in]: shape [count][2], part multiplied by the load factor [Pa]; NULL for 0
+    !> return: status
+    !> since: 0.3
+    function bempd_set_load_values_at(model, load, count, fractions, constant, proportional) &
+        bind(c, name="bempd_set_load_values_at")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: fractions(*)
+      type(c_ptr), value :: constant
+      type(c_ptr), value :: proportional
+      integer(c_int) :: bempd_set_load_values_at
+    end function bempd_set_load_values_at
+
+    !> Give every node that a support on an edge holds its displacement, as it is; else as
+    !> bempd_set_support_values_at().
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> support [in]: id of a support on an edge or a part of it
+    !> count [in]: number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+    !> constant [in]: shape [count][2], constant part in x and y [m]; NULL for 0
+    !> proportional [in]: shape [count][2], part multiplied by the load factor [m]; NULL for 0
+    !> return: status
+    !> since: 0.3
+    function bempd_set_support_nodal_values(model, support, count, constant, proportional) &
+        bind(c, name="bempd_set_support_nodal_values")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: constant
+      type(c_ptr), value :: proportional
+      integer(c_int) :: bempd_set_support_nodal_values
+    end function bempd_set_support_nodal_values
+
+    !> Give a load on an edge its values at the nodes there: the forces of bempd_add_edge_forces() as they are,
+    !> tractions with linear ones between them.
+    !>
+    !> model [in]: the model, which is prepared if needed
+    !> load [in]: id of a load on an edge or a part of it
+    !> count [in]: number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+    !> constant [in]: shape [count][2], constant part in x and y [N] or [Pa]; NULL for 0
+    !> proportional [in]: shape [count][2], part multiplied by the load factor [N] or [Pa]; NULL for 0
+    !> return: status
+    !> since: 0.3
+    function bempd_set_load_nodal_values(model, load, count, constant, proportional) &
+        bind(c, name="bempd_set_load_nodal_values")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: constant
+      type(c_ptr), value :: proportional
+      integer(c_int) :: bempd_set_load_nodal_values
+    end function bempd_set_load_nodal_values
+
+    !> Places beside an edge as fractions of its length, for hosts with a mesh of their own: the nearest place on the
+    !> edge of each.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> count [in]: number of places
+    !> points [in]: shape [count][2] [m]
+    !> fractions [out]: shape [count], 0 .. 1 [-]; may be NULL
+    !> distances [out]: shape [count], from the edge [m]; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_fractions_on_edge(model, region, edge, count, points, fractions, distances) &
+        bind(c, name="bempd_fractions_on_edge")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: points(2, *)
+      type(c_ptr), value :: fractions
+      type(c_ptr), value :: distances
+      integer(c_int) :: bempd_fractions_on_edge
+    end function bempd_fractions_on_edge
 
     !> Remove a support before the model is prepared; its id is not given again.
     !>
@@ -2076,6 +2221,97 @@ module bempd_c
       type(c_ptr), value :: moment
       integer(c_int) :: bempd_edge_reaction
     end function bempd_edge_reaction
+
+    !> Number of nodes on an edge, and of elements or lattice cells with a side on it. Prepares the model.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> nodes [out]: their number; may be NULL
+    !> elements [out]: their number; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_edge_size(model, region, edge, nodes, elements) bind(c, name="bempd_edge_size")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      type(c_ptr), value :: nodes
+      type(c_ptr), value :: elements
+      integer(c_int) :: bempd_edge_size
+    end function bempd_edge_size
+
+    !> Nodes on an edge from its start to its end: boundary nodes or material points with displacements of their own.
+    !> (Mid nodes of boundary elements that follow a lattice have none.)
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> capacity [in]: nodes that the arrays have room for
+    !> nodes [out]: shape [nodes], indices from 0 into the fields of the region's nodes; may be NULL
+    !> fractions [out]: shape [nodes], where they lie as fractions of the edge [-]; may be NULL
+    !> weights [out]: shape [nodes], the integral of each node's shape function along the edge, by which tractions
+    !>   become nodal forces: they sum to its length (points on slanted and round outlines, whose forces are balanced,
+    !>   to some parts in a thousand of it) [m]; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_copy_edge_nodes(model, region, edge, capacity, nodes, fractions, weights) &
+        bind(c, name="bempd_copy_edge_nodes")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: nodes
+      type(c_ptr), value :: fractions
+      type(c_ptr), value :: weights
+      integer(c_int) :: bempd_copy_edge_nodes
+    end function bempd_copy_edge_nodes
+
+    !> Elements or lattice cells with a side on an edge, from its start to its end.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> capacity [in]: integers in elements
+    !> elements [out]: shape [elements], indices from 0 as in bempd_copy_elements()
+    !> return: status
+    !> since: 0.3
+    function bempd_copy_edge_elements(model, region, edge, capacity, elements) &
+        bind(c, name="bempd_copy_edge_elements")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      integer(c_int64_t), value :: capacity
+      integer(c_int32_t), intent(inout) :: elements(*)
+      integer(c_int) :: bempd_copy_edge_elements
+    end function bempd_copy_edge_elements
+
+    !> Force that supports and neighbouring regions exert on a region at every node of an edge, at the present load
+    !> factor.
+    !>
+    !> The forces do work on the displacements of the nodes and on nothing else: those of an edge that a support holds
+    !> sum to bempd_edge_reaction(), those on both sides of an interface to zero, and all that act on a region, with its
+    !> loads, balance, each to rounding. The ends that edges share are divided as there. Regions whose bonds cross where
+    !> they touch are one body in this: between them there are no forces of an edge.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: number of an edge that a support holds or that is an interface
+    !> capacity [in]: nodes that forces has room for
+    !> forces [out]: shape [nodes][2], as bempd_copy_edge_nodes() has the nodes [N]
+    !> return: status; another edge is an argument error
+    !> since: 0.3
+    function bempd_copy_edge_forces(model, region, edge, capacity, forces) bind(c, name="bempd_copy_edge_forces")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(inout) :: forces(2, *)
+      integer(c_int) :: bempd_copy_edge_forces
+    end function bempd_copy_edge_forces
 
     !> Number of pieces that the body consists of: material points and boundary elements that intact bonds, interfaces
     !> and BEM regions join. A point without any bond is a piece too. Prepares the model.
@@ -2581,7 +2817,26 @@ module bempd_c
       integer(c_int) :: bempd_state_save
     end function bempd_state_save
 
-    !> Bring a model back to a saved state. Loads and supports keep their present values.
+    !> Save the state as bempd_state_save(), with or without the values of loads and supports.
+    !>
+    !> Functions are part of a state in memory; those of a state that was read from bytes are not there, and loads and
+    !> supports that had them keep their present values.
+    !>
+    !> model [in]: the model
+    !> contents [in]: a bempd_state_contents
+    !> state [out]: the saved state; free it with bempd_state_free()
+    !> return: status
+    !> since: 0.3
+    function bempd_state_save_with(model, contents, state) bind(c, name="bempd_state_save_with")
+      import :: c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: contents
+      type(c_ptr), intent(inout) :: state
+      integer(c_int) :: bempd_state_save_with
+    end function bempd_state_save_with
+
+    !> Bring a model back to a saved state. Loads and supports keep their present values, unless the state was saved
+    !> with theirs.
     !>
     !> Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene is the same if
     !> the host has said the same: regions with their materials, initial cracks, supports in their order, options that
@@ -2638,6 +2893,35 @@ module bempd_c
       type(c_ptr), intent(inout) :: state
       integer(c_int) :: bempd_state_from_bytes
     end function bempd_state_from_bytes
+
+    !> Write a saved state to a file, so that a run can go on after its process has ended.
+    !>
+    !> The file is there as a whole or not at all: the bytes are written beside it, lie on the disk, and then take its
+    !> place. What was there before, the last state say, stays until then.
+    !>
+    !> state [in]: the state
+    !> path [in]: file name, UTF-8; the folder must exist
+    !> return: status
+    !> since: 0.3
+    function bempd_state_write(state, path) bind(c, name="bempd_state_write")
+      import :: c_char, c_int, c_ptr
+      type(c_ptr), value :: state
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int) :: bempd_state_write
+    end function bempd_state_write
+
+    !> Read a saved state from a file.
+    !>
+    !> path [in]: file name, UTF-8
+    !> state [out]: the state; free it with bempd_state_free()
+    !> return: status; BEMPD_ERROR_IO if it cannot be read, an argument error for what is no state
+    !> since: 0.3
+    function bempd_state_read(path, state) bind(c, name="bempd_state_read")
+      import :: c_char, c_int, c_ptr
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), intent(inout) :: state
+      integer(c_int) :: bempd_state_read
+    end function bempd_state_read
 
     !> Write the present state for ParaView. Open prefix.pvd: it has all snapshots of this prefix, with their parts.
     !>

@@ -113,8 +113,16 @@ contains
   end procedure write_history
 
   module procedure state_save
+    logical :: with_values
+
+    with_values = .false.
+    if (present(values)) with_values = values
     call state%free()
-    call finish(self, bempd_state_save(self%handle, state%handle), stat, errmsg)
+    if (with_values) then
+      call finish(self, bempd_state_save_with(self%handle, BEMPD_STATE_BODY_AND_VALUES, state%handle), stat, errmsg)
+    else
+      call finish(self, bempd_state_save(self%handle, state%handle), stat, errmsg)
+    end if
   end procedure state_save
 
   module procedure state_restore
@@ -410,4 +418,19 @@ contains
     status = bempd_state_from_bytes(size(bytes, kind=c_int64_t), bytes, self%handle)
     call conclude(status, text_at(bempd_last_error(c_null_ptr)), stat, errmsg)
   end procedure from_bytes
+
+  module procedure write_state_file
+    integer(c_int) :: status
+
+    status = bempd_state_write(self%handle, c_string(path))
+    call conclude(status, text_at(bempd_last_error(c_null_ptr)), stat, errmsg)
+  end procedure write_state_file
+
+  module procedure read_state_file
+    integer(c_int) :: status
+
+    call self%free()
+    status = bempd_state_read(c_string(path), self%handle)
+    call conclude(status, text_at(bempd_last_error(c_null_ptr)), stat, errmsg)
+  end procedure read_state_file
 end submodule bempd_results

@@ -4,6 +4,7 @@
 #include "capi/guard.hpp"
 #include "regions/places/crack_faces.hpp"
 #include "regions/places/edge_part.hpp"
+#include "regions/places/forced_nodes.hpp"
 #include "regions/places/heated_region.hpp"
 #include "regions/places/pressed_edge.hpp"
 #include "regions/places/single_point.hpp"
@@ -35,7 +36,7 @@ SampledValues single(double constant, double proportional) { return {{constant},
 BoundaryFunction remember(bempd_boundary_function function, void* user) {
   require(function != nullptr, "function is NULL; give a function of the position");
   auto known = std::make_shared<std::map<std::pair<double, double>, BoundaryValue>>();
-  return [known, function, user](const Point& p) {
+  return [known, function, user](const Point& p, double) {
     const auto key = std::make_pair(p.x(), p.y());
     if (const auto found = known->find(key); found != known->end()) return found->second;
     double constant[2] = {0, 0}, proportional[2] = {0, 0};
@@ -137,6 +138,14 @@ bempd_status bempd_add_pressure(bempd_model* model, int32_t region, int32_t edge
   return add_load(model, __func__, load, [&] {
     return Condition{std::make_shared<const regions::PressedEdge>(region, edge, from, to), BEMPD_X,
                      samples(value_count, constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_edge_forces(bempd_model* model, int32_t region, int32_t edge, double from, double to,
+                                   int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{std::make_shared<const regions::ForcedNodes>(region, edge, from, to), BEMPD_BOTH,
+                     scene::PlacedValues{{0}, {0, 0}, {0, 0}}};
   });
 }
 

@@ -10,6 +10,15 @@ bempd_status bempd_state_save(bempd_model* model, bempd_state** state) {
   });
 }
 
+bempd_status bempd_state_save_with(bempd_model* model, int32_t contents, bempd_state** state) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    out(state, "state");
+    require(contents == BEMPD_STATE_BODY || contents == BEMPD_STATE_BODY_AND_VALUES, "contents is ", contents,
+            "; it must be BEMPD_STATE_BODY (1) or BEMPD_STATE_BODY_AND_VALUES (2)");
+    *state = new bempd_state{m.save(contents == BEMPD_STATE_BODY_AND_VALUES)};
+  });
+}
+
 bempd_status bempd_state_restore(bempd_model* model, const bempd_state* state) {
   return with_model(model, __func__, [&](model::Model& m) {
     require(state != nullptr, "state is NULL; save one with bempd_state_save()");
@@ -38,5 +47,21 @@ bempd_status bempd_state_from_bytes(int64_t size, const uint8_t* bytes, bempd_st
     require(size >= 0, "size is ", size, "; it must be the number of bytes");
     out(state, "state");
     *state = new bempd_state{model::from_bytes(bytes, static_cast<std::size_t>(size))};
+  });
+}
+
+bempd_status bempd_state_write(const bempd_state* state, const char* path) {
+  return without_model(__func__, [&] {
+    require(state != nullptr, "state is NULL; save one with bempd_state_save()");
+    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
+    model::write_state(state->saved, path);
+  });
+}
+
+bempd_status bempd_state_read(const char* path, bempd_state** state) {
+  return without_model(__func__, [&] {
+    require(path != nullptr && *path != '\0', "path is NULL or empty; give a file name");
+    out(state, "state");
+    *state = new bempd_state{model::read_state(path)};
   });
 }

@@ -38,6 +38,13 @@ void CondensedOperator::condense_load(const Affine& force, const Affine& prescri
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
 }
 
+bool CondensedOperator::is_on(const std::vector<int>& nodes) const {
+  if (all_.size() != 2 * nodes.size()) return false;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (all_[2 * i] != 2 * nodes[i]) return false;
+  return true;
+}
+
 void CondensedOperator::recover(Affine& displacement) const {
   if (private_.empty()) return;
   Affine values = private_load_;

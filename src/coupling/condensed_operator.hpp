@@ -21,6 +21,8 @@ class CondensedOperator {
 
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return elimination_->schur_complement(); }
+  // Whether it is on these nodes, in this order.
+  bool is_on(const std::vector<int>& nodes) const;
   bool has_factorized() const { return has_factorized_; }  // itself, not one before
   double reciprocal_condition() const { return elimination_->reciprocal_condition(); }
 

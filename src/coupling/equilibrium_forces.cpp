@@ -22,6 +22,29 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
   return force;
 }
 
+Eigen::VectorXd EquilibriumSystem::force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
+                                                  double load_factor) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
+  for (const int term : terms) {
+    const auto t = static_cast<std::size_t>(term);
+    if (!intact_[t]) continue;
+    const double tension = terms_.tension(t, present_stiffness_[t], displacement.data(), load_factor);
+    terms_.for_each_entry(t, [&](int node, double x, double y) {
+      force[2 * node] += tension * x;
+      force[2 * node + 1] += tension * y;
+    });
+  }
+  return force;
+}
+
+Eigen::VectorXd EquilibriumSystem::force_of_operator(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
+                                                     double load_factor) const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
+  for (const CondensedOperator& op : operators_)
+    if (op.is_on(nodes)) op.add_internal_force(displacement, load_factor, force);
+  return force;
+}
+
 double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double load_factor) const {
   double sum = 0;
   for (std::size_t t = 0; t < terms_.size(); ++t) {

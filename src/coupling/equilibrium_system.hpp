@@ -146,6 +146,12 @@ class EquilibriumSystem {
   // masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
 
+  // The same of some terms, and of the dense operator on these nodes if there is one; tied nodes keep what is theirs.
+  Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
+                                 double load_factor) const;
+  Eigen::VectorXd force_of_operator(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
+                                    double load_factor) const;
+
   // Energy of operators and terms at the same, and its derivative by the load factor alone: what rest elongations, rest
   // displacements and constant forces do that grow with it.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;

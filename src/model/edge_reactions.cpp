@@ -36,15 +36,21 @@ Holders holders_of(const scene::Scene& scene, const regions::DofConditions& cond
 
 }  // namespace
 
-Model::EdgeReaction Model::edge_reaction(int region_id, int edge, const Point& about) {
-  const scene::Region& described = scene_.region(region_id);
-  require(edge >= 1 && edge <= described.edge_count(), "edge ", edge, " does not exist; region ", region_id,
+const scene::Region& Model::region_with_edge(int region, int edge) const {
+  const scene::Region& described = scene_.region(region);
+  require(edge >= 1 && edge <= described.edge_count(), "edge ", edge, " does not exist; region ", region,
           " has edges 1 .. ", described.edge_count());
-  ensure_equilibrium();
+  return described;
+}
+
+std::vector<Point> Model::traction_forces(int id, int edge, const std::vector<int>& nodes) {
+  const auto fields = [this, id](Field which) -> const FieldValues& { return field(id, which); };
+  return region(id).forces_on_edge({edge, scene_.region(id).edge(edge), 0, 1}, nodes, fields);
+}
+
+std::map<int, double> Model::forces_of_supports(int region_id, int edge) {
   const EdgeName wanted(region_id, edge);
   const Holders holders = holders_of(scene_, prepared_->conditions, wanted);
-  require(!holders.empty(), "no support holds edge ", edge, " of region ", region_id,
-          "; reactions act on edges that are held");
   // What the tractions of every edge make of the nodes that it shares.
   std::map<EdgeName, std::map<int, Point>> tractions;
   for (const auto& [dof, edges] : holders)
@@ -53,13 +59,10 @@ Model::EdgeReaction Model::edge_reaction(int region_id, int edge, const Point& a
   for (auto& [name, at_nodes] : tractions) {
     std::vector<int> nodes;
     for (const auto& [node, force] : at_nodes) nodes.push_back(node);
-    const int id = name.first;
-    const auto fields = [this, id](Field which) -> const FieldValues& { return field(id, which); };
-    const std::vector<Point> forces =
-        region(id).forces_on_edge({name.second, scene_.region(id).edge(name.second), 0, 1}, nodes, fields);
+    const std::vector<Point> forces = traction_forces(name.first, name.second, nodes);
     for (std::size_t i = 0; i < nodes.size(); ++i) at_nodes[nodes[i]] = forces[i];
   }
-  EdgeReaction sum{Eigen::Vector2d::Zero(), 0};
+  std::map<int, double> parts;
   for (const auto& [dof, edges] : holders) {
     const int node = dof / 2, component = dof % 2;
     double force = prepared_->evolution->reaction_at(dof);
@@ -68,7 +71,21 @@ Model::EdgeReaction Model::edge_reaction(int region_id, int edge, const Point& a
       for (const EdgeName& name : edges) rest -= tractions[name][node][component];
       force = tractions[wanted][node][component] + rest / static_cast<double>(edges.size());
     }
-    const Point arm = prepared_->discretization.positions[static_cast<std::size_t>(node)] - about;
+    parts.emplace(dof, force);
+  }
+  return parts;
+}
+
+Model::EdgeReaction Model::edge_reaction(int region_id, int edge, const Point& about) {
+  region_with_edge(region_id, edge);
+  ensure_equilibrium();
+  const std::map<int, double> parts = forces_of_supports(region_id, edge);
+  require(!parts.empty(), "no support holds edge ", edge, " of region ", region_id,
+          "; reactions act on edges that are held");
+  EdgeReaction sum{Eigen::Vector2d::Zero(), 0};
+  for (const auto& [dof, force] : parts) {
+    const int component = dof % 2;
+    const Point arm = prepared_->discretization.positions[static_cast<std::size_t>(dof / 2)] - about;
     sum.force[component] += force;
     sum.moment += force * (component == 0 ? -arm.y() : arm.x());
   }

@@ -35,11 +35,16 @@ void add_place(Hash& hash, const scene::Condition& condition) {
 
 // Whether the values are numbers of the host's, which they are unless it gave a function.
 bool add_values(Hash& hash, const scene::Condition& condition) {
-  const auto* samples = std::get_if<scene::SampledValues>(&condition.values);
-  if (!samples) return false;
-  add(hash, samples->constant);
-  add(hash, samples->proportional);
-  return true;
+  const auto add_parts = [&](const auto& values) {
+    add(hash, values.constant);
+    add(hash, values.proportional);
+    return true;
+  };
+  if (const auto* samples = std::get_if<scene::SampledValues>(&condition.values)) return add_parts(*samples);
+  const auto* placed = std::get_if<scene::PlacedValues>(&condition.values);
+  if (!placed) return false;
+  add(hash, placed->fractions);
+  return add_parts(*placed);
 }
 
 void add_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
@@ -81,7 +86,9 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(body, option, options);
   Hash supports;
   for (const scene::Condition& support : scene.supports()) add_place(supports, support);
-  return {body.value(), supports.value()};
+  Hash loads;
+  for (const scene::Condition& load : scene.loads()) add_place(loads, load);
+  return {body.value(), supports.value(), loads.value()};
 }
 
 std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values) {

@@ -13,6 +13,7 @@ namespace bempd::model {
 struct SceneFingerprint {
   std::uint64_t body = 0;      // regions with their materials, initial cracks, options that shape the system
   std::uint64_t supports = 0;  // places and components in their order, not the values
+  std::uint64_t loads = 0;     // the same of loads; the body may go on under others
 };
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);

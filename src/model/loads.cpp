@@ -4,7 +4,8 @@
 // Values of loads and supports, and when they act.
 namespace bempd::model {
 
-void Model::set_load_values(int load, scene::SampledValues values) {
+template <class Values>
+void Model::set_load_values(int load, Values values) {
   require(!prepared_ || !scene_.load(load).place->is_built_in(), "load ", load,
           " is a temperature, which is a part of the prepared model; give it a part that is multiplied by the load "
           "factor, or a new value before bempd_prepare() and the first step");
@@ -12,10 +13,16 @@ void Model::set_load_values(int load, scene::SampledValues values) {
   values_were_set();
 }
 
-void Model::set_support_values(int support, scene::SampledValues values) {
+template <class Values>
+void Model::set_support_values(int support, Values values) {
   scene_.set_values(scene_.support(support), "support", support, std::move(values));
   values_were_set();
 }
+
+template void Model::set_load_values(int, scene::SampledValues);
+template void Model::set_load_values(int, scene::PlacedValues);
+template void Model::set_support_values(int, scene::SampledValues);
+template void Model::set_support_values(int, scene::PlacedValues);
 
 void Model::values_were_set() {
   if (!prepared_) return;
@@ -24,15 +31,7 @@ void Model::values_were_set() {
 }
 
 regions::DofConditions Model::conditions_under(scene::SceneValues values) {
-  scene_.exchange_values(values);
-  try {
-    regions::DofConditions conditions = regions::apply_conditions(scene_, prepared_->discretization);
-    scene_.exchange_values(values);
-    return conditions;
-  } catch (...) {
-    scene_.exchange_values(values);
-    throw;
-  }
+  return scene_.under(values, [&] { return regions::apply_conditions(scene_, prepared_->discretization); });
 }
 
 Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {

@@ -19,8 +19,10 @@
 #include "fracture/interface_bonds.hpp"
 #include "model/fingerprint.hpp"
 #include "model/host_listener.hpp"
+#include "model/saved_state.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
+#include "regions/edge_nodes.hpp"
 #include "regions/singular_places.hpp"
 #include "regions/tips/tip_rings.hpp"
 #include "results/field_cache.hpp"
@@ -38,18 +40,6 @@ struct StepResult {
   std::int64_t broken_bonds = 0;
   std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
-};
-
-// State of a run, tied to a scene by its fingerprint.
-struct SavedState {
-  SceneFingerprint scene;
-  std::uint64_t load_fingerprint = 0;
-  fracture::EvolutionState evolution;
-  std::vector<results::TipRecord> tips;  // not among its bytes
-  // With which the last step had ended, none before the first; functions are not among the bytes.
-  std::optional<scene::SceneValues> in_force;
-  bool on_a_way = false;
-  double end_of_way = 0;
 };
 
 // Everything that is built from a finished scene.
@@ -101,8 +91,12 @@ class Model {
   // After a call that failed: what it has prepared is given up, and so is a body whose first equilibrium was not found,
   // so that the scene can be corrected.
   void call_failed(bool was_prepared, bool unsolvable) noexcept;
-  void set_load_values(int load, scene::SampledValues values);
-  void set_support_values(int support, scene::SampledValues values);
+  template <class Values>
+  void set_load_values(int load, Values values);
+  template <class Values>
+  void set_support_values(int support, Values values);
+  // One value for each node of the edge part, in x and y.
+  void set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional);
 
   void prepare();
   const PreparedScene& prepared();  // prepares if needed
@@ -156,8 +150,14 @@ class Model {
     Eigen::Vector2d force;
     double moment;
   };
+  // Throws Error (argument) unless the region has the edge.
+  const scene::Region& region_with_edge(int region, int edge) const;
   // Of all supports on an edge (edge_reactions.cpp).
   EdgeReaction edge_reaction(int region, int edge, const Point& about);
+  // Of an edge in order (edge_forces.cpp), and what supports and neighbours exert on its region through them [N].
+  std::vector<regions::EdgeNode> edge_nodes(int region, int edge);
+  std::vector<int> edge_cells(int region, int edge);
+  std::vector<Point> edge_forces(int region, int edge);
 
   // What the body has come into, the largest piece first, and what holds and loads them (pieces.cpp).
   const Pieces& pieces();
@@ -182,7 +182,7 @@ class Model {
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
   // state.cpp
-  SavedState save();
+  SavedState save(bool with_values = false);
   void restore(const SavedState& state);
 
   // Files
@@ -191,6 +191,11 @@ class Model {
   void write_tips(const std::string& path) const;
 
  private:
+  std::vector<Point> traction_forces(int region, int edge, const std::vector<int>& nodes);
+  std::map<int, double> forces_of_supports(int region, int edge);   // by degrees of freedom
+  std::map<int, Point> forces_of_neighbours(int region, int edge);  // by nodes
+  Eigen::VectorXd forces_from_outside(const std::vector<int>& body);
+  void restore_body(const SavedState& state);
   StepResult run(double target, fracture::Goal goal);
   // What acts on the body beside what the host has set (loads.cpp).
   enum class Acting {
@@ -280,9 +285,5 @@ class Model {
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
   bool warned_of_interface_ = false, warned_of_hinge_ = false;
 };
-
-// Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.
-std::vector<std::uint8_t> to_bytes(const SavedState& state);
-SavedState from_bytes(const std::uint8_t* bytes, std::size_t size);
 
 }  // namespace bempd::model

@@ -62,7 +62,7 @@ std::vector<int> Model::loaded_nodes(int load) {
   if (auto* samples = std::get_if<scene::SampledValues>(&values.loads[place])) {
     std::fill(samples->constant.begin(), samples->constant.end(), 1.0);
   } else {
-    values.loads[place] = scene::BoundaryFunction([](const Point&) -> scene::BoundaryValue {
+    values.loads[place] = scene::BoundaryFunction([](const Point&, double) -> scene::BoundaryValue {
       return {Point::Ones(), Point::Zero()};
     });
   }

@@ -63,7 +63,7 @@ bool has_lost_functions(const scene::SceneValues& values) {
 
 }  // namespace
 
-SavedState Model::save() {
+SavedState Model::save(bool with_values) {
   if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
   if (loads_.acting == Acting::others) act_as_said();
   // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
@@ -71,12 +71,32 @@ SavedState Model::save() {
   const bool on_a_way = loads_.acting == Acting::on_a_way;
   const std::uint64_t said = on_a_way ? load_fingerprint(scene_, conditions_under(scene_.values()))
                                       : load_fingerprint(scene_, prepared_->conditions);
-  return {prepared_->fingerprint, said, prepared_->evolution->state(), tip_history_, loads_.in_force, on_a_way,
-          loads_.end_of_way};
+  return {prepared_->fingerprint,
+          said,
+          prepared_->evolution->state(),
+          tip_history_,
+          loads_.in_force,
+          on_a_way,
+          loads_.end_of_way,
+          with_values ? std::optional(scene_.values()) : std::nullopt};
 }
 
 void Model::restore(const SavedState& state) {
   prepare();
+  require(!state.said || state.scene.loads == prepared_->fingerprint.loads,
+          "the state has the values of other loads, or of the same ones in another order; add those of the model that "
+          "was saved, in its order");
+  scene::SceneValues said = state.said ? fitted(*state.said, scene_.values()) : scene_.values();
+  scene_.exchange_values(said);
+  try {
+    restore_body(state);
+  } catch (...) {
+    scene_.exchange_values(said);
+    throw;
+  }
+}
+
+void Model::restore_body(const SavedState& state) {
   require(state.scene.body == prepared_->fingerprint.body,
           "the state belongs to another scene; restore it into the model that was saved or one built in the same way");
   require(state.scene.supports == prepared_->fingerprint.supports,

@@ -5,14 +5,14 @@
 
 #include "error.hpp"
 #include "hash.hpp"
-#include "model/model.hpp"
+#include "model/state_checks.hpp"
 
 namespace bempd::model {
 
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 7;
+constexpr std::uint32_t format_version = 8;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -49,6 +49,13 @@ template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
 void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.proportional); }
 
+template <class Placed, class Visit>
+requires std::is_same_v<std::remove_const_t<Placed>, scene::PlacedValues>
+void visit_members(Placed& p, Visit& visit) { visit(p.fractions), visit(p.constant), visit(p.proportional); }
+
+// How values are given. Functions are not written.
+enum class Form : std::uint8_t { function, samples, places };
+
 template <class Both, class Visit>
 requires std::is_same_v<std::remove_const_t<Both>, scene::SceneValues>
 void visit_members(Both& values, Visit& visit) { visit(values.supports), visit(values.loads); }
@@ -72,8 +79,10 @@ class Writer {
   void operator()(const fracture::GrowingTip& tip) { visit_members(tip, *this); }
   void operator()(const scene::Values& values) {
     const auto* samples = std::get_if<scene::SampledValues>(&values);
-    (*this)(samples != nullptr);
+    const auto* placed = std::get_if<scene::PlacedValues>(&values);
+    (*this)(static_cast<std::uint8_t>(samples ? Form::samples : placed ? Form::places : Form::function));
     if (samples) visit_members(*samples, *this);
+    if (placed) visit_members(*placed, *this);
   }
   void operator()(const std::optional<scene::SceneValues>& values) {
     (*this)(values.has_value());
@@ -119,12 +128,16 @@ class Reader {
   void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(fracture::GrowingTip& tip) { visit_members(tip, *this); }
   void operator()(scene::Values& values) {
-    bool sampled = false;
-    (*this)(sampled);
-    if (sampled) {
-      visit_members(values.emplace<scene::SampledValues>(), *this);
-    } else {
-      values.emplace<scene::BoundaryFunction>();  // unknown
+    std::uint8_t form = 0;
+    (*this)(form);
+    require(form <= static_cast<std::uint8_t>(Form::places), "the bytes of the state are damaged: values have no form");
+    switch (static_cast<Form>(form)) {
+      case Form::samples:
+        return visit_members(values.emplace<scene::SampledValues>(), *this);
+      case Form::places:
+        return visit_members(values.emplace<scene::PlacedValues>(), *this);
+      case Form::function:
+        values.emplace<scene::BoundaryFunction>();  // unknown
     }
   }
   void operator()(std::optional<scene::SceneValues>& values) {
@@ -175,6 +188,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions);
   visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
+  visit(state.scene.loads), visit(state.said);
 }
 
 void check_header(Reader& reader) {
@@ -187,67 +201,6 @@ void check_header(Reader& reader) {
   reader(version);
   require(version == format_version, "the state has format version ", version, "; this library reads version ",
           format_version, ": repeat the run, or go on with the version of bempd that wrote the bytes");
-}
-
-bool are_flags(const std::vector<char>& values) {
-  return std::all_of(values.begin(), values.end(), [](char flag) { return flag == 0 || flag == 1; });
-}
-
-bool is_sound(const coupling::HoldingSpring& s, Eigen::Index dofs) {
-  return s.node >= 0 && 2 * static_cast<Eigen::Index>(s.node) < dofs &&
-         std::abs(std::hypot(s.cosine, s.sine) - 1) < 1e-6 && s.stiffness > 0 && std::isfinite(s.stiffness) &&
-         std::isfinite(s.anchor);
-}
-
-// Energies may be beyond the range of numbers (CrackEvolution::energies_are_lost), nothing else may.
-bool is_sound(const fracture::HistoryEntry& line) {
-  return line.event >= 0 && line.total_broken_bonds >= 0 && std::isfinite(line.load_factor) &&
-         std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor);
-}
-
-bool is_sound(const fracture::CrackExtension& e) {
-  return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y);
-}
-
-void sound(bool good, const char* what) { require(good, "the bytes of the state are damaged: ", what); }
-
-bool is_sound(const scene::Values& values) {
-  const auto* samples = std::get_if<scene::SampledValues>(&values);
-  if (!samples) return true;
-  const auto finite = [](double value) { return std::isfinite(value); };
-  return !samples->constant.empty() && samples->constant.size() == samples->proportional.size() &&
-         std::all_of(samples->constant.begin(), samples->constant.end(), finite) &&
-         std::all_of(samples->proportional.begin(), samples->proportional.end(), finite);
-}
-
-void require_consistent(const SavedState& state) {
-  sound(!state.on_a_way || state.in_force, "it has no values between which it is");
-  sound(std::isfinite(state.end_of_way), "a load factor is not a finite number");
-  if (!state.in_force) return;
-  for (const std::vector<scene::Values>& all : {state.in_force->supports, state.in_force->loads})
-    for (const scene::Values& values : all) sound(is_sound(values), "the values of a load or a support are none");
-}
-
-void require_consistent(const fracture::EvolutionState& e) {
-  const Eigen::Index dofs = e.total_displacement.size();
-  sound(dofs % 2 == 0 && e.displacement.rows() == dofs && e.total_force.size() == dofs &&
-            2 * static_cast<Eigen::Index>(e.unloaded.size()) == dofs,
-        "its arrays are not of the same nodes");
-  sound(std::isfinite(e.load_factor) && e.displacement.allFinite() && e.total_displacement.allFinite() &&
-            e.total_force.allFinite(),
-        "a displacement or a force is not a finite number");
-  sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0, "a count is negative");
-  sound(are_flags(e.unloaded), "a flag is neither 0 nor 1");
-  sound(std::all_of(e.springs.begin(), e.springs.end(), [&](const auto& spring) { return is_sound(spring, dofs); }),
-        "a spring that holds a free piece is at no node or no spring");
-  sound(std::all_of(e.history.begin(), e.history.end(), [](const auto& line) { return is_sound(line); }),
-        "a line of the history is none");
-  sound(e.history.empty() ? e.reactions.empty() : e.reactions.size() % (2 * e.history.size()) == 0,
-        "its reactions are not those of the lines of its history");
-  sound(std::all_of(e.reactions.begin(), e.reactions.end(), [](double force) { return std::isfinite(force); }),
-        "a reaction is not a finite number");
-  sound(std::all_of(e.extensions.begin(), e.extensions.end(), [](const auto& one) { return is_sound(one); }),
-        "an extension of a crack is none");
 }
 
 }  // namespace
@@ -274,7 +227,6 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   visit_members(state, reader);
   require(reader.left() == sizeof stored, "the bytes of the state are damaged: something is left over");
   require_consistent(state);
-  require_consistent(state.evolution);
   return state;
 }
 

@@ -114,7 +114,8 @@ fs::path unfinished_name(const fs::path& target) {
   return target.parent_path() / (".bempd_" + std::to_string(::getpid()) + "_" + std::to_string(count++) + ".part");
 }
 
-void replace(const fs::path& path, const fs::path& target, const struct stat* old, std::string_view content) {
+void replace(const fs::path& path, const fs::path& target, const struct stat* old, std::string_view content,
+             bool to_disk) {
   if (old != nullptr && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) fail(path, errno);
   const fs::path unfinished = unfinished_name(target);
   Descriptor file(unfinished, O_WRONLY | O_CREAT | O_EXCL);
@@ -124,7 +125,8 @@ void replace(const fs::path& path, const fs::path& target, const struct stat* ol
     [[maybe_unused]] const bool same_owner = ::fchown(file.number(), old->st_uid, old->st_gid) == 0;
     [[maybe_unused]] const bool same_mode = ::fchmod(file.number(), old->st_mode & 0777) == 0;
   }
-  if (file.write(content) && file.close() && ::rename(unfinished.c_str(), target.c_str()) == 0) return;
+  const bool written = file.write(content) && (!to_disk || ::fsync(file.number()) == 0);
+  if (written && file.close() && ::rename(unfinished.c_str(), target.c_str()) == 0) return;
   const int reason = errno;
   ::unlink(unfinished.c_str());
   fail(path, reason);
@@ -134,20 +136,38 @@ void replace(const fs::path& path, const fs::path& target, const struct stat* ol
 
 fs::path path_from_utf8(std::string_view utf8) { return fs::path(std::u8string(utf8.begin(), utf8.end())); }
 
-void write_file(const fs::path& path, std::string_view content) {
+void write_file(const fs::path& path, std::string_view content, bool to_disk) {
   const Place place = place_of(path);
   struct stat found {};
   if (::stat(place.target.c_str(), &found) != 0) {
     if (errno != ENOENT) fail(path, errno);
-    return replace(path, place.target, nullptr, content);
+    return replace(path, place.target, nullptr, content, to_disk);
   }
   // What the process has open already is continued, as its other output is.
   if (S_ISDIR(found.st_mode)) fail(path, EISDIR, ", which is a folder; give the name of a file");
   if (S_ISSOCK(found.st_mode)) fail(path, ENOTSUP, ", which is a socket; give the name of a file");
   if (S_ISBLK(found.st_mode)) fail(path, ENOTSUP, ", which is a disk; give the name of a file");
   if (place.open_already) return write_through(path, place.target, O_APPEND, content);
-  if (S_ISREG(found.st_mode)) return replace(path, place.target, &found, content);
+  if (S_ISREG(found.st_mode)) return replace(path, place.target, &found, content, to_disk);
   write_through(path, place.target, 0, content);
+}
+
+std::vector<std::uint8_t> read_file(const fs::path& path) {
+  const auto refuse = [&](int reason) {
+    throw std::system_error(reason, std::generic_category(), "cannot read " + printable(path.native()));
+  };
+  Descriptor file(path, O_RDONLY);
+  if (!file.is_open()) refuse(errno);
+  std::vector<std::uint8_t> bytes;
+  constexpr std::size_t piece = 1 << 20;
+  for (;;) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + piece);
+    const ssize_t got = ::read(file.number(), bytes.data() + size, piece);
+    if (got < 0) refuse(errno);
+    bytes.resize(size + static_cast<std::size_t>(got));
+    if (got == 0) return bytes;
+  }
 }
 
 }  // namespace bempd::output

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace bempd::output {
 
@@ -12,7 +14,11 @@ std::filesystem::path path_from_utf8(std::string_view utf8);
 // as it was. Symbolic links are followed; a file that is replaced keeps its mode, and one that may not be written
 // stays. What is no file is never replaced: terminals and other character devices, FIFOs (waiting for a reader) and
 // files the process has open (/dev/stdout) are written to; folders, sockets and disks are refused. Throws
-// std::system_error with the path and the reason.
-void write_file(const std::filesystem::path& path, std::string_view content);
+// std::system_error with the path and the reason. On request a file lies on the disk before it takes the place of the
+// old one, so that a machine that stops leaves one of both.
+void write_file(const std::filesystem::path& path, std::string_view content, bool to_disk = false);
+
+// All of a file's bytes. Throws std::system_error likewise.
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
 
 }  // namespace bempd::output

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <numeric>
 
 #include "error.hpp"
 #include "pd/cell_squares.hpp"
@@ -46,6 +47,12 @@ void Region::follow(const LeadingElements&, int leader, coupling::NodeTies&) con
 
 std::optional<coupling::DenseOperator> Region::dense_operator(std::span<const RegionOperator>) const {
   return std::nullopt;
+}
+
+std::vector<int> Region::entries_of_nodes() const {
+  std::vector<int> entries(nodes_.size());
+  std::iota(entries.begin(), entries.end(), 0);
+  return entries;
 }
 
 Eigen::VectorXd Region::gather(const Eigen::VectorXd& of_scene) const {

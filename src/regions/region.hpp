@@ -220,11 +220,16 @@ class Region {
   // nodes that no region has both of.
   virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
+  // Numbers of the scene's terms at its nodes, each once; those that cross to regions it acts as one with are theirs
+  // too.
+  virtual std::vector<int> terms() const { return {}; }
   // Of a region whose bonds show what a crack tip among them carries.
   virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
 
   // --- Results
 
+  // Entries of its own nodes in fields of nodes.
+  virtual std::vector<int> entries_of_nodes() const;
   // Throws Error (argument) for a field that the region does not have.
   virtual FieldSize field_size(Field field) const = 0;
   virtual FieldValues field(Field field, const Solution& solution) const = 0;

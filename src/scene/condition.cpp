@@ -34,8 +34,34 @@ void SampledValues::check() const {
   require_finite(proportional, "proportional");
 }
 
+BoundaryValue PlacedValues::at(double fraction) const {
+  const auto after = std::upper_bound(fractions.begin(), fractions.end(), fraction) - fractions.begin();
+  const auto last = static_cast<std::ptrdiff_t>(fractions.size()) - 1;
+  const auto left = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, last));
+  const auto right = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 0, last));
+  const double apart = fractions[right] - fractions[left];
+  const double weight = apart > 0 ? (fraction - fractions[left]) / apart : 0;
+  const auto between = [&](const std::vector<double>& all) {
+    const Point before(all[2 * left], all[2 * left + 1]), behind(all[2 * right], all[2 * right + 1]);
+    return weight == 0 ? before : Point((1 - weight) * before + weight * behind);
+  };
+  return {between(constant), between(proportional)};
+}
+
+void PlacedValues::check() const {
+  for (std::size_t i = 0; i < fractions.size(); ++i) {
+    require(fractions[i] >= 0 && fractions[i] <= 1, "fraction ", i, " is ", fractions[i],
+            "; places lie between 0, the start of the part, and 1, its end");
+    require(i == 0 || fractions[i] > fractions[i - 1], "fraction ", i, " is ", fractions[i], " after ",
+            i == 0 ? 0 : fractions[i - 1], "; give places in order along the part, each once");
+  }
+  require_finite(constant, "constant");
+  require_finite(proportional, "proportional");
+}
+
 BoundaryValue Condition::value(const Point& where, double fraction_of_part) const {
-  if (const auto* function = std::get_if<BoundaryFunction>(&values)) return (*function)(where);
+  if (const auto* function = std::get_if<BoundaryFunction>(&values)) return (*function)(where, fraction_of_part);
+  if (const auto* placed = std::get_if<PlacedValues>(&values)) return placed->at(fraction_of_part);
   const auto& samples = std::get<SampledValues>(values);
   return {Point::Constant(samples.constant_at(fraction_of_part)),
           Point::Constant(samples.proportional_at(fraction_of_part))};

@@ -33,6 +33,9 @@ class Place {
   virtual std::optional<Point> point() const { return std::nullopt; }
   virtual std::optional<std::pair<int, int>> edge() const { return std::nullopt; }
 
+  // Whether values may differ along it, by fractions of its length.
+  virtual bool lies_along_a_line() const { return edge().has_value(); }
+
   // Whether it lies on this crack.
   virtual bool needs_crack(int /*crack*/) const { return false; }
 

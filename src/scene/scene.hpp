@@ -43,10 +43,23 @@ class Scene {
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
+  // As many samples as it was made with, or values at places along any.
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
+  void set_values(Condition& condition, const char* what, int id, PlacedValues values);
   // Of all supports and loads.
   SceneValues values() const;
   void exchange_values(SceneValues& values) noexcept;
+  // What it gives while these are the values.
+  template <class Body>
+  auto under(SceneValues& values, const Body& body) {
+    struct Exchange {
+      Scene& scene;
+      SceneValues& values;
+      Exchange(Scene& of, SceneValues& with) : scene(of), values(with) { scene.exchange_values(values); }
+      ~Exchange() { scene.exchange_values(values); }
+    } exchange(*this, values);
+    return body();
+  }
 
   // Throws Error (argument) while supports or loads are on the region.
   void remove_region(int id);

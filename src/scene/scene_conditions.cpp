@@ -3,22 +3,33 @@
 
 namespace bempd::scene {
 
+namespace {
+
+Condition with_sample_count(Condition condition) {
+  const auto* samples = std::get_if<SampledValues>(&condition.values);
+  condition.sample_count = samples ? samples->constant.size() : 0;
+  return condition;
+}
+
+}  // namespace
+
 void Scene::check_condition(const Condition& condition, bool is_support) const {
   require(condition.components >= 1 && condition.components <= 3, "component is ", condition.components,
           "; it must be BEMPD_X (1), BEMPD_Y (2)", is_support ? " or BEMPD_BOTH (3) where allowed" : "");
   if (const auto* samples = std::get_if<SampledValues>(&condition.values)) samples->check();
+  if (const auto* placed = std::get_if<PlacedValues>(&condition.values)) placed->check();
   condition.place->check(*this);
 }
 
 int Scene::add_support(Condition condition) {
   check_condition(condition, true);
-  supports_.push_back(std::move(condition));
+  supports_.push_back(with_sample_count(std::move(condition)));
   return static_cast<int>(supports_.size());
 }
 
 int Scene::add_load(Condition condition) {
   check_condition(condition, false);
-  loads_.push_back(std::move(condition));
+  loads_.push_back(with_sample_count(std::move(condition)));
   return static_cast<int>(loads_.size());
 }
 
@@ -48,12 +59,21 @@ void Scene::exchange_values(SceneValues& values) noexcept {
 }
 
 void Scene::set_values(Condition& condition, const char* what, int id, SampledValues values) {
-  auto* samples = std::get_if<SampledValues>(&condition.values);
-  require(samples != nullptr, what, " ", id, " was given by a function; only sampled values can be replaced");
-  require(samples->constant.size() == values.constant.size(), what, " ", id, " was made with ",
-          samples->constant.size(), " values, now there are ", values.constant.size(), "; give as many");
+  const std::size_t count = condition.sample_count;
+  require(count != 0, what, " ", id, " was given by a function; only sampled values can be replaced; bempd_set_", what,
+          "_values_at() replaces any");
+  require(count == values.constant.size(), what, " ", id, " was made with ", count, " values, now there are ",
+          values.constant.size(), "; give as many, or values at places of your own by bempd_set_", what,
+          "_values_at()");
   values.check();
-  *samples = std::move(values);
+  condition.values = std::move(values);
+}
+
+void Scene::set_values(Condition& condition, const char* what, int id, PlacedValues values) {
+  require(condition.place->lies_along_a_line(), what, " ", id,
+          " does not lie along an edge or a crack; give it its value by bempd_set_", what, "_values()");
+  values.check();
+  condition.values = std::move(values);
 }
 
 }  // namespace bempd::scene

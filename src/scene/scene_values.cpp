@@ -1,10 +1,32 @@
 #include "scene/scene_values.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace bempd::scene {
 
 namespace {
+
+bool is_function(const Values& values) { return std::holds_alternative<BoundaryFunction>(values); }
+
+// Samples as values at places.
+PlacedValues placed(const Values& values) {
+  if (const auto* already = std::get_if<PlacedValues>(&values)) return *already;
+  const auto& samples = std::get<SampledValues>(values);
+  const std::size_t count = samples.constant.size();
+  PlacedValues result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.fractions.push_back(count == 1 ? 0 : static_cast<double>(i) / static_cast<double>(count - 1));
+    result.constant.insert(result.constant.end(), 2, samples.constant[i]);
+    result.proportional.insert(result.proportional.end(), 2, samples.proportional[i]);
+  }
+  return result;
+}
+
+BoundaryFunction function_of(const Values& values) {
+  if (const auto* function = std::get_if<BoundaryFunction>(&values)) return *function;
+  return [known = placed(values)](const Point&, double fraction) { return known.at(fraction); };
+}
 
 // The straight line through two values at two load factors: constant + load factor * proportional.
 class Line {
@@ -30,12 +52,25 @@ class Line {
     return line;
   }
 
+  PlacedValues operator()(const PlacedValues& start, const PlacedValues& end) const {
+    PlacedValues line;
+    std::set_union(start.fractions.begin(), start.fractions.end(), end.fractions.begin(), end.fractions.end(),
+                   std::back_inserter(line.fractions));
+    for (const double fraction : line.fractions) {
+      const BoundaryValue between = (*this)(start.at(fraction), end.at(fraction));
+      line.constant.insert(line.constant.end(), {between.constant.x(), between.constant.y()});
+      line.proportional.insert(line.proportional.end(), {between.proportional.x(), between.proportional.y()});
+    }
+    return line;
+  }
+
   Values operator()(const Values& start, const Values& end) const {
-    if (const auto* samples = std::get_if<SampledValues>(&end))
-      return (*this)(std::get<SampledValues>(start), *samples);
-    return BoundaryFunction(
-        [line = *this, first = std::get<BoundaryFunction>(start),
-         last = std::get<BoundaryFunction>(end)](const Point& p) { return line(first(p), last(p)); });
+    const auto* first = std::get_if<SampledValues>(&start);
+    const auto* last = std::get_if<SampledValues>(&end);
+    if (first && last && first->constant.size() == last->constant.size()) return (*this)(*first, *last);
+    if (!is_function(start) && !is_function(end)) return (*this)(placed(start), placed(end));
+    return BoundaryFunction([line = *this, from = function_of(start), to = function_of(end)](
+                                const Point& p, double fraction) { return line(from(p, fraction), to(p, fraction)); });
   }
 
   std::vector<Values> operator()(const std::vector<Values>& start, const std::vector<Values>& end) const {
@@ -54,8 +89,11 @@ std::vector<Values> zeros(const std::vector<Values>& like) {
     if (const auto* samples = std::get_if<SampledValues>(&values)) {
       const std::vector<double> none(samples->constant.size(), 0.0);
       all.push_back(SampledValues{none, none});
+    } else if (const auto* at_places = std::get_if<PlacedValues>(&values)) {
+      const std::vector<double> none(at_places->constant.size(), 0.0);
+      all.push_back(PlacedValues{at_places->fractions, none, none});
     } else {
-      all.push_back(BoundaryFunction([](const Point&) { return BoundaryValue{}; }));
+      all.push_back(BoundaryFunction([](const Point&, double) { return BoundaryValue{}; }));
     }
   }
   return all;
@@ -68,7 +106,7 @@ bool are_alike(const Values& one, const Values& other) {
   const auto* others = std::get_if<SampledValues>(&other);
   if (samples && others) return samples->constant.size() == others->constant.size();
   const auto* function = std::get_if<BoundaryFunction>(&one);
-  return function && *function && !others;
+  return function ? *function && !others : true;
 }
 
 SceneValues at_rest(const SceneValues& like) { return {zeros(like.supports), zeros(like.loads)}; }

@@ -11,7 +11,8 @@ struct SceneValues {
   std::vector<Values> supports, loads;
 };
 
-// Whether values are of one form: as many samples, or functions.
+// Whether values of one condition can be those of another one: as many samples as there are, or a function that is
+// known, or values at places.
 bool are_alike(const Values& one, const Values& other);
 
 // Those of a body at rest, in the form of these.

@@ -10,7 +10,7 @@ set_target_properties(bempd_fortran_checks PROPERTIES
 target_include_directories(bempd_fortran_checks PUBLIC "${CMAKE_CURRENT_BINARY_DIR}/fortran_modules")
 target_link_libraries(bempd_fortran_checks PUBLIC bempd_fortran bempd_fortran_warnings)
 
-foreach(program misuse runs new_values pieces stop)
+foreach(program misuse runs new_values edges pieces stop)
   add_executable(fortran_${program} fortran_${program}.f90)
   target_link_libraries(fortran_${program} PRIVATE bempd_fortran_checks)
   if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
@@ -21,6 +21,7 @@ endforeach()
 add_test(NAME bindings.fortran_misuse COMMAND fortran_misuse)
 add_test(NAME bindings.fortran_runs COMMAND fortran_runs)
 add_test(NAME bindings.fortran_new_values COMMAND fortran_new_values)
+add_test(NAME bindings.fortran_edges COMMAND fortran_edges)
 add_test(NAME bindings.fortran_pieces COMMAND fortran_pieces)
 
 # Each way must end with a sentence and without going on.

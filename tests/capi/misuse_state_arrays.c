@@ -29,7 +29,7 @@ typedef struct bytes {
   int64_t size;
   int64_t begin[array_count]; /**< of each array's count */
   int64_t count[array_count];
-  int64_t begin_values;
+  int64_t begin_values, begin_way;
 } bytes;
 
 static bytes copy_of(const bytes* source) {
@@ -57,9 +57,11 @@ static bytes bytes_of(bempd_model* model) {
     memcpy(&saved.count[array], saved.data + place, 8);
     place += 8 + entry_size[array] * saved.count[array];
   }
-  /* Then the values in force of two supports with one each and of no load, and where a way of them ends. */
+  /* Then the values in force of two supports with one each and of no load, where a way of them ends, and which loads
+   * there are, whose values are not contained. */
   saved.begin_values = place;
-  CHECK(place + 1 + 8 + 2 * (1 + 2 * (8 + 8)) + 8 + 1 + 8 + 8 == saved.size);
+  saved.begin_way = place + 1 + 8 + 2 * (1 + 2 * (8 + 8)) + 8;
+  CHECK(saved.begin_way + 1 + 8 + 8 + 1 + 8 == saved.size);
   return saved;
 }
 
@@ -203,8 +205,9 @@ static void values_in_force_are_checked(bempd_model* model, const bytes* saved) 
   put_count(model, saved, first + 1, -1, "a count of values");
   put_double(model, saved, first + 1 + 8, NAN, "a value in force");
   put_double(model, saved, first + 1 + 16 + 8, INFINITY, "a proportional value in force");
-  put_byte(model, saved, saved->size - 17, 3, "whether values are on a way");
-  put_double(model, saved, saved->size - 16, NAN, "where the way ends");
+  put_byte(model, saved, saved->begin_way + 1 + 8 + 8, 2, "whether values of the host are contained");
+  put_byte(model, saved, saved->begin_way, 3, "whether values are on a way");
+  put_double(model, saved, saved->begin_way + 1, NAN, "where the way ends");
 }
 
 static void other_versions_are_refused(const bytes* saved) {

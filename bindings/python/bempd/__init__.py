@@ -37,6 +37,8 @@ from .reports import (
     CrackExtension,
     CrackOpening,
     CrackTip,
+    EdgeNodes,
+    EdgePlaces,
     EdgeReaction,
     Growth,
     Piece,
@@ -56,7 +58,7 @@ __version__ = version()
 
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
-    "CrackTip", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
+    "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",

@@ -101,6 +101,29 @@ def samples(name: str, constant: Optional[npt.ArrayLike],
     return count, doubles(filled[0]), doubles(filled[1])
 
 
+def pair_values(name: str, constant: Optional[npt.ArrayLike],
+                proportional: Optional[npt.ArrayLike]) -> tuple[int, Any, Any]:
+    """(count, constant, proportional) of values with two components each."""
+    given = [None if part is None else point_array(f"{name}: {what}", part)
+             for what, part in (("constant", constant), ("proportional", proportional))]
+    counts = {len(part) for part in given if part is not None}
+    if len(counts) != 1:
+        shapes = " and ".join(str(part.shape) for part in given if part is not None) or "none"
+        raise ArgumentError(f"{name}: values have the shape {shapes}; give proportional, constant or both, of one shape")
+    return counts.pop(), doubles(given[0]), doubles(given[1])
+
+
+def values_at(name: str, fractions: npt.ArrayLike, constant: Optional[npt.ArrayLike],
+              proportional: Optional[npt.ArrayLike]) -> tuple[Any, int, Any, Any]:
+    """(fractions, count, constant, proportional) of values at places along an edge."""
+    places = real_array(f"{name}: fractions", fractions)
+    count, *values = pair_values(name, constant, proportional)
+    if places.shape != (count,):
+        raise ArgumentError(f"{name}: fractions have the shape {places.shape} and there are values for {count} places; "
+                            "give a fraction for each pair of values")
+    return doubles(places), count, values[0], values[1]
+
+
 def place(name: str, point: Sequence[float]) -> tuple[float, float]:
     """The coordinates of one point."""
     array = real_array(name, point)

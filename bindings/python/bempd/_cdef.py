@@ -128,6 +128,8 @@ bempd_status bempd_add_traction_function(bempd_model *model, int32_t region, int
 bempd_status bempd_add_pressure(bempd_model *model, int32_t region, int32_t edge, double from,
     double to, int64_t value_count, const double *constant, const double *proportional,
     int32_t *load);
+bempd_status bempd_add_edge_forces(bempd_model *model, int32_t region, int32_t edge, double from,
+    double to, int32_t *load);
 bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32_t component,
     double constant, double proportional, int32_t *load);
 bempd_status bempd_add_body_force(bempd_model *model, int32_t region, int32_t component,
@@ -146,6 +148,16 @@ bempd_status bempd_set_load_values(bempd_model *model, int32_t load, int64_t val
     const double *constant, const double *proportional);
 bempd_status bempd_set_support_values(bempd_model *model, int32_t support, int64_t value_count,
     const double *constant, const double *proportional);
+bempd_status bempd_set_support_values_at(bempd_model *model, int32_t support, int64_t count,
+    const double *fractions, const double *constant, const double *proportional);
+bempd_status bempd_set_load_values_at(bempd_model *model, int32_t load, int64_t count,
+    const double *fractions, const double *constant, const double *proportional);
+bempd_status bempd_set_support_nodal_values(bempd_model *model, int32_t support, int64_t count,
+    const double *constant, const double *proportional);
+bempd_status bempd_set_load_nodal_values(bempd_model *model, int32_t load, int64_t count,
+    const double *constant, const double *proportional);
+bempd_status bempd_fractions_on_edge(const bempd_model *model, int32_t region, int32_t edge,
+    int64_t count, const double *points, double *fractions, double *distances);
 bempd_status bempd_remove_support(bempd_model *model, int32_t support);
 bempd_status bempd_remove_load(bempd_model *model, int32_t load);
 typedef int32_t (*bempd_progress_function)(double load_factor, int64_t events, int64_t broken_bonds,
@@ -244,6 +256,14 @@ bempd_status bempd_reaction_moment(bempd_model *model, int32_t support, double x
     double *moment);
 bempd_status bempd_edge_reaction(bempd_model *model, int32_t region, int32_t edge, double x,
     double y, double *force, double *moment);
+bempd_status bempd_edge_size(bempd_model *model, int32_t region, int32_t edge, int64_t *nodes,
+    int64_t *elements);
+bempd_status bempd_copy_edge_nodes(bempd_model *model, int32_t region, int32_t edge,
+    int64_t capacity, int32_t *nodes, double *fractions, double *weights);
+bempd_status bempd_copy_edge_elements(bempd_model *model, int32_t region, int32_t edge,
+    int64_t capacity, int32_t *elements);
+bempd_status bempd_copy_edge_forces(bempd_model *model, int32_t region, int32_t edge,
+    int64_t capacity, double *forces);
 bempd_status bempd_piece_count(bempd_model *model, int64_t *count);
 bempd_status bempd_copy_node_pieces(bempd_model *model, int32_t region, int64_t capacity,
     int32_t *pieces);
@@ -412,11 +432,18 @@ bempd_status bempd_get_history_entry(const bempd_model *model, int64_t index,
     bempd_history_entry *entry);
 bempd_status bempd_history(const bempd_model *model, int64_t index, bempd_history_entry *entry);
 bempd_status bempd_state_save(bempd_model *model, bempd_state **state);
+typedef enum bempd_state_contents {
+  BEMPD_STATE_BODY = 1,
+  BEMPD_STATE_BODY_AND_VALUES = 2
+} bempd_state_contents;
+bempd_status bempd_state_save_with(bempd_model *model, int32_t contents, bempd_state **state);
 bempd_status bempd_state_restore(bempd_model *model, const bempd_state *state);
 void bempd_state_free(bempd_state *state);
 bempd_status bempd_state_to_bytes(const bempd_state *state, int64_t capacity, uint8_t *buffer,
     int64_t *needed);
 bempd_status bempd_state_from_bytes(int64_t size, const uint8_t *bytes, bempd_state **state);
+bempd_status bempd_state_write(const bempd_state *state, const char *path);
+bempd_status bempd_state_read(const char *path, bempd_state **state);
 bempd_status bempd_write_snapshot(bempd_model *model, const char *prefix);
 bempd_status bempd_write_history(const bempd_model *model, const char *path);
 bempd_status bempd_write_tips(const bempd_model *model, const char *path);
@@ -437,7 +464,7 @@ are held where they are, with a warning.""",
     "BEMPD_ERROR_CONVERGENCE": """An iteration or the limit on events ended before the goal.""",
     "BEMPD_ERROR_CANCELLED": """A callback or bempd_request_cancel() asked to stop.""",
     "BEMPD_ERROR_MEMORY": """Not enough memory.""",
-    "BEMPD_ERROR_IO": """A file could not be written.""",
+    "BEMPD_ERROR_IO": """A file could not be written or read.""",
     "BEMPD_ERROR_INTERNAL": """A defect of the library; please report it. Only free the model now.""",
     "bempd_model": """A scene and its state.
 
@@ -951,6 +978,18 @@ proportional [in]: shape [value_count], part multiplied by the load factor [Pa];
 load [out]: its id; may be NULL
 return: status
 since: 0.3""",
+    "bempd_add_edge_forces": """\
+Add forces on the nodes of a part of an edge that is not an interface, as a host that couples hands
+them over: 0 until bempd_set_load_nodal_values() gives each node its own.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: edge number
+from [in]: start of the part as a fraction of the edge [-]
+to [in]: end of the part [-]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_add_point_force": """\
 Add a force on the node or material point at a place.
 
@@ -1058,6 +1097,69 @@ constant [in]: shape [value_count], constant part [m]; NULL for 0
 proportional [in]: shape [value_count], part multiplied by the load factor [m]; NULL for 0
 return: status
 since: 0.1""",
+    "bempd_set_support_values_at": """\
+Give a support on an edge new prescribed displacements at places along it; as
+bempd_set_support_values(), also for one that was given by a function, with other places each time.
+bempd_step_to_values() goes to them likewise.
+
+model [in]: the model
+support [in]: id of a support on an edge or a part of it
+count [in]: number of places, >= 1
+fractions [in]: shape [count], places as fractions of the part, ascending, 0 .. 1 [-]: linear
+  between them, constant before the first and beyond the last one; bempd_fractions_on_edge() makes
+  fractions of places
+constant [in]: shape [count][2], constant part in x and y [m]; NULL for 0
+proportional [in]: shape [count][2], part multiplied by the load factor [m]; NULL for 0
+return: status; components that the support does not hold are not looked at
+since: 0.3""",
+    "bempd_set_load_values_at": """\
+Give a load along an edge or a crack new values at places; else as bempd_set_support_values_at(). A
+pressure or shear takes the component of its number: x for BEMPD_PRESSURE and pressures on edges, y
+for BEMPD_SHEAR.
+
+model [in]: the model
+load [in]: id of a load on an edge, a part of it, or a crack
+count [in]: number of places, >= 1
+fractions [in]: shape [count], places as fractions of the part, ascending, 0 .. 1 [-]
+constant [in]: shape [count][2], constant part in x and y [Pa]; NULL for 0
+proportional [in]: shape [count][2], part multiplied by the load factor [Pa]; NULL for 0
+return: status
+since: 0.3""",
+    "bempd_set_support_nodal_values": """\
+Give every node that a support on an edge holds its displacement, as it is; else as
+bempd_set_support_values_at().
+
+model [in]: the model, which is prepared if needed
+support [in]: id of a support on an edge or a part of it
+count [in]: number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+constant [in]: shape [count][2], constant part in x and y [m]; NULL for 0
+proportional [in]: shape [count][2], part multiplied by the load factor [m]; NULL for 0
+return: status
+since: 0.3""",
+    "bempd_set_load_nodal_values": """\
+Give a load on an edge its values at the nodes there: the forces of bempd_add_edge_forces() as they
+are, tractions with linear ones between them.
+
+model [in]: the model, which is prepared if needed
+load [in]: id of a load on an edge or a part of it
+count [in]: number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+constant [in]: shape [count][2], constant part in x and y [N] or [Pa]; NULL for 0
+proportional [in]: shape [count][2], part multiplied by the load factor [N] or [Pa]; NULL for 0
+return: status
+since: 0.3""",
+    "bempd_fractions_on_edge": """\
+Places beside an edge as fractions of its length, for hosts with a mesh of their own: the nearest
+place on the edge of each.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: edge number
+count [in]: number of places
+points [in]: shape [count][2] [m]
+fractions [out]: shape [count], 0 .. 1 [-]; may be NULL
+distances [out]: shape [count], from the edge [m]; may be NULL
+return: status
+since: 0.3""",
     "bempd_remove_support": """\
 Remove a support before the model is prepared; its id is not given again.
 
@@ -1477,6 +1579,58 @@ y [in]: [m]
 force [out]: shape [2], resultant [N]; may be NULL
 moment [out]: positive counter-clockwise [N m]; may be NULL
 return: status; an edge without a support is an argument error
+since: 0.3""",
+    "bempd_edge_size": """\
+Number of nodes on an edge, and of elements or lattice cells with a side on it. Prepares the model.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: edge number
+nodes [out]: their number; may be NULL
+elements [out]: their number; may be NULL
+return: status
+since: 0.3""",
+    "bempd_copy_edge_nodes": """\
+Nodes on an edge from its start to its end: boundary nodes or material points with displacements of
+their own. (Mid nodes of boundary elements that follow a lattice have none.)
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: edge number
+capacity [in]: nodes that the arrays have room for
+nodes [out]: shape [nodes], indices from 0 into the fields of the region's nodes; may be NULL
+fractions [out]: shape [nodes], where they lie as fractions of the edge [-]; may be NULL
+weights [out]: shape [nodes], the integral of each node's shape function along the edge, by which
+  tractions become nodal forces: they sum to its length (points on slanted and round outlines, whose
+  forces are balanced, to some parts in a thousand of it) [m]; may be NULL
+return: status
+since: 0.3""",
+    "bempd_copy_edge_elements": """\
+Elements or lattice cells with a side on an edge, from its start to its end.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: edge number
+capacity [in]: integers in elements
+elements [out]: shape [elements], indices from 0 as in bempd_copy_elements()
+return: status
+since: 0.3""",
+    "bempd_copy_edge_forces": """\
+Force that supports and neighbouring regions exert on a region at every node of an edge, at the
+present load factor.
+
+The forces do work on the displacements of the nodes and on nothing else: those of an edge that a
+support holds sum to bempd_edge_reaction(), those on both sides of an interface to zero, and all
+that act on a region, with its loads, balance, each to rounding. The ends that edges share are
+divided as there. Regions whose bonds cross where they touch are one body in this: between them
+there are no forces of an edge.
+
+model [in]: the model
+region [in]: id of a region
+edge [in]: number of an edge that a support holds or that is an interface
+capacity [in]: nodes that forces has room for
+forces [out]: shape [nodes][2], as bempd_copy_edge_nodes() has the nodes [N]
+return: status; another edge is an argument error
 since: 0.3""",
     "bempd_piece_count": """\
 Number of pieces that the body consists of: material points and boundary elements that intact bonds,
@@ -1962,8 +2116,27 @@ model [in]: the model
 state [out]: the saved state; free it with bempd_state_free()
 return: status
 since: 0.1""",
+    "bempd_state_contents": """What a saved state contains.
+
+since: 0.3""",
+    "BEMPD_STATE_BODY": """\
+Bonds, cracks, displacements, history: loads and supports keep the values they have when it is
+restored.""",
+    "BEMPD_STATE_BODY_AND_VALUES": """With the values of loads and supports, which restoring brings back.""",
+    "bempd_state_save_with": """\
+Save the state as bempd_state_save(), with or without the values of loads and supports.
+
+Functions are part of a state in memory; those of a state that was read from bytes are not there,
+and loads and supports that had them keep their present values.
+
+model [in]: the model
+contents [in]: a bempd_state_contents
+state [out]: the saved state; free it with bempd_state_free()
+return: status
+since: 0.3""",
     "bempd_state_restore": """\
-Bring a model back to a saved state. Loads and supports keep their present values.
+Bring a model back to a saved state. Loads and supports keep their present values, unless the state
+was saved with theirs.
 
 Cracks of BEM regions that have grown are as long as they were when the state was saved. The scene
 is the same if the host has said the same: regions with their materials, initial cracks, supports in
@@ -1995,6 +2168,23 @@ bytes [in]: shape [size]
 state [out]: the state; free it with bempd_state_free()
 return: status
 since: 0.1""",
+    "bempd_state_write": """\
+Write a saved state to a file, so that a run can go on after its process has ended.
+
+The file is there as a whole or not at all: the bytes are written beside it, lie on the disk, and
+then take its place. What was there before, the last state say, stays until then.
+
+state [in]: the state
+path [in]: file name, UTF-8; the folder must exist
+return: status
+since: 0.3""",
+    "bempd_state_read": """\
+Read a saved state from a file.
+
+path [in]: file name, UTF-8
+state [out]: the state; free it with bempd_state_free()
+return: status; BEMPD_ERROR_IO if it cannot be read, an argument error for what is no state
+since: 0.3""",
     "bempd_write_snapshot": """\
 Write the present state for ParaView. Open prefix.pvd: it has all snapshots of this prefix, with
 their parts.

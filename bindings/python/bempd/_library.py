@@ -32,8 +32,6 @@ def candidates() -> Iterator[tuple[str, str]]:
     """(why, file) of the places where the library may be, in the order in which they are tried."""
     package = pathlib.Path(__file__).resolve().parent
     yield "beside the module", str(package / SONAME)
-    if os.environ.get("BEMPD_LIBRARY"):
-        yield "environment variable BEMPD_LIBRARY", os.environ["BEMPD_LIBRARY"]
     source_tree = package.parents[2]
     if (source_tree / "include" / "bempd.h").is_file():
         builds = source_tree.glob("build/*/src/capi/" + SONAME)
@@ -42,35 +40,54 @@ def candidates() -> Iterator[tuple[str, str]]:
     yield "system", SONAME
 
 
+def opened(file: str, is_path: bool = True) -> Any:
+    """The library in a file; ImportError says why it is none that fits this package."""
+    if is_path and not os.path.isfile(file):
+        raise ImportError("no such file")
+    try:
+        # Never unloaded: objects that are alive when the interpreter ends free themselves after modules are gone.
+        library = ffi.dlopen(file, ffi.RTLD_NOW | ffi.RTLD_LOCAL | ffi.RTLD_NODELETE)
+    except OSError as problem:
+        raise ImportError(str(problem)) from None
+    missing = [name for name in ARGUMENT_NAMES if not hasattr(library, name)]
+    if missing:
+        own = hasattr(library, "bempd_version_string")
+        found = f"version {string(library.bempd_version_string())} of bempd" if own else "another library"
+        raise ImportError(f"another version, it has no {missing[0]}: it is {found}")
+    return library
+
+
 def open_library() -> tuple[Any, str]:
-    """The library and the file it came from; ImportError says where it was looked for."""
+    """The library and the file it came from; ImportError says where it was looked for.
+
+    What BEMPD_LIBRARY names is taken or an error: never another one in its place."""
+    wanted = os.environ.get("BEMPD_LIBRARY")
+    if wanted:
+        try:
+            return opened(wanted), wanted
+        except ImportError as problem:
+            raise ImportError(
+                f"the environment variable BEMPD_LIBRARY names {wanted}, which does not fit this package: {problem}. "
+                f"Set it to the {SONAME} that was built with this package, or unset it, and the library is looked for "
+                "beside the module, in the build tree and among the system's") from None
     looked: list[str] = []
     for why, file in candidates():
-        if why != "system" and not os.path.isfile(file):
-            looked.append(f"{file} ({why}): no such file")
-            continue
         try:
-            # Never unloaded: objects that are alive when the interpreter ends free themselves after modules are gone.
-            library = ffi.dlopen(file, ffi.RTLD_NOW | ffi.RTLD_LOCAL | ffi.RTLD_NODELETE)
-        except OSError as problem:
+            return opened(file, is_path=why != "system"), file
+        except ImportError as problem:
             looked.append(f"{file} ({why}): {problem}")
-            continue
-        missing = [name for name in ARGUMENT_NAMES if not hasattr(library, name)]
-        if not missing:
-            return library, file
-        looked.append(f"{file} ({why}): another version, it has no {missing[0]}")
     raise ImportError(
         "the shared library of bempd was not found; build it and set BEMPD_LIBRARY to its file. Looked at:\n  "
         + "\n  ".join(looked)
     )
 
 
-lib, library_path = open_library()
-
-
 def string(pointer: Any) -> str:
     """A string that the library hands out."""
     return str(ffi.string(pointer).decode("utf-8", "replace"))
+
+
+lib, library_path = open_library()
 
 
 def invoke(name: str, *arguments: Any) -> int:

@@ -50,10 +50,17 @@ NAMES: dict[str, str] = {
     "bempd_extension_count": "Model.extensions",
     "bempd_extension": "Model.extensions",
     "bempd_crack_extension_init": "Model.extensions",
+    "bempd_edge_size": "Model.edge_nodes",
+    "bempd_copy_edge_nodes": "Model.edge_nodes",
+    "bempd_copy_edge_elements": "Model.edge_elements",
+    "bempd_copy_edge_forces": "Model.edge_forces",
     "bempd_state_save": "Model.save",
+    "bempd_state_save_with": "Model.save",
     "bempd_state_restore": "Model.restore",
     "bempd_state_to_bytes": "State.to_bytes",
     "bempd_state_from_bytes": "State.from_bytes",
+    "bempd_state_write": "State.write",
+    "bempd_state_read": "State.read",
 }
 
 # Words of C that an argument here is given by.
@@ -72,6 +79,8 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_UNTIL_VALUES": '"values"',
     "BEMPD_UNTIL_EVENT": '"event"',
     "BEMPD_UNTIL_SEPARATED": '"separated"',
+    "BEMPD_STATE_BODY": "values=False",
+    "BEMPD_STATE_BODY_AND_VALUES": "values=True",
     "BEMPD_FACE_LEFT": '"left"',
     "BEMPD_FACE_RIGHT": '"right"',
 }

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import logging
+import os
 from types import TracebackType
-from typing import Any, Mapping, NoReturn, Optional, Type
+from typing import Any, Mapping, NoReturn, Optional, Type, Union
 
 from . import _arguments as arguments
+from ._edges import Edges
 from ._handle import Handle
 from ._help import complete
 from ._library import check, ffi, invoke, lib, new_struct
@@ -24,7 +26,7 @@ from .state import State
 UNTIL = {"values": lib.BEMPD_UNTIL_VALUES, "event": lib.BEMPD_UNTIL_EVENT, "separated": lib.BEMPD_UNTIL_SEPARATED}
 
 
-class Model(Scene, Results):
+class Model(Scene, Edges, Results):
     """Cracks in a two-dimensional elastic body: build it, step, ask, close.
 
     One thread at a time, except request_cancel(); other threads run on while the library works. Used in a `with`
@@ -191,8 +193,9 @@ class Model(Scene, Results):
         goal = arguments.choice("step_to_values: until", until, UNTIL)
         return self._run("bempd_step_to_values", load_factor, goal, goal=load_factor if until == "values" else None)
 
-    def save(self) -> State:
-        """The state of a prepared model, to come back to or to keep.
+    def save(self, *, values: bool = False) -> State:
+        """The state of a prepared model, to come back to or to keep; with `values` it contains those of loads and
+        supports, which restore() then brings back.
 
         >>> import bempd
         >>> model = bempd.Model()
@@ -208,15 +211,41 @@ class Model(Scene, Results):
         0.0
         """
         saved = ffi.new("bempd_state **")
-        self._open().call("bempd_state_save", saved)
+        if values:
+            self._open().call("bempd_state_save_with", lib.BEMPD_STATE_BODY_AND_VALUES, saved)
+        else:
+            self._open().call("bempd_state_save", saved)
         return State(saved[0])
 
     def restore(self, state: State) -> None:
-        """Come back to a saved state; loads and supports keep their present values."""
+        """Come back to a saved state; loads and supports keep their present values unless it was saved with theirs."""
         if not isinstance(state, State):
             kind = type(state).__name__
             raise ArgumentError(f"restore: state is a {kind}; give what save() or State.from_bytes() made")
         self._open().call("bempd_state_restore", state.pointer, changes=True)
+
+    def checkpoint(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write the state with the values of loads and supports to a file, for resume(): whole or not at all.
+
+        >>> import bempd, tempfile
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.5)
+        >>> support, load = model.fix_edge(plate, 4), model.add_traction(plate, 2, "x", 3e6)
+        >>> report = model.step(2)
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     model.checkpoint(folder + "/plate.state")
+        ...     report = model.step(5)
+        ...     model.resume(folder + "/plate.state")
+        >>> model.load_factor
+        2.0
+        """
+        self.save(values=True).write(path)
+
+    def resume(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Go on from what checkpoint() wrote, in a model that was built in the same way; functions that gave values are
+        not in the file, and act as they do here."""
+        self.restore(State.read(path))
 
     def plot(self, quantity: Quantity = "damage", **options: Any) -> Any:
         """Draw the body with matplotlib; see bempd.plot.draw() for quantities and options. Returns the axes."""

@@ -226,6 +226,21 @@ class EdgeReaction(NamedTuple):
     moment: float  #: positive counter-clockwise [N m]
 
 
+class EdgeNodes(NamedTuple):
+    """Nodes along an edge, from its start to its end."""
+
+    nodes: npt.NDArray[np.int32]  #: shape (n,): indices into the fields of the region's nodes
+    fractions: npt.NDArray[np.float64]  #: shape (n,): where they lie, as fractions of the edge
+    weights: npt.NDArray[np.float64]  #: shape (n,): integrals of their shape functions along the edge [m]
+
+
+class EdgePlaces(NamedTuple):
+    """Places on an edge nearest to given ones."""
+
+    fractions: npt.NDArray[np.float64]  #: shape (n,): of the edge
+    distances: npt.NDArray[np.float64]  #: shape (n,): of the given places from it [m]
+
+
 class CrackOpening(NamedTuple):
     """Displacement of a crack's left face less that of its right one."""
 

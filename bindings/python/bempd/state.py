@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+import os
+from typing import Any, Union
 
+from ._arguments import file_name
 from ._library import call, ffi, lib
 from .errors import ArgumentError
 
@@ -36,6 +38,17 @@ class State:
             raise ArgumentError(f"State.from_bytes: data is a {kind}; give what to_bytes() made") from None
         created = ffi.new("bempd_state **")
         call("bempd_state_from_bytes", size, buffer, created)
+        return cls(created[0])
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Write it to a file, which is there as a whole or not at all; a state before it stays until then."""
+        call("bempd_state_write", self.pointer, file_name("State.write: path", path))
+
+    @classmethod
+    def read(cls, path: Union[str, "os.PathLike[str]"]) -> State:
+        """The state that write() wrote."""
+        created = ffi.new("bempd_state **")
+        call("bempd_state_read", file_name("State.read: path", path), created)
         return cls(created[0])
 
     def __reduce__(self) -> tuple[Any, tuple[bytes]]:

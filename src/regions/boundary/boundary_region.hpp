@@ -59,6 +59,7 @@ class BoundaryRegion : public Region {
   std::vector<CrackPicture> crack_pictures(const Solution& solution) const override;
   std::optional<Overlap> overlap(const Solution& solution) const override;
 
+  std::vector<int> entries_of_nodes() const override;
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(mesh_.elements.size()); }

@@ -47,6 +47,14 @@ class BoundaryEvaluator final : public Evaluator {
 
 }  // namespace
 
+// Nodes of elements that follow a grid may be none of the scene.
+std::vector<int> BoundaryRegion::entries_of_nodes() const {
+  std::vector<int> entries;
+  for (std::size_t i = 0; i < node_of_mesh_node_.size(); ++i)
+    if (node_of_mesh_node_[i] >= 0) entries.push_back(static_cast<int>(i));
+  return entries;
+}
+
 FieldSize BoundaryRegion::field_size(Field field) const {
   require(field != Field::damage && field != Field::bond_stretch, "region ", id(),
           " is a BEM region and has no bonds; ask a peridynamic region");

@@ -5,6 +5,7 @@
 
 #include "coupling/interface_trace.hpp"
 #include "error.hpp"
+#include "pd/cell_squares.hpp"
 #include "pd/crack.hpp"
 #include "pd/critical_stretch.hpp"
 
@@ -20,6 +21,15 @@ double BondedRegion::critical_stretch(const Preparation& preparation) const {
   const bool of_running =
       material().fracture_energy > 0 && preparation.options.text_value("critical_stretch") == "running";
   return of_running ? of_the_material / std::sqrt(pd::running_energy(horizon_ratio_)) : of_the_material;
+}
+
+std::vector<int> BondedRegion::terms() const {
+  std::vector<int> all;
+  for (std::size_t bond = 0; bond < network()->bonds.size(); ++bond) all.push_back(static_cast<int>(scene_bond(bond)));
+  const auto of_a_cell = static_cast<int>(bonds_.squares.empty() ? 0 : pd::cell_squares(elasticity()).size());
+  for (const int first : bonds_.squares)
+    for (int k = 0; first >= 0 && k < of_a_cell; ++k) all.push_back(first + k);
+  return all;
 }
 
 std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) const {

@@ -43,6 +43,7 @@ class BondedRegion : public Region {
     return std::span<const pd::Bond>(network()->bonds).first(bonds_.listed);
   }
   std::size_t first_bond() const override { return bonds_.first; }
+  std::vector<int> terms() const override;
 
   // lattice_swelling.cpp
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;

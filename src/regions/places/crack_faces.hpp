@@ -11,6 +11,7 @@ class CrackFaces final : public OffEdges {
   explicit CrackFaces(int crack) : crack_(crack) {}
 
   void check(const scene::Scene& scene) const override;
+  bool lies_along_a_line() const override { return true; }
   bool needs_crack(int crack) const override { return crack == crack_; }
   void identify(Hash& hash) const override {
     hash.add(std::string_view("crack faces"));

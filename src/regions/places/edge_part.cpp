@@ -5,6 +5,7 @@
 
 #include "error.hpp"
 #include "regions/boundary_conditions.hpp"
+#include "regions/edge_nodes.hpp"
 
 namespace bempd::regions {
 
@@ -25,6 +26,10 @@ bool EdgePart::covers(int region, int edge, double fraction) const {
   return region == region_ && edge == edge_ && from_ <= fraction && fraction <= to_;
 }
 
+std::vector<PlacedNode> EdgePart::nodes(const scene::Scene& scene, const Discretization& d) const {
+  return nodes_in_order(d, region_, {edge_, scene.region(region_).edge(edge_), from_, to_});
+}
+
 std::vector<PlacedNode> EdgePart::held_nodes(const scene::Scene& scene, const Discretization& d, int support) const {
   std::vector<PlacedNode> nodes =
       d.region(region_).nodes_on({edge_, scene.region(region_).edge(edge_), from_, to_}, d.tolerance);
@@ -33,7 +38,8 @@ std::vector<PlacedNode> EdgePart::held_nodes(const scene::Scene& scene, const Di
   return nodes;
 }
 
-void EdgePart::require_free_edge(const Discretization& d, int load, double edge_length) const {
+void EdgePart::require_free_edge(const scene::Scene& scene, const Discretization& d, int load) const {
+  const double edge_length = scene.region(region_).edge(edge_).length();
   for (const Contact& contact : d.arrangement.contacts) {
     if (contact.region != region_ - 1 || contact.edge != edge_ - 1) continue;
     const double shared = std::min(to_, contact.to) - std::max(from_, contact.from);
@@ -46,7 +52,7 @@ void EdgePart::require_free_edge(const Discretization& d, int load, double edge_
 void EdgePart::add_load(const scene::Scene& scene, const Discretization& d, int load, DofConditions& conditions) const {
   const scene::Condition& condition = scene.loads()[load];
   const Edge edge = scene.region(region_).edge(edge_);
-  require_free_edge(d, load, edge.length());
+  require_free_edge(scene, d, load);
   for (int column = 0; column < 2; ++column) {
     const auto traction = [&](const Point& p) {
       const double fraction = closest_fraction(edge, p);

@@ -18,6 +18,8 @@ class EdgePart : public scene::Place {
     hash.add(region_), hash.add(edge_), hash.add(from_), hash.add(to_);
   }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
+  // Nodes of the scene on it, in order from its start.
+  std::vector<PlacedNode> nodes(const scene::Scene& scene, const Discretization& discretization) const;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
                                      int support) const override;
@@ -28,9 +30,10 @@ class EdgePart : public scene::Place {
   // The traction that values of a load mean at a fraction of the edge.
   virtual Point traction(const Edge& /*edge*/, double /*fraction*/, const Point& value) const { return value; }
 
- private:
-  void require_free_edge(const Discretization& discretization, int load, double edge_length) const;
+  // Throws Error (argument) if it is an interface.
+  void require_free_edge(const scene::Scene& scene, const Discretization& discretization, int load) const;
 
+ private:
   int region_, edge_;  // ids
   double from_, to_;   // fractions of the edge
 };

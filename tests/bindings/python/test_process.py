@@ -63,25 +63,44 @@ except KeyboardInterrupt:
     assert result.stdout == "interrupted at 50.0 0\n", result.stderr
 
 
+def copied_package(folder):
+    shutil.copytree(PACKAGE, folder / "bempd", ignore=shutil.ignore_patterns("*.so*", "__pycache__"))
+    return folder
+
+
+def imported(folder, **environment):
+    return run("import bempd; print(bempd.library_path)", folder=folder, PYTHONPATH=str(folder), **environment)
+
+
 def test_a_missing_library_is_reported_with_the_places(tmp_path):
-    shutil.copytree(PACKAGE, tmp_path / "bempd", ignore=shutil.ignore_patterns("*.so*", "__pycache__"))
-    result = run("import bempd", folder=tmp_path, PYTHONPATH=str(tmp_path), BEMPD_LIBRARY="/nowhere/libbempd.so")
-    message = result.stderr.split("ImportError: ")[1]
+    message = imported(copied_package(tmp_path), BEMPD_LIBRARY="").stderr.split("ImportError: ")[1]
     assert "set BEMPD_LIBRARY" in message
-    for place in ("beside the module): no such file", "/nowhere/libbempd.so (environment variable BEMPD_LIBRARY)",
-                  "libbempd.so.0 (system)"):
+    for place in ("beside the module): no such file", "libbempd.so.0 (system)"):
         assert place in message
 
 
-def test_a_library_that_is_another_is_not_taken(tmp_path):
-    shutil.copytree(PACKAGE, tmp_path / "bempd", ignore=shutil.ignore_patterns("*.so*", "__pycache__"))
-    (tmp_path / "bempd" / "libbempd.so.0").write_bytes(b"no library")
-    result = run("import bempd; print(bempd.library_path)", folder=tmp_path, PYTHONPATH=str(tmp_path),
-                 BEMPD_LIBRARY=bempd.library_path)
-    assert result.stdout.strip() == bempd.library_path
+def test_a_file_beside_the_module_that_is_no_library_is_not_taken(tmp_path):
+    (copied_package(tmp_path) / "bempd" / "libbempd.so.0").write_bytes(b"no library")
+    assert "beside the module" in imported(tmp_path, BEMPD_LIBRARY="").stderr
+
+
+def test_the_library_that_the_environment_names_comes_first(tmp_path):
+    shutil.copy(bempd.library_path, copied_package(tmp_path) / "bempd" / "libbempd.so.0")
+    assert imported(tmp_path, BEMPD_LIBRARY="").stdout.strip() == str(tmp_path / "bempd" / "libbempd.so.0")
+    assert imported(tmp_path, BEMPD_LIBRARY=bempd.library_path).stdout.strip() == bempd.library_path
+
+
+def test_a_library_that_the_environment_names_and_does_not_fit_is_an_error(tmp_path):
+    # One that fits lies beside the module: it is not taken in place of the other.
+    shutil.copy(bempd.library_path, copied_package(tmp_path) / "bempd" / "libbempd.so.0")
+    text = tmp_path / "notes.so"
+    text.write_text("no library")
     libm = next(line.split()[-1] for line in open("/proc/self/maps") if "libm.so" in line or "libm-" in line)
-    result = run("import bempd", folder=tmp_path, PYTHONPATH=str(tmp_path), BEMPD_LIBRARY=libm)
-    assert "another version, it has no bempd_" in result.stderr
+    for named, why in (("/nowhere/libbempd.so", "no such file"), (str(tmp_path), "no such file"),
+                       (str(text), "notes.so"), (libm, "another version, it has no bempd_")):
+        message = imported(tmp_path, BEMPD_LIBRARY=named).stderr
+        assert f"ImportError: the environment variable BEMPD_LIBRARY names {named}" in message
+        assert why in message and "or unset it" in message
 
 
 def test_matplotlib_is_not_needed_until_something_is_drawn():

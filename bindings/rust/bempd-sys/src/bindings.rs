@@ -18,7 +18,7 @@ pub const BEMPD_ERROR_CONVERGENCE: bempd_status = -4;
 pub const BEMPD_ERROR_CANCELLED: bempd_status = -5;
 /// Not enough memory.
 pub const BEMPD_ERROR_MEMORY: bempd_status = -6;
-/// A file could not be written.
+/// A file could not be written or read.
 pub const BEMPD_ERROR_IO: bempd_status = -7;
 /// A defect of the library; please report it. Only free the model now.
 pub const BEMPD_ERROR_INTERNAL: bempd_status = -8;
@@ -875,6 +875,27 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
+    /// Add forces on the nodes of a part of an edge that is not an interface, as a host that
+    /// couples hands them over: 0 until bempd_set_load_nodal_values() gives each node its own.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * from \[in\]: start of the part as a fraction of the edge \[-\]
+    /// * to \[in\]: end of the part \[-\]
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_edge_forces(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        from: f64,
+        to: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
     /// Add a force on the node or material point at a place.
     ///
     /// * model \[in\]: the model
@@ -1046,6 +1067,114 @@ extern "C" {
         value_count: i64,
         constant: *const f64,
         proportional: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Give a support on an edge new prescribed displacements at places along it; as
+    /// bempd_set_support_values(), also for one that was given by a function, with other places
+    /// each time. bempd_step_to_values() goes to them likewise.
+    ///
+    /// * model \[in\]: the model
+    /// * support \[in\]: id of a support on an edge or a part of it
+    /// * count \[in\]: number of places, \>= 1
+    /// * fractions \[in\]: shape \[count\], places as fractions of the part, ascending, 0 .. 1 \[-\]:
+    ///   linear between them, constant before the first and beyond the last one;
+    ///   bempd_fractions_on_edge() makes fractions of places
+    /// * constant \[in\]: shape \[count\]\[2\], constant part in x and y \[m\]; NULL for 0
+    /// * proportional \[in\]: shape \[count\]\[2\], part multiplied by the load factor \[m\]; NULL for 0
+    /// * return: status; components that the support does not hold are not looked at
+    /// * since: 0.3
+    pub fn bempd_set_support_values_at(
+        model: *mut bempd_model,
+        support: i32,
+        count: i64,
+        fractions: *const f64,
+        constant: *const f64,
+        proportional: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Give a load along an edge or a crack new values at places; else as
+    /// bempd_set_support_values_at(). A pressure or shear takes the component of its number: x for
+    /// BEMPD_PRESSURE and pressures on edges, y for BEMPD_SHEAR.
+    ///
+    /// * model \[in\]: the model
+    /// * load \[in\]: id of a load on an edge, a part of it, or a crack
+    /// * count \[in\]: number of places, \>= 1
+    /// * fractions \[in\]: shape \[count\], places as fractions of the part, ascending, 0 .. 1 \[-\]
+    /// * constant \[in\]: shape \[count\]\[2\], constant part in x and y \[Pa\]; NULL for 0
+    /// * proportional \[in\]: shape \[count\]\[2\], part multiplied by the load factor \[Pa\]; NULL for 0
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_load_values_at(
+        model: *mut bempd_model,
+        load: i32,
+        count: i64,
+        fractions: *const f64,
+        constant: *const f64,
+        proportional: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Give every node that a support on an edge holds its displacement, as it is; else as
+    /// bempd_set_support_values_at().
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * support \[in\]: id of a support on an edge or a part of it
+    /// * count \[in\]: number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+    /// * constant \[in\]: shape \[count\]\[2\], constant part in x and y \[m\]; NULL for 0
+    /// * proportional \[in\]: shape \[count\]\[2\], part multiplied by the load factor \[m\]; NULL for 0
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_support_nodal_values(
+        model: *mut bempd_model,
+        support: i32,
+        count: i64,
+        constant: *const f64,
+        proportional: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Give a load on an edge its values at the nodes there: the forces of bempd_add_edge_forces()
+    /// as they are, tractions with linear ones between them.
+    ///
+    /// * model \[in\]: the model, which is prepared if needed
+    /// * load \[in\]: id of a load on an edge or a part of it
+    /// * count \[in\]: number of nodes on the part: those of bempd_copy_edge_nodes(), in that order
+    /// * constant \[in\]: shape \[count\]\[2\], constant part in x and y \[N\] or \[Pa\]; NULL for 0
+    /// * proportional \[in\]: shape \[count\]\[2\], part multiplied by the load factor \[N\] or \[Pa\]; NULL
+    ///   for 0
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_set_load_nodal_values(
+        model: *mut bempd_model,
+        load: i32,
+        count: i64,
+        constant: *const f64,
+        proportional: *const f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Places beside an edge as fractions of its length, for hosts with a mesh of their own: the
+    /// nearest place on the edge of each.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * count \[in\]: number of places
+    /// * points \[in\]: shape \[count\]\[2\] \[m\]
+    /// * fractions \[out\]: shape \[count\], 0 .. 1 \[-\]; may be NULL
+    /// * distances \[out\]: shape \[count\], from the edge \[m\]; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_fractions_on_edge(
+        model: *const bempd_model,
+        region: i32,
+        edge: i32,
+        count: i64,
+        points: *const f64,
+        fractions: *mut f64,
+        distances: *mut f64,
     ) -> bempd_status;
 }
 extern "C" {
@@ -1670,6 +1799,95 @@ extern "C" {
         y: f64,
         force: *mut f64,
         moment: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of nodes on an edge, and of elements or lattice cells with a side on it. Prepares the
+    /// model.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * nodes \[out\]: their number; may be NULL
+    /// * elements \[out\]: their number; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_edge_size(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        nodes: *mut i64,
+        elements: *mut i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Nodes on an edge from its start to its end: boundary nodes or material points with
+    /// displacements of their own. (Mid nodes of boundary elements that follow a lattice have
+    /// none.)
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * capacity \[in\]: nodes that the arrays have room for
+    /// * nodes \[out\]: shape \[nodes\], indices from 0 into the fields of the region's nodes; may be
+    ///   NULL
+    /// * fractions \[out\]: shape \[nodes\], where they lie as fractions of the edge \[-\]; may be NULL
+    /// * weights \[out\]: shape \[nodes\], the integral of each node's shape function along the edge, by
+    ///   which tractions become nodal forces: they sum to its length (points on slanted and round
+    ///   outlines, whose forces are balanced, to some parts in a thousand of it) \[m\]; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_copy_edge_nodes(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        capacity: i64,
+        nodes: *mut i32,
+        fractions: *mut f64,
+        weights: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Elements or lattice cells with a side on an edge, from its start to its end.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: edge number
+    /// * capacity \[in\]: integers in elements
+    /// * elements \[out\]: shape \[elements\], indices from 0 as in bempd_copy_elements()
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_copy_edge_elements(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        capacity: i64,
+        elements: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Force that supports and neighbouring regions exert on a region at every node of an edge, at
+    /// the present load factor.
+    ///
+    /// The forces do work on the displacements of the nodes and on nothing else: those of an edge
+    /// that a support holds sum to bempd_edge_reaction(), those on both sides of an interface to
+    /// zero, and all that act on a region, with its loads, balance, each to rounding. The ends that
+    /// edges share are divided as there. Regions whose bonds cross where they touch are one body in
+    /// this: between them there are no forces of an edge.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * edge \[in\]: number of an edge that a support holds or that is an interface
+    /// * capacity \[in\]: nodes that forces has room for
+    /// * forces \[out\]: shape \[nodes\]\[2\], as bempd_copy_edge_nodes() has the nodes \[N\]
+    /// * return: status; another edge is an argument error
+    /// * since: 0.3
+    pub fn bempd_copy_edge_forces(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        capacity: i64,
+        forces: *mut f64,
     ) -> bempd_status;
 }
 extern "C" {
@@ -2432,8 +2650,35 @@ extern "C" {
     /// * since: 0.1
     pub fn bempd_state_save(model: *mut bempd_model, state: *mut *mut bempd_state) -> bempd_status;
 }
+/// Bonds, cracks, displacements, history: loads and supports keep the values they have when it is
+/// restored.
+pub const BEMPD_STATE_BODY: bempd_state_contents = 1;
+/// With the values of loads and supports, which restoring brings back.
+pub const BEMPD_STATE_BODY_AND_VALUES: bempd_state_contents = 2;
+/// What a saved state contains.
+///
+/// * since: 0.3
+pub type bempd_state_contents = ::std::os::raw::c_uint;
 extern "C" {
-    /// Bring a model back to a saved state. Loads and supports keep their present values.
+    /// Save the state as bempd_state_save(), with or without the values of loads and supports.
+    ///
+    /// Functions are part of a state in memory; those of a state that was read from bytes are not
+    /// there, and loads and supports that had them keep their present values.
+    ///
+    /// * model \[in\]: the model
+    /// * contents \[in\]: a bempd_state_contents
+    /// * state \[out\]: the saved state; free it with bempd_state_free()
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_state_save_with(
+        model: *mut bempd_model,
+        contents: i32,
+        state: *mut *mut bempd_state,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Bring a model back to a saved state. Loads and supports keep their present values, unless
+    /// the state was saved with theirs.
     ///
     /// Cracks of BEM regions that have grown are as long as they were when the state was saved. The
     /// scene is the same if the host has said the same: regions with their materials, initial
@@ -2480,6 +2725,33 @@ extern "C" {
     pub fn bempd_state_from_bytes(
         size: i64,
         bytes: *const u8,
+        state: *mut *mut bempd_state,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Write a saved state to a file, so that a run can go on after its process has ended.
+    ///
+    /// The file is there as a whole or not at all: the bytes are written beside it, lie on the
+    /// disk, and then take its place. What was there before, the last state say, stays until then.
+    ///
+    /// * state \[in\]: the state
+    /// * path \[in\]: file name, UTF-8; the folder must exist
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_state_write(
+        state: *const bempd_state,
+        path: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Read a saved state from a file.
+    ///
+    /// * path \[in\]: file name, UTF-8
+    /// * state \[out\]: the state; free it with bempd_state_free()
+    /// * return: status; BEMPD_ERROR_IO if it cannot be read, an argument error for what is no state
+    /// * since: 0.3
+    pub fn bempd_state_read(
+        path: *const ::std::os::raw::c_char,
         state: *mut *mut bempd_state,
     ) -> bempd_status;
 }

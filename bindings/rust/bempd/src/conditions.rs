@@ -38,7 +38,7 @@ pub struct BoundaryValue {
 }
 
 /// A part given as fractions of the edge, such as `..` or `0.2..0.5`.
-fn edge_part(region: RegionId, edge: i32, part: impl RangeBounds<f64>) -> EdgePart {
+pub(crate) fn edge_part(region: RegionId, edge: i32, part: impl RangeBounds<f64>) -> EdgePart {
     let number = |bound: Bound<&f64>, open: f64| match bound {
         Bound::Included(&value) | Bound::Excluded(&value) => value,
         Bound::Unbounded => open,

@@ -40,6 +40,7 @@
 
 mod cancel;
 mod conditions;
+mod edges;
 mod error;
 mod ids;
 mod kinds;
@@ -52,6 +53,7 @@ mod results;
 
 pub use cancel::CancelToken;
 pub use conditions::{BoundaryValue, Values};
+pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{

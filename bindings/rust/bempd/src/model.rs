@@ -285,8 +285,13 @@ impl Model {
         self.handle.save()
     }
 
+    /// The same with the values of loads and supports, which [`Model::restore`] then brings back.
+    pub fn save_with_values(&mut self) -> Result<State> {
+        self.handle.save_with_values()
+    }
+
     /// Brings the model back to a saved state, of this model or one with the same scene. Loads and supports keep their
-    /// present values.
+    /// present values, unless it was saved with theirs.
     pub fn restore(&mut self, state: &State) -> Result<()> {
         self.handle.restore(state)
     }
@@ -312,7 +317,7 @@ impl Model {
     }
 }
 
-fn utf8(path: &Path) -> Result<&str> {
+pub(crate) fn utf8(path: &Path) -> Result<&str> {
     path.to_str().ok_or_else(|| Error::Argument(format!("{path:?} is not UTF-8; give a path that is")))
 }
 

@@ -4,6 +4,7 @@
 mod callbacks;
 mod cancel;
 mod conditions;
+mod edges;
 mod handle;
 mod library;
 mod results;

@@ -1,9 +1,11 @@
 use std::fmt;
+use std::path::Path;
 use std::ptr::{self, NonNull};
 
 use bempd_sys as sys;
 
-use super::handle::{check, Handle};
+use super::handle::{check, terminated, Handle};
+use crate::model::utf8;
 use crate::Result;
 
 /// A saved state of a model, to repeat a step from or to keep as bytes.
@@ -19,6 +21,22 @@ impl State {
         // SAFETY: the bytes are given with their length, and the place for the result is valid.
         check(unsafe { sys::bempd_state_from_bytes(bytes.len() as i64, bytes.as_ptr(), &mut state) })?;
         Ok(State::own(state))
+    }
+
+    /// Reads a state from a file that [`State::write`] wrote.
+    pub fn read(path: impl AsRef<Path>) -> Result<State> {
+        let path = terminated(utf8(path.as_ref())?)?;
+        let mut state = ptr::null_mut();
+        // SAFETY: the path ends with a zero, and the place for the result is valid.
+        check(unsafe { sys::bempd_state_read(path.as_ptr(), &mut state) })?;
+        Ok(State::own(state))
+    }
+
+    /// Writes it to a file, which is there as a whole or not at all; a state before it stays until then.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<()> {
+        let path = terminated(utf8(path.as_ref())?)?;
+        // SAFETY: the state is valid and only read, and the path ends with a zero.
+        check(unsafe { sys::bempd_state_write(self.0.as_ptr(), path.as_ptr()) })
     }
 
     /// The state as bytes, with magic, version, byte order and checksum.
@@ -55,6 +73,15 @@ impl Handle {
         let mut state = ptr::null_mut();
         // SAFETY: the place for the result is valid.
         self.call(|model| unsafe { sys::bempd_state_save(model, &mut state) })?;
+        Ok(State::own(state))
+    }
+
+    pub(crate) fn save_with_values(&mut self) -> Result<State> {
+        let mut state = ptr::null_mut();
+        // SAFETY: the place for the result is valid.
+        self.call(|model| unsafe {
+            sys::bempd_state_save_with(model, sys::BEMPD_STATE_BODY_AND_VALUES as i32, &mut state)
+        })?;
         Ok(State::own(state))
     }
 

@@ -1,0 +1,167 @@
+"""A block of another program cools and pulls a cracked specimen: displacements to the specimen, forces back, each step
+repeated until both agree.
+
+usage: main.py [--peer numpy|dolfinx|both] [--short] [--checks] [FOLDER]
+    --peer    the program that has the block; both runs both and compares them
+    --short   a coarse lattice, as a test
+    --checks  the elastic answer beside that of one model that has all, and no fracture
+    FOLDER    for the picture; none without it
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import pathlib
+
+import bempd
+import numpy as np
+from block import Block
+
+COLDEST, COOLING = -90.0, 18.0  # [K], [K/h]: the wall becomes colder by so much an hour down to this
+STEP, MOST_BONDS = 0.5, 25  # [h]; a step that breaks more bonds is repeated with half of the time
+
+
+class Specimen:
+    """A strip of acrylic glass with an edge crack: boundary elements | lattice | boundary elements."""
+
+    def __init__(self, spacing: float, tough: bool = False) -> None:
+        self.model = model = bempd.Model()
+        acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005,
+                                     fracture_energy=0 if tough else 300)
+        left = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.020, 0.020), element_length=0.004)
+        self.strip = model.add_pd_region(acrylic, bempd.rectangle(0.020, 0, 0.040, 0.020), spacing=spacing)
+        self.right = model.add_bem_region(acrylic, bempd.rectangle(0.040, 0, 0.060, 0.020), element_length=0.004)
+        model.add_crack([(0.030 + spacing / 2, 0), (0.030 + spacing / 2, 0.0105)])
+        model.fix_edge(left, 4)
+        self.held = model.fix_edge(self.right, 2)  # driven by values at places from here on
+
+    def couple(self, points: np.ndarray) -> None:
+        """Where the nodes of the other program lie on the edge, and how those here lie between them."""
+        along = self.model.fractions_on_edge(self.right, 2, points)
+        if along.distances.max() > 1e-9:
+            raise SystemExit(f"nodes of the other program are {along.distances.max():g} m away from the edge")
+        self.fractions = along.fractions
+        here = self.model.edge_nodes(self.right, 2).fractions
+        unit = np.eye(len(points))
+        self.between = np.array([np.interp(here, self.fractions, column) for column in unit]).T
+
+    def forces(self, displacement: np.ndarray, hours: float) -> tuple[np.ndarray, bempd.StepReport]:
+        """On the nodes of the other program, by which its displacements do the work that is done here."""
+        self.model.set_support_values_at(self.held, self.fractions, constant=displacement)
+        report = self.model.step_to_values(hours)
+        return -self.between.T @ self.model.edge_forces(self.right, 2), report
+
+
+def agree(specimen: Specimen, peer, temperature: np.ndarray, guess: np.ndarray, hours: float):
+    """The fixed point of one step, with Aitken's relaxation; None if the step breaks too much."""
+    start = specimen.model.save()
+    displacement, last, relaxation = guess, None, 0.7
+    for trial in range(1, 101):
+        specimen.model.restore(start)
+        forces, report = specimen.forces(displacement, hours)
+        if report.broken_bonds > MOST_BONDS and not report.separated:
+            specimen.model.restore(start)
+            return None
+        change = peer.displacement(temperature, forces) - displacement
+        if np.abs(change).max() <= 1e-9 * np.abs(displacement).max() + 1e-15:
+            return displacement, forces, report, trial
+        if last is not None and np.any(change != last):
+            difference = (change - last).ravel()
+            relaxation = float(np.clip(-relaxation * (last.ravel() @ difference) / (difference @ difference), 0.05, 1.5))
+        displacement, last = displacement + relaxation * change, change
+    specimen.model.restore(start)
+    return None
+
+
+def run(peer, specimen: Specimen, steps: int) -> list[dict]:
+    specimen.couple(peer.points)
+    specimen.model.prepare()
+    temperature, displacement, hours, step = peer.start, np.zeros_like(peer.points), 0.0, STEP
+    rows: list[dict] = []
+    while len(rows) < steps and not (rows and rows[-1]["separated"]):
+        cold = max(COLDEST, -COOLING * (hours + step))
+        trial = peer.cooled(temperature, cold, step)
+        found = agree(specimen, peer, trial, displacement, hours + step)
+        if found is None:
+            if step < STEP / 2000:
+                break  # no time is short enough: what is left of the specimen breaks at once
+            step /= 2
+            continue
+        displacement, forces, report, trials = found
+        hours, temperature = hours + step, trial
+        rows.append({"hours": hours, "mean": peer.mean(temperature), "elongation": displacement[:, 0].mean(),
+                     "force": -forces[:, 0].sum(), "bonds": report.total_broken_bonds, "trials": trials,
+                     "separated": report.separated, "temperature": temperature})
+        step = min(STEP, 2 * step)
+    return rows
+
+
+def table(rows: list[dict]) -> str:
+    lines = ["   time [h]   block [K]  elongation [um]   force [N]  bonds  trials"]
+    lines += [f"{row['hours']:11.5f} {row['mean']:11.4f} {1e6 * row['elongation']:16.4f} {row['force']:11.4f} "
+              f"{row['bonds']:6d} {row['trials']:7d}" for row in rows]
+    return "\n".join(lines)
+
+
+def elastic_check(peer) -> str:
+    """A tough specimen and an evenly cold block: as one model, whose block is a region with a temperature."""
+    coupled = Specimen(spacing=0.001, tough=True)
+    coupled.couple(peer.points)
+    coupled.model.prepare()
+    block, cold = peer.block, np.full_like(peer.start, -60.0)
+    displacement, forces, _, trials = agree(coupled, peer, cold, np.zeros_like(peer.points), 1.0)
+    whole = Specimen(spacing=0.001, tough=True)
+    whole.model.remove_support(whole.held)
+    filled = whole.model.add_material(young_modulus=block.young_modulus, poisson_ratio=block.poisson_ratio,
+                                      thickness=block.thickness, thermal_expansion=block.thermal_expansion)
+    corners = bempd.rectangle(block.left, 0, block.left + block.width, block.height)
+    region = whole.model.add_bem_region(filled, corners, element_length=0.002)
+    wall = whole.model.fix_edge(region, 2)
+    whole.model.add_temperature(region, constant=-60.0)
+    force = whole.model.reaction(wall)[0]
+    apart = abs(-forces[:, 0].sum() / force - 1)
+    if apart > 2e-3:
+        raise SystemExit(f"not so: the coupled force is that of one model; they differ by {apart:.1e}")
+    return (f"elastic, block evenly at -60 K: {-forces[:, 0].sum():.3f} N after {trials} trials, one model {force:.3f} N, "
+            f"{apart:.1e} apart; the programs pass {displacement[:, 0].mean() * 1e6:.3f} um")
+
+
+def compare(one: list[dict], other: list[dict]) -> str:
+    if len(one) != len(other) or any(a["bonds"] != b["bonds"] for a, b in zip(one, other)):
+        raise SystemExit("not so: both programs break the same bonds in the same steps")
+    apart = max(abs(a["force"] - b["force"]) for a, b in zip(one, other)) / max(a["force"] for a in one)
+    if apart > 1e-6:
+        raise SystemExit(f"not so: both programs find the same forces; they differ by {apart:.1e}")
+    return f"the same bonds in the same {len(one)} steps; forces {apart:.1e} of the largest apart"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--peer", choices=("numpy", "dolfinx", "both"), default="numpy")
+    parser.add_argument("--short", action="store_true")
+    parser.add_argument("--checks", action="store_true")
+    parser.add_argument("folder", nargs="?", type=pathlib.Path)
+    arguments = parser.parse_args()
+    modules = {"numpy": ["block"], "dolfinx": ["block_dolfinx"], "both": ["block", "block_dolfinx"]}[arguments.peer]
+    spacing = 0.001 if arguments.short else 0.0005
+    results = []
+    for module in modules:
+        peer = importlib.import_module(module).Peer(Block())
+        specimen = Specimen(spacing)
+        results.append(run(peer, specimen, 200))
+        print(f"block in {peer.name}\n{table(results[-1])}")
+        if not results[-1][-1]["bonds"]:
+            raise SystemExit("not so: the crack grows")
+        if arguments.checks:
+            print(elastic_check(peer))
+    if len(results) == 2:
+        print(compare(*results))
+    if arguments.folder:
+        import picture
+
+        picture.draw(arguments.folder / "coupled_peer.png", results[0], specimen, peer)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "error.hpp"
+#include "model/model.hpp"
+#include "regions/places/edge_part.hpp"
+
+// Edges as a host that couples sees them: nodes, forces on them, and values given at them.
+namespace bempd::model {
+
+namespace {
+
+using EdgeWithNumber = std::pair<int, int>;  // id of the region, number
+
+}  // namespace
+
+std::vector<regions::EdgeNode> Model::edge_nodes(int region, int edge) {
+  region_with_edge(region, edge);
+  prepare();
+  return regions::edge_nodes(scene_, prepared_->discretization, region, edge);
+}
+
+std::vector<int> Model::edge_cells(int region, int edge) {
+  const std::vector<regions::EdgeNode> nodes = edge_nodes(region, edge);
+  return regions::edge_cells(prepared_->discretization, region, nodes);
+}
+
+// By all nodes: the forces of elements or bonds less those of the loads on them.
+Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
+  const regions::Discretization& d = prepared_->discretization;
+  const fracture::EvolutionState& state = prepared_->evolution->state();
+  const coupling::EquilibriumSystem& system = *prepared_->system;
+  std::set<int> terms;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(state.total_displacement.size());
+  for (const int id : body) {
+    const std::vector<int> own = d.region(id).terms();
+    terms.insert(own.begin(), own.end());
+    force += system.force_of_operator(d.region(id).nodes(), state.total_displacement, state.load_factor);
+  }
+  const std::vector<int> each_once(terms.begin(), terms.end());
+  force += system.force_of_terms(each_once, state.total_displacement, state.load_factor);
+  scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
+  const coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
+  return force - coupling::evaluate(loads, state.load_factor);
+}
+
+// A node of several interfaces of a body has for each the force that tractions make there on its side, and the same
+// share of what then is missing or left.
+std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
+  const regions::Discretization& d = prepared_->discretization;
+  const std::vector<int> body = regions::regions_of_body(d, region_id);
+  const std::vector<int> wanted = regions::interface_nodes(scene_, d, body, region_id, edge);
+  if (wanted.empty()) return {};
+  Eigen::VectorXd force = forces_from_outside(body);
+  std::set<EdgeWithNumber> held;
+  for (const scene::Condition& support : scene_.supports()) {
+    const auto name = support.removed() ? std::nullopt : support.place->edge();
+    if (name && std::find(body.begin(), body.end(), name->first) != body.end()) held.insert(*name);
+  }
+  for (const EdgeWithNumber& name : held)
+    for (const auto& [dof, part] : forces_of_supports(name.first, name.second)) force[dof] -= part;
+  std::map<int, std::vector<EdgeWithNumber>> edges_at;
+  for (const int id : body)
+    for (int k = 1; k <= scene_.region(id).edge_count(); ++k)
+      for (const int node : regions::interface_nodes(scene_, d, body, id, k)) edges_at[node].emplace_back(id, k);
+  std::map<int, Point> parts;
+  for (const int node : wanted) {
+    const std::vector<EdgeWithNumber>& edges = edges_at[node];
+    Point own = Point::Zero(), rest = force.segment<2>(2 * node);
+    if (edges.size() > 1) {
+      for (const EdgeWithNumber& name : edges) {
+        const Point there = traction_forces(name.first, name.second, {node}).front();
+        if (name == EdgeWithNumber(region_id, edge)) own = there;
+        rest -= there;
+      }
+    }
+    parts.emplace(node, own + rest / static_cast<double>(edges.size()));
+  }
+  return parts;
+}
+
+std::vector<Point> Model::edge_forces(int region, int edge) {
+  region_with_edge(region, edge);
+  ensure_equilibrium();
+  const std::map<int, double> of_supports = forces_of_supports(region, edge);
+  const std::map<int, Point> of_neighbours = forces_of_neighbours(region, edge);
+  require(!of_supports.empty() || !of_neighbours.empty(), "edge ", edge, " of region ", region,
+          " is neither held by a support nor an interface with another region without bonds across it; ask for the "
+          "forces of such an edge");
+  std::vector<Point> forces;
+  for (const regions::EdgeNode& n : edge_nodes(region, edge)) {
+    Point force = Point::Zero();
+    for (int component = 0; component < 2; ++component) {
+      const auto part = of_supports.find(2 * n.node + component);
+      if (part != of_supports.end()) force[component] = part->second;
+    }
+    if (const auto part = of_neighbours.find(n.node); part != of_neighbours.end()) force += part->second;
+    if (!force.allFinite())
+      fail(Failure::unsolvable, "a result is beyond the range of numbers; choose other units or smaller loads");
+    forces.push_back(force);
+  }
+  return forces;
+}
+
+void Model::set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional) {
+  const char* what = of_support ? "support" : "load";
+  const scene::Condition& condition = of_support ? scene_.support(id) : scene_.load(id);
+  const auto* part = dynamic_cast<const regions::EdgePart*>(condition.place.get());
+  require(part != nullptr, what, " ", id, " does not lie along an edge, which has nodes in order");
+  prepare();
+  const std::vector<regions::PlacedNode> nodes = part->nodes(scene_, prepared_->discretization);
+  require(constant.size() == 2 * nodes.size(), what, " ", id, " has ", nodes.size(),
+          " nodes, and there are values for ", constant.size() / 2,
+          "; bempd_copy_edge_nodes() tells of all nodes of its edge");
+  scene::PlacedValues values{{}, std::move(constant), std::move(proportional)};
+  for (const regions::PlacedNode& n : nodes) values.fractions.push_back(n.fraction);
+  if (of_support) {
+    set_support_values(id, std::move(values));
+  } else {
+    set_load_values(id, std::move(values));
+  }
+}
+
+}  // namespace bempd::model

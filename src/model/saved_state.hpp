@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fracture/evolution_state.hpp"
+#include "model/fingerprint.hpp"
+#include "results/tip_record.hpp"
+#include "scene/scene_values.hpp"
+
+namespace bempd::model {
+
+// State of a run, tied to a scene by its fingerprint.
+struct SavedState {
+  SceneFingerprint scene;
+  std::uint64_t load_fingerprint = 0;
+  fracture::EvolutionState evolution;
+  std::vector<results::TipRecord> tips;  // not among its bytes
+  // With which the last step had ended, none before the first; functions are not among the bytes.
+  std::optional<scene::SceneValues> in_force;
+  bool on_a_way = false;
+  double end_of_way = 0;
+  std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
+};
+
+// Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.
+std::vector<std::uint8_t> to_bytes(const SavedState& state);
+SavedState from_bytes(const std::uint8_t* bytes, std::size_t size);
+
+// The same in a file, which is replaced as a whole (state_files.cpp). Throws Error (io).
+void write_state(const SavedState& state, const std::string& path);
+SavedState read_state(const std::string& path);
+
+}  // namespace bempd::model

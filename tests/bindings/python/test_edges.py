@@ -1,0 +1,124 @@
+"""Edges as hosts see them: nodes and forces, values at nodes and places, states with the values of loads and supports."""
+
+import bempd
+import numpy as np
+import pytest
+from conftest import make_plate, make_strip
+
+
+def test_forces_sum_to_the_reaction_and_do_the_work(strip):
+    model = strip.model
+    work, last = 0.0, {}
+    for step in range(1, 4):
+        report = model.step(10 * step)
+        for region, edge in ((strip.left, 4), (strip.right, 2)):
+            nodes, forces = model.edge_nodes(region, edge).nodes, model.edge_forces(region, edge)
+            moved = model.field(region, "displacement")[nodes]
+            before, from_where = last.get(region, (np.zeros_like(forces), np.zeros_like(moved)))
+            work += 0.5 * np.sum((before + forces) * (moved - from_where))
+            last[region] = forces, moved
+    assert report.total_events == 0
+    assert work == pytest.approx(report.work, rel=1e-11)
+    reaction = model.reaction(strip.pulled)
+    np.testing.assert_allclose(last[strip.right][0].sum(axis=0), reaction, atol=1e-12 * abs(reaction).max())
+
+
+def test_forces_on_both_sides_of_an_interface_balance(strip):
+    model = strip.model
+    model.run_to_separation(60)
+    one, other = model.edge_forces(strip.left, 2), model.edge_forces(strip.middle, 4)
+    np.testing.assert_allclose(one, -other[::-1], atol=1e-10 * abs(one).max())
+    np.testing.assert_allclose(one.sum(axis=0), -model.reaction(strip.held), atol=1e-10 * abs(one).sum())
+
+
+def test_nodes_lie_in_order_with_their_weights(strip):
+    model = strip.model
+    for region, edge in ((strip.left, 3), (strip.middle, 1), (strip.right, 2)):
+        found = model.edge_nodes(region, edge)
+        assert found.fractions[0] == 0 and found.fractions[-1] == 1 and (np.diff(found.fractions) > 0).all()
+        assert found.weights.sum() == pytest.approx(0.02, rel=1e-12)
+        places = model.field(region, "position")[found.nodes]
+        on_edge = model.fractions_on_edge(region, edge, places)
+        np.testing.assert_allclose(on_edge.fractions, found.fractions, atol=1e-12)
+        assert on_edge.distances.max() < 1e-15
+        elements = model.elements(region)[model.edge_elements(region, edge)]
+        assert set(found.nodes) <= set(elements.ravel()) and len(elements) >= (len(found.nodes) - 1) / 2
+
+
+def test_values_at_nodes_and_places(strip):
+    model = strip.model
+    edge = model.edge_nodes(strip.right, 2)
+    driven = 1e-5 * np.column_stack([1 + edge.fractions, np.zeros_like(edge.fractions)])
+    model.set_support_nodal_values(strip.pulled, constant=driven)
+    model.step(1)
+    np.testing.assert_array_equal(model.field(strip.right, "displacement")[edge.nodes, 0], driven[:, 0])
+    model.set_support_values_at(strip.pulled, [0, 1], constant=[(1e-5, 0), (2e-5, 0)])
+    model.step_to_values(2)
+    np.testing.assert_allclose(model.field(strip.right, "displacement")[edge.nodes, 0], driven[:, 0], rtol=1e-14)
+    model.set_support_values(strip.pulled, 0.0)
+
+
+def test_forces_on_nodes_are_those_of_a_traction(plate):
+    load = plate.model.add_edge_forces(plate.plate, 2)
+    weights = plate.model.edge_nodes(plate.plate, 2).weights
+    with pytest.raises(bempd.OrderError):
+        plate.model.add_edge_forces(plate.plate, 3)
+    plate.model.set_load_nodal_values(load, 1e6 * np.column_stack([weights, 0 * weights]))
+    plate.model.step(1)
+    other = make_plate()
+    other.model.add_traction(other.plate, 2, "x", 1e6)
+    other.model.step(1)
+    expected = other.model.field(other.plate, "displacement")
+    np.testing.assert_allclose(plate.model.field(plate.plate, "displacement"), expected, atol=1e-12 * abs(expected).max())
+    plate.model.set_load_values_at(load, [0.0], constant=[(0, 0)])
+    assert abs(plate.model.field(plate.plate, "displacement")).max() == 0
+
+
+def test_states_contain_values_if_asked(strip):
+    model = strip.model
+    model.set_support_values(strip.pulled, constant=1e-5)
+    model.step(1)
+    force = model.reaction(strip.pulled)
+    with_values, without = model.save(values=True), model.save()
+    model.set_support_values(strip.pulled, constant=3e-5)
+    for state, expected in ((without, 3 * force), (with_values, force),
+                            (bempd.State.from_bytes(with_values.to_bytes()), force)):
+        model.restore(state)
+        np.testing.assert_allclose(model.reaction(strip.pulled), expected, atol=1e-9 * abs(force).max())
+
+
+def test_a_checkpoint_is_a_file_to_resume_from(strip, tmp_path):
+    model, file = strip.model, tmp_path / "strip.state"
+    model.run_to_separation(60)
+    model.set_support_values(strip.pulled, constant=1e-5)
+    model.checkpoint(file)
+    assert bempd.State.read(file) == model.save(values=True) and list(tmp_path.iterdir()) == [file]
+    other = make_strip()
+    other.model.resume(file)
+    for one in (strip, other):
+        one.model.step(80)
+    assert other.model.history().tobytes() == model.history().tobytes()
+    with pytest.raises(bempd.FileError, match="cannot read .*nothing.state"):
+        model.resume(tmp_path / "nothing.state")
+    with pytest.raises(bempd.FileError, match="no_such_folder"):
+        model.checkpoint(tmp_path / "no_such_folder" / "a.state")
+    file.write_bytes(file.read_bytes()[:100])
+    with pytest.raises(bempd.ArgumentError, match="damaged|early"):
+        model.resume(file)
+
+
+def test_what_does_not_fit_is_refused():
+    strip = make_strip()
+    model = strip.model
+    with pytest.raises(bempd.ArgumentError, match="3 nodes|nodes, and there are values for 1"):
+        model.set_support_nodal_values(strip.pulled, constant=[(0, 0)])
+    with pytest.raises(bempd.ArgumentError, match="set_support_values_at: fractions have the shape"):
+        model.set_support_values_at(strip.pulled, [0, 1], constant=[(0, 0)])
+    with pytest.raises(bempd.ArgumentError, match="values have the shape none"):
+        model.set_support_values_at(strip.pulled, [0])
+    with pytest.raises(bempd.ArgumentError, match="order along the part"):
+        model.set_support_values_at(strip.pulled, [1, 0], constant=[(0, 0), (0, 0)])
+    with pytest.raises(bempd.ArgumentError, match="neither held"):
+        model.edge_forces(strip.middle, 1)
+    with pytest.raises(bempd.ArgumentError, match="edge 9 does not exist"):
+        model.edge_nodes(strip.middle, 9)
