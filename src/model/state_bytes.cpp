@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 7;
+constexpr std::uint32_t format_version = 8;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -45,6 +45,10 @@ void visit_members(Tip& t, Visit& visit) {
   visit(t.law), visit(t.energy_ratios);
 }
 
+template <class Face, class Visit>
+requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
+void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), visit(f.normal_y); }
+
 template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
 void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.proportional); }
@@ -70,6 +74,7 @@ class Writer {
   void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(const fracture::GrowingTip& tip) { visit_members(tip, *this); }
+  void operator()(const fracture::GrownFace& face) { visit_members(face, *this); }
   void operator()(const scene::Values& values) {
     const auto* samples = std::get_if<scene::SampledValues>(&values);
     (*this)(samples != nullptr);
@@ -118,6 +123,7 @@ class Reader {
   void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(fracture::GrowingTip& tip) { visit_members(tip, *this); }
+  void operator()(fracture::GrownFace& face) { visit_members(face, *this); }
   void operator()(scene::Values& values) {
     bool sampled = false;
     (*this)(sampled);
@@ -174,6 +180,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions);
+  visit(e.faces.grown), visit(e.faces.closed), visit(e.contact_switches);
   visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
 }
 
@@ -236,8 +243,8 @@ void require_consistent(const fracture::EvolutionState& e) {
   sound(std::isfinite(e.load_factor) && e.displacement.allFinite() && e.total_displacement.allFinite() &&
             e.total_force.allFinite(),
         "a displacement or a force is not a finite number");
-  sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0, "a count is negative");
-  sound(are_flags(e.unloaded), "a flag is neither 0 nor 1");
+  sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0 && e.contact_switches >= 0, "a count is negative");
+  sound(are_flags(e.unloaded) && are_flags(e.faces.closed), "a flag is neither 0 nor 1");
   sound(std::all_of(e.springs.begin(), e.springs.end(), [&](const auto& spring) { return is_sound(spring, dofs); }),
         "a spring that holds a free piece is at no node or no spring");
   sound(std::all_of(e.history.begin(), e.history.end(), [](const auto& line) { return is_sound(line); }),
