@@ -724,6 +724,9 @@ typedef struct bempd_step_report {
   int32_t hanging;        /**< 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which
                              bears nothing, or less than the option stepping.separation_share of the peak */
   int32_t reserved;       /**< 0 */
+  int64_t closed_places;  /**< places at which faces of cracks in lattices press on each other at the end, about one a
+                             spacing (option pd.contact) */
+  int64_t face_switches;  /**< how often such places have closed or opened in this step */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill

@@ -321,6 +321,11 @@ module bempd_c
     integer(c_int32_t) :: hanging
     !> 0
     integer(c_int32_t) :: reserved
+    !> places at which faces of cracks in lattices press on each other at the end, about one a spacing (option
+    !> pd.contact)
+    integer(c_int64_t) :: closed_places
+    !> how often such places have closed or opened in this step
+    integer(c_int64_t) :: face_switches
   end type bempd_step_report
 
   !> A piece of the body. Fill it with bempd_piece_init().

@@ -50,6 +50,7 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.unstable_event = result.unstable_event;
   r.resistance = state.resistance.present;
   r.peak_resistance = state.resistance.peak;
+  r.face_switches = result.face_switches;
   return r;
 }
 
@@ -64,6 +65,7 @@ bempd_status advance(bempd_model* handle, const char* function, const char* targ
     if (!report) return;
     bempd_step_report r = report_of(result, m.prepared().evolution->progress());
     r.hanging = m.hangs() ? 1 : 0;
+    r.closed_places = static_cast<std::int64_t>(m.prepared().system->contacts().closed_count());
     write_struct(report, r, "report");
   });
 }

@@ -17,6 +17,7 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
   } else {
     terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   }
+  contacts_.add_forces(displacement.data(), force.data());
   for (const CondensedOperator& op : operators_) op.add_internal_force(displacement, load_factor, force);
   ties_.collect(force);
   return force;
@@ -50,6 +51,7 @@ double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double loa
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (intact_[t]) sum += terms_.energy(t, present_stiffness_[t], displacement.data(), load_factor);
   }
+  sum += contacts_.energy(displacement.data());
   for (const CondensedOperator& op : operators_) sum += op.energy(displacement, load_factor);
   return sum;
 }
@@ -74,6 +76,7 @@ double EquilibriumSystem::unit_energy(const Eigen::VectorXd& proportional) const
     const double elastic = terms_.elastic_elongation_part(t, proportional.data(), 1);
     sum += 0.5 * present_stiffness_[t] * elastic * elastic;
   }
+  sum += contacts_.energy(proportional.data());
   for (const CondensedOperator& op : operators_) sum += op.unit_energy(proportional);
   return sum;
 }
@@ -82,6 +85,7 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
   const Eigen::VectorXd displacement = displacement_of(unknowns);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * node_count_);
   terms_.add_forces(present_stiffness_, displacement.data(), force.data());
+  contacts_.add_forces(displacement.data(), force.data());
   ties_.collect(force);
   for (const CondensedOperator& op : operators_) {
     if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
@@ -125,6 +129,7 @@ void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const 
     }
   }
   for (int t : terms_.wide.term) add(static_cast<std::size_t>(t));
+  add_pressing_supports(support, load);
   for (const HoldingSpring& s : springs_) {
     const int x = 2 * s.node;
     const Eigen::RowVector2d moved = s.cosine * support.row(x) + s.sine * support.row(x + 1);
@@ -133,6 +138,17 @@ void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const 
     load.row(x) += s.cosine * pull;
     load.row(x + 1) += s.sine * pull;
   }
+}
+
+void EquilibriumSystem::add_pressing_supports(const Affine& support, Affine& load) const {
+  contacts_.for_each_closed([&](const Contact& contact) {
+    const Eigen::RowVector2d tension = contact.stiffness * Eigen::RowVector2d(contact.gap(support.col(0).data()),
+                                                                              contact.gap(support.col(1).data()));
+    for (const TermEntry& e : contact.pull) {
+      load.row(2 * e.node) -= e.x * tension;
+      load.row(2 * e.node + 1) -= e.y * tension;
+    }
+  });
 }
 
 // Terms pull with q - k e0 where nothing moves.

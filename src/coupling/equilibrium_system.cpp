@@ -172,10 +172,14 @@ void EquilibriumSystem::condense_load() {
 }
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
-  if (!assembly_) {
-    assembly_ = std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric());
-  }
-  return assembly_->sum(present_stiffness_, springs_);
+  const auto make = [&](const Contacts& with_room) {
+    assembly_ = std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(),
+                                                    with_room);
+  };
+  // Faces that never touch leave the pattern as it is.
+  if (!assembly_) make({});
+  if (!assembly_->has_room_for(contacts_)) make(contacts_);
+  return assembly_->sum(present_stiffness_, springs_, contacts_);
 }
 
 void EquilibriumSystem::factorize() {

@@ -11,6 +11,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/condensed_operator.hpp"
+#include "coupling/contacts.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "coupling/solver_counters.hpp"
@@ -108,6 +109,15 @@ class EquilibriumSystem {
   void mark(std::span<const StageChange> changes);
   void commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs);
 
+  // Places where faces may press on each other; the closed ones are a part of the matrix and of forces and energies.
+  const Contacts& contacts() const { return contacts_; }
+  void add_contact(Contact contact) { contacts_.add(std::move(contact)); }
+  void replace_open_contact(std::size_t place, Contact contact) { contacts_.replace(place, std::move(contact)); }
+  // Closes those that are open and opens those that are closed: rank-one changes of the factor.
+  void switch_contacts(std::span<const int> places);
+  // All of them at once; the next solve factorizes afresh if that changes the matrix.
+  void set_contacts(Contacts contacts);
+
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
@@ -190,6 +200,7 @@ class EquilibriumSystem {
   Affine right_hand_side() const;
   void add_supports(const Affine& support, Affine& load) const;
   void add_offsets(Affine& load) const;
+  void add_pressing_supports(const Affine& support, Affine& load) const;
   Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
   Eigen::VectorXd solve_column(const Eigen::VectorXd& rhs);
   // All nodes' displacements from the unknowns, prescribed ones at 0.
@@ -211,6 +222,7 @@ class EquilibriumSystem {
   std::vector<char> intact_;
   std::vector<double> present_stiffness_;
   std::vector<HoldingSpring> springs_;
+  Contacts contacts_;
   Unknowns unknowns_;
   Affine force_, prescribed_, condensed_load_;
   std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0

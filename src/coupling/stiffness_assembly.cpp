@@ -20,12 +20,13 @@ void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int n
 }
 
 StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
-                                     const std::vector<CondensedOperator>& operators, bool symmetric)
+                                     const std::vector<CondensedOperator>& operators, bool symmetric,
+                                     const Contacts& contacts)
     : unknown_of_(unknown_of), terms_(terms), ties_(ties), operators_(operators), symmetric_(symmetric) {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (is_general(t)) general_.push_back(t);
   }
-  make_pattern();
+  make_pattern(contacts);
   find_places();
 }
 
@@ -38,19 +39,27 @@ bool StiffnessAssembly::is_general(std::size_t term) const {
 
 std::vector<int> StiffnessAssembly::nodes_pulled(std::size_t term) const {
   std::vector<int> nodes;
-  terms_.for_each_node(term, [&](int node) {
-    const int tie = ties_.tie_of(node);
-    if (tie < 0) {
-      nodes.push_back(node);
-      return;
-    }
-    for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
-  });
+  terms_.for_each_node(term, [&](int node) { add_node_pulled(node, nodes); });
   return nodes;
 }
 
+void StiffnessAssembly::add_node_pulled(int node, std::vector<int>& nodes) const {
+  const int tie = ties_.tie_of(node);
+  if (tie < 0) {
+    nodes.push_back(node);
+    return;
+  }
+  for (const NodeTies::Master& m : ties_.masters(tie)) nodes.push_back(m.node);
+}
+
+std::vector<UnknownEntry> StiffnessAssembly::pull_of(const Contact& contact) const {
+  std::vector<UnknownEntry> pull;
+  for (const TermEntry& e : contact.pull) append_pull(unknown_of_, ties_, e.node, e.x, e.y, 1, pull);
+  return pull;
+}
+
 template <class Visit>
-void StiffnessAssembly::each_pair(const Visit& visit) const {
+void StiffnessAssembly::each_pair(const Contacts& contacts, const Visit& visit) const {
   for (std::size_t b = 0; b < terms_.size(); ++b) visit(terms_.first[b], terms_.second[b]);
   const auto each_of = [&](const std::vector<int>& nodes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -64,6 +73,11 @@ void StiffnessAssembly::each_pair(const Visit& visit) const {
       for (std::size_t j = 0; j < i; ++j) visit(entries[i].node, entries[j].node);
     }
   }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::vector<int> nodes;
+    for (const TermEntry& e : contacts[i].pull) add_node_pulled(e.node, nodes);
+    each_of(nodes);
+  }
   for (const CondensedOperator& op : operators_) {
     std::vector<int> nodes;
     for (int dof : op.shared_dofs()) {
@@ -73,18 +87,18 @@ void StiffnessAssembly::each_pair(const Visit& visit) const {
   }
 }
 
-linalg::Adjacency StiffnessAssembly::partners() const {
+linalg::Adjacency StiffnessAssembly::partners(const Contacts& contacts) const {
   const auto has_column = [&](int column, int row) { return column != row && (!symmetric_ || column < row); };
   return linalg::make_adjacency(unknown_of_.size() / 2, [&](const auto& add) {
-    each_pair([&](int a, int b) {
+    each_pair(contacts, [&](int a, int b) {
       if (has_column(a, b)) add(a, b);
       if (has_column(b, a)) add(b, a);
     });
   });
 }
 
-void StiffnessAssembly::make_pattern() {
-  linalg::Adjacency partners = this->partners();
+void StiffnessAssembly::make_pattern(const Contacts& contacts) {
+  linalg::Adjacency partners = this->partners(contacts);
   const auto size =
       static_cast<Eigen::Index>(std::count_if(unknown_of_.begin(), unknown_of_.end(), [](int u) { return u >= 0; }));
   matrix_.resize(size, size);
@@ -244,12 +258,39 @@ void StiffnessAssembly::add_springs(const std::vector<HoldingSpring>& springs) {
   }
 }
 
+bool StiffnessAssembly::has_room_for(const Contacts& contacts) const {
+  bool room = true;
+  contacts.for_each_closed([&](const Contact& contact) {
+    const std::vector<UnknownEntry> pull = pull_of(contact);
+    for (const UnknownEntry& row : pull) {
+      for (const UnknownEntry& column : pull) {
+        const int at = place(row.unknown, column.unknown);
+        room = room && (at < 0 || (at < matrix_.outerIndexPtr()[column.unknown + 1] &&
+                                   matrix_.innerIndexPtr()[at] == row.unknown));
+      }
+    }
+  });
+  return room;
+}
+
+void StiffnessAssembly::add_contacts(const Contacts& contacts) {
+  contacts.for_each_closed([&](const Contact& contact) {
+    const std::vector<UnknownEntry> pull = pull_of(contact);
+    for (const UnknownEntry& row : pull) {
+      for (const UnknownEntry& column : pull)
+        add(row.unknown, column.unknown, contact.stiffness * row.weight * column.weight);
+    }
+  });
+}
+
 const Eigen::SparseMatrix<double>& StiffnessAssembly::sum(const std::vector<double>& stiffness,
-                                                          const std::vector<HoldingSpring>& springs) {
+                                                          const std::vector<HoldingSpring>& springs,
+                                                          const Contacts& contacts) {
   std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.0);
   add_bonds(stiffness);
   add_operators();
   add_springs(springs);
+  add_contacts(contacts);
   return matrix_;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/condensed_operator.hpp"
+#include "coupling/contacts.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "linalg/adjacency.hpp"
@@ -26,22 +27,27 @@ void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int n
 // found once; summing up anew costs one pass over the terms.
 class StiffnessAssembly {
  public:
-  // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only.
+  // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only. Each
+  // of `contacts` has its entries even if no term has them.
   StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
-                    const std::vector<CondensedOperator>& operators, bool symmetric);
+                    const std::vector<CondensedOperator>& operators, bool symmetric, const Contacts& contacts = {});
 
-  // A term that is gone has the stiffness 0; its entries stay, so that the pattern does not change.
+  // A term that is gone has the stiffness 0; its entries stay, so that the pattern does not change. Closed contacts have
+  // room.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
-                                         const std::vector<HoldingSpring>& springs);
+                                         const std::vector<HoldingSpring>& springs, const Contacts& contacts = {});
+  bool has_room_for(const Contacts& contacts) const;  // the closed ones
 
  private:
   // visit(node, other) for every two nodes with common entries, some of them several times.
   template <class Visit>
-  void each_pair(const Visit& visit) const;
+  void each_pair(const Contacts& contacts, const Visit& visit) const;
   // Nodes coupled to each node, those with a smaller number left out where the matrix is symmetric.
-  linalg::Adjacency partners() const;
-  void make_pattern();
+  linalg::Adjacency partners(const Contacts& contacts) const;
+  void make_pattern(const Contacts& contacts);
   std::vector<int> nodes_pulled(std::size_t term) const;
+  void add_node_pulled(int node, std::vector<int>& nodes) const;  // or those that it follows
+  std::vector<UnknownEntry> pull_of(const Contact& contact) const;
   bool is_general(std::size_t term) const;
   int place(int row, int column) const;  // -1: in the triangle left out
   void add(int row, int column, double value);
@@ -53,6 +59,7 @@ class StiffnessAssembly {
   void add_bonds(const std::vector<double>& stiffness);
   void add_operators();
   void add_springs(const std::vector<HoldingSpring>& springs);
+  void add_contacts(const Contacts& contacts);
 
   const std::vector<int>& unknown_of_;
   const Terms& terms_;

@@ -11,9 +11,10 @@ namespace bempd::fracture {
 
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                                std::vector<double> critical_stretch, const std::vector<int>& cut,
-                               std::vector<std::vector<int>> reaction_dofs)
+                               std::vector<std::vector<int>> reaction_dofs, ContactPlan contact)
     : system_(system),
-      body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), state_),
+      body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), std::move(contact),
+            state_),
       sources_(body_, cut) {
   state_.work = body_.energy_at_rest();
 }
@@ -73,6 +74,10 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
            " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
     }
     sources_.mark();
+    if (next->is_contact) {
+      pass(sources_.perform());
+      continue;
+    }
     const bool increments = options.mode == SteppingMode::increments;
     if (!perform(*next, options, increments && state_.events > events_before)) {
       end_step();
@@ -165,6 +170,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
   ++state_.events;
   state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
+  state_.contact_switches += outcome.switches;
   add(state_.resistance, event, outcome);
   if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
   HistoryEntry line;
@@ -175,6 +181,12 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
   line.critical_stored_energy = in_range(outcome.critical_stored_energy + within(event.critical_load_factor));
   line.residual = outcome.residual;
   write_line(line, outcome.energy_scale, outcome.reactions);
+}
+
+// On the way between two events, where nothing breaks.
+void CrackEvolution::pass(const Outcome& outcome) {
+  state_.work = in_range(state_.work + outcome.work_before);
+  state_.contact_switches += outcome.switches;
 }
 
 void CrackEvolution::end_step() {

@@ -35,7 +35,7 @@ class CrackEvolution {
   // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are gone from the start.
   CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
-                 std::vector<std::vector<int>> reaction_dofs);
+                 std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
   // Before the first step: cracks grow as lines from these tips, by the laws that they name.
   void grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips);
@@ -100,6 +100,9 @@ class CrackEvolution {
     sources_.bring_up_to_date();
     return body_.reaction_at(dof);
   }
+  // Of places where faces of cracks meet: those on initial cracks, and whether a bond and normal make a grown one.
+  std::size_t initial_faces() const { return body_.faces().initial_count(); }
+  bool can_have(const GrownFace& face) const { return body_.faces().can_have(face); }
   double seconds_search() { return body_.seconds_search(); }
 
   // In the present state of the bonds, under the present loads.
@@ -129,6 +132,7 @@ class CrackEvolution {
   double within(double load_factor) const;
   double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
+  void pass(const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.
   void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions);

@@ -22,6 +22,9 @@ struct Event {
   // Of these terms and those that follow them, ascending; not told where the event lies beyond the target.
   std::vector<coupling::StageChange> changes;
 
+  // Nothing breaks: faces of cracks close or open on the way.
+  bool is_contact = false;
+
   // By one of its terms.
   void reach(double ratio_of_term, double critical_of_term) {
     if (ratio_of_term <= ratio) return;
@@ -32,7 +35,8 @@ struct Event {
 
 // What an event did.
 struct Outcome {
-  std::int64_t broken = 0;  // terms that are gone
+  std::int64_t broken = 0;    // terms that are gone
+  std::int64_t switches = 0;  // places of faces that have closed or opened
   double work_before = 0;   // of the loads on the way to the event
   double work = 0;          // of the event itself
   double released_energy = 0;

@@ -7,7 +7,7 @@
 namespace bempd::fracture {
 
 EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
-    : body_(body), whole_body_(body), window_(body, [this] { keep_present(); }) {
+    : body_(body), whole_body_(body), contact_(body), window_(body, [this] { keep_present(); }) {
   window_.expect_cracks(cut);
 }
 
@@ -23,8 +23,7 @@ void EventSources::grow_lines(std::vector<pd::TipLaw> laws) {
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
   if (lines_) {
-    told_ = &*lines_;
-    return lines_->next(target, options);
+    return first_of(*lines_, lines_->next(target, options), target);
   }
   const bool possible = may_use_window(target, options);
   if (window_.is_open() && !(possible && window_.suits(options))) settle();
@@ -41,15 +40,21 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     }
     settle();
   }
-  told_ = &whole_body_;
-  return whole_body_.next(target, options);
+  return first_of(whole_body_, whole_body_.next(target, options), target);
+}
+
+// An event of a source on the way to the target, or faces that close or open before it.
+const Event* EventSources::first_of(EventSource& source, const Event* event, double target) {
+  const Event* contact = contact_.before(event, target);
+  told_ = contact ? static_cast<EventSource*>(&contact_) : &source;
+  return contact ? contact : event;
 }
 
 void EventSources::open_window(double target, const SteppingOptions& options) {
   if (body_.state().separated || whole_body_events_ > 0) return;
   const bool path = options.control == Control::path;
   const std::optional<double> next = path ? body_.next_on_path(target) : body_.next_break(target);
-  if (!next || *next > target) return;
+  if (!next || *next > target || contact_.is_before(*next)) return;
   if (!window_.open(*next, options)) be_patient();
 }
 

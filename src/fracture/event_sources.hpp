@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "fracture/contact/contact_events.hpp"
 #include "fracture/line/line_events.hpp"
 #include "fracture/whole_body_events.hpp"
 #include "fracture/window/window_events.hpp"
@@ -49,12 +50,14 @@ class EventSources {
 
   bool may_use_window(double target, const SteppingOptions& options) const;
   void open_window(double target, const SteppingOptions& options);
+  const Event* first_of(EventSource& source, const Event* event, double target);
   void be_patient();
   void keep_present();
   void complete_mark();
 
   LoadedBody& body_;
   WholeBodyEvents whole_body_;
+  ContactEvents contact_;
   WindowEvents window_;
   std::optional<LineEvents> lines_;
   EventSource* told_ = nullptr;  // the next event

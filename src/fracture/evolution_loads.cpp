@@ -42,6 +42,7 @@ void CrackEvolution::find_equilibrium() {
     require_balance(body_.residual(), 0);
     held_ = std::move(found.held);
     state_.fragments += found.fragments;
+    state_.contact_switches += found.switches;
     state_.work = in_range(state_.work + found.work);
   } catch (...) {
     static_cast<BodyState&>(state_) = std::move(before);

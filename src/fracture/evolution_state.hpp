@@ -6,6 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
+#include "fracture/contact/face_state.hpp"
 #include "fracture/line/growing_tip.hpp"
 
 namespace bempd::fracture {
@@ -56,6 +57,7 @@ struct BodyState {
   std::vector<coupling::HoldingSpring> springs;
   std::vector<char> unloaded;    // nodes whose loads have gone with a piece that came free
   std::vector<GrowingTip> tips;  // of cracks that grow as lines
+  FaceState faces;               // of cracks, where they can close
 };
 
 // What the body bears: half of the sum of the magnitudes of all support forces and nodal loads, the pull in a tensile
@@ -78,6 +80,7 @@ struct Sums {
   double worst_energy_balance_error = 0;
   double residual = 0;  // at the last line of the history
   Resistance resistance;
+  std::int64_t contact_switches = 0;  // places of faces that have closed or opened
   double work_out_of_balance = 0;  // of loads since equilibrium was lost, as far as it is stored
 };
 

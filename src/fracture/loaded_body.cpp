@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "cancellation.hpp"
+#include "error.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
@@ -14,6 +17,9 @@ namespace {
 
 // From this residual on a motion may have lost its resistance.
 constexpr double suspicious_residual = 1e-8;
+
+// Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
+constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 
 std::vector<int> nodes_with_force(const coupling::Affine& force) {
   std::vector<int> nodes;
@@ -29,11 +35,12 @@ using coupling::evaluate;
 
 LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                        std::vector<double> critical_stretch, const std::vector<int>& cut,
-                       std::vector<std::vector<int>> reaction_dofs, BodyState& state)
+                       std::vector<std::vector<int>> reaction_dofs, ContactPlan contact, BodyState& state)
     : system_(system),
       positions_(positions),
       freed_parts_(system, positions),
       ratios_(system.terms(), std::move(critical_stretch)),
+      faces_(system, positions, std::move(contact), cut),
       reaction_dofs_(std::move(reaction_dofs)),
       state_(state) {
   const Eigen::Index dofs = 2 * system.node_count();
@@ -107,10 +114,12 @@ void LoadedBody::drop_loads(const std::vector<int>& nodes) {
 
 LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   const Eigen::VectorXd before = state_.total_displacement;
+  const double stored_before = stored_energy();
+  update_faces();
   FreedParts freed = freed_parts_.all_pieces(before);
   system_.commit({}, freed.springs);
   if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
-  FirstEquilibrium result{0, freed.fragments, {}};
+  FirstEquilibrium result{0, freed.fragments, {}, 0};
   for (const coupling::HoldingSpring& spring : freed.springs) result.held.push_back(spring.node);
   const bool cracked = std::find(system_.intact().begin(), system_.intact().end(), 0) != system_.intact().end();
   if (cracked) {
@@ -121,9 +130,13 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   } else {
     solve();  // what moves freely without cracks is the host's mistake
   }
+  const bool had_contact = system_.contacts().closed_count() > 0;
+  result.switches = settle_contacts(0);
   state_.springs = system_.springs();
   update_ratios();
   result.work = absorb(state_.load_factor);
+  // Where faces close or open on the way from the loads before the trapezoid rule is none; what is done is stored.
+  if (had_contact || result.switches > 0) result.work = stored_energy() - stored_before;
   if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
   state_.in_equilibrium = true;
   return result;
@@ -137,6 +150,28 @@ bool LoadedBody::is_balanced() const {
   return fracture::residual(system_, force, f, largest) <= suspicious_residual;
 }
 
+std::int64_t LoadedBody::settle_contacts(double direction) {
+  // Newton's method, as the energy is convex and once differentiable; where it comes back to the same places, one at a
+  // time by the least number, which ends (Murty 1974).
+  std::int64_t switched = 0;
+  std::set<std::vector<char>> met;
+  bool one_by_one = false;
+  const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(system_.contacts().size());
+  for (std::int64_t round = 0;; ++round) {
+    std::vector<int> wrong = wrong_places(system_.contacts(), state_.displacement, state_.load_factor, direction);
+    if (wrong.empty()) break;
+    check_cancelled();
+    if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
+    one_by_one = one_by_one || !met.insert(system_.contacts().closed()).second;
+    if (one_by_one) wrong.resize(1);
+    system_.switch_contacts(wrong);
+    switched += static_cast<std::int64_t>(wrong.size());
+    solve();
+  }
+  state_.faces.closed = system_.contacts().closed();
+  return switched;
+}
+
 void LoadedBody::solve() { state_.displacement = system_.solve(); }
 
 void LoadedBody::update_ratios() {
@@ -147,6 +182,7 @@ void LoadedBody::update_ratios() {
 
 void LoadedBody::restore() {
   system_.restore(state_.stages, state_.springs);
+  faces_.restore(state_.faces);
   apply_load();
   ratios_.enter(state_.stages);
   ratios_.update(state_.displacement);

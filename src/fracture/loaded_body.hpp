@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "fracture/contact/crack_faces.hpp"
 #include "fracture/critical_events.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
@@ -26,12 +27,14 @@ class LoadedBody {
   // belongs to the caller, who saves it and gives it back.
   LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
              std::vector<double> critical_stretch, const std::vector<int>& cut,
-             std::vector<std::vector<int>> reaction_dofs, BodyState& state);
+             std::vector<std::vector<int>> reaction_dofs, ContactPlan contact, BodyState& state);
   LoadedBody(const LoadedBody&) = delete;
   LoadedBody& operator=(const LoadedBody&) = delete;
 
   coupling::EquilibriumSystem& system() { return system_; }
   const StretchRatios& ratios() const { return ratios_; }
+  CrackFaces& faces() { return faces_; }
+  const CrackFaces& faces() const { return faces_; }
   const FreedPartFinder& freed_parts() const { return freed_parts_; }
   const std::vector<Point>& positions() const { return positions_; }
   const std::vector<std::vector<int>>& reaction_dofs() const { return reaction_dofs_; }
@@ -49,12 +52,18 @@ class LoadedBody {
     double work;
     std::int64_t fragments;  // cut off by initial cracks, or pushed by new loads
     std::vector<int> held;   // nodes of parts that could move freely
+    std::int64_t switches;   // places of faces that have closed or opened
   };
   // Under loads that are new, at the present load factor.
   FirstEquilibrium find_equilibrium();
 
   void solve();          // the displacements of the present system
   void update_ratios();  // to these displacements
+  // Opens and closes places of faces, with a solution after each round, until all are as the present load factor asks
+  // for; where a gap is zero, as a way on in this direction does. Returns how many have been switched.
+  std::int64_t settle_contacts(double direction);
+  // Places where terms have gone since; the displacements are those of the state.
+  void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
   void restore();        // system and ratios to the state, which the caller has changed
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
@@ -92,6 +101,7 @@ class LoadedBody {
   const std::vector<Point>& positions_;
   FreedPartFinder freed_parts_;
   StretchRatios ratios_;
+  CrackFaces faces_;
   std::vector<std::vector<int>> reaction_dofs_;
   coupling::Affine force_, prescribed_;  // as the host gave them
   std::vector<int> loaded_nodes_;

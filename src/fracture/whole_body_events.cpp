@@ -117,6 +117,20 @@ double WholeBodyEvents::released_energy() const {
   return sum;
 }
 
+// The same with the places that have lost or gained their stiffness.
+double WholeBodyEvents::released_by_contacts(const Eigen::VectorXd& before) const {
+  const coupling::Contacts& contacts = system_.contacts();
+  const double* after = body_.state().total_displacement.data();
+  double sum = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const bool was_closed = i < closed_before_.size() && closed_before_[i] != 0;
+    if (was_closed == contacts.is_closed(i)) continue;
+    const double lost = (was_closed ? 1 : -1) * contacts[i].stiffness;
+    sum += 0.5 * lost * contacts[i].gap(before.data()) * contacts[i].gap(after);
+  }
+  return sum;
+}
+
 Outcome WholeBodyEvents::perform(Event event) {
   event_ = std::move(event);
   return perform();
@@ -130,6 +144,7 @@ Outcome WholeBodyEvents::perform() {
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
+  closed_before_ = system_.contacts().closed();
   FreedParts freed;
   {
     const Stopwatch watch(body_.seconds_search());
@@ -141,17 +156,21 @@ Outcome WholeBodyEvents::perform() {
     freed = body_.freed_parts().after_break(gone, before);
   }
   system_.commit(changes, freed.springs);
+  body_.faces().note_gone(system_.gone_with(changes));
+  body_.update_faces();
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
   const HeldMotions held = solve_and_hold(body_, system_.gone_with(changes), before, [&] { return runs_away(); });
   outcome.fragments += held.fragments;
+  outcome.switches = body_.settle_contacts(0);
   const bool loads_lost = held.loads_lost || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
   outcome.stored_energy = body_.stored_energy();
   // Lost loads take their part along with the piece.
-  outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy();
-  outcome.bond_energy = released_energy() / (event_.ratio * event_.ratio);
+  const double released = released_energy() + released_by_contacts(before);
+  outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released;
+  outcome.bond_energy = released / (event_.ratio * event_.ratio);
   outcome.critical_stored_energy = body_.stored_energy_at(event_.critical_load_factor);
   state.stages = system_.stages();
   state.springs = system_.springs();

@@ -26,6 +26,7 @@ class WholeBodyEvents final : public EventSource {
 
   bool runs_away();
   double released_energy() const;
+  double released_by_contacts(const Eigen::VectorXd& before) const;
 
   // A term of the event as it was just before.
   struct Changing {
@@ -37,7 +38,8 @@ class WholeBodyEvents final : public EventSource {
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
   Event event_;
-  std::vector<Changing> changing_;  // in the order of the event
+  std::vector<Changing> changing_;   // in the order of the event
+  std::vector<char> closed_before_;  // of the places where faces meet
 };
 
 }  // namespace bempd::fracture

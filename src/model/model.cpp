@@ -7,6 +7,7 @@
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
 #include "model/stepping_options.hpp"
+#include "regions/crack_places.hpp"
 #include "regions/incompressible.hpp"
 #include "regions/initial_cracks.hpp"
 #include "regions/memory_limit.hpp"
@@ -74,6 +75,19 @@ void Model::grow_lines(PreparedScene& p) const {
   p.evolution->grow_lines(std::move(laws), std::move(tips));
 }
 
+fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
+  using fracture::ContactRule;
+  const std::string rule = options_.text_value("pd.contact");
+  require(rule != "rough" || p.system->is_symmetric(),
+          "pd.contact is rough, which scheme symmetric has; choose that scheme, or pd.contact = none");
+  if (rule == "none" || !p.system->is_symmetric()) return {};
+  if (rule == "rough") return {ContactRule::rough, {}, {}};
+  pd::FacePlaces lattices = regions::face_lattices(p.discretization);
+  if (lattices.lattice_count() == 0) return {};
+  std::vector<pd::FacePlace> places = regions::places_on_cracks(scene_, p.discretization, lattices);
+  return {ContactRule::faces, std::move(lattices), std::move(places)};
+}
+
 void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
@@ -98,7 +112,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
-                                                            p->conditions.reaction_dofs);
+                                                            p->conditions.reaction_dofs, contact_plan(*p));
   if (options_.text_value("pd.crack_rule") == "line") grow_lines(*p);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within);
   p->interface_bonds.emplace(*p->system, d.positions);
@@ -136,7 +150,7 @@ StepResult Model::run(double target, fracture::Goal goal) {
   const auto& counters = prepared_->system->counters();
   const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
   const std::int64_t events = evolution.progress().events, broken = evolution.progress().broken_bonds;
-  const std::int64_t fragments = evolution.progress().fragments;
+  const std::int64_t fragments = evolution.progress().fragments, switches = evolution.progress().contact_switches;
   const auto lines = static_cast<std::ptrdiff_t>(evolution.progress().history.size());
   StepResult result;
   {
@@ -146,6 +160,7 @@ StepResult Model::run(double target, fracture::Goal goal) {
   }
   result.events = evolution.progress().events - events;
   result.broken_bonds = evolution.progress().broken_bonds - broken;
+  result.face_switches = evolution.progress().contact_switches - switches;
   result.unstable_event = first_unstable(std::span(evolution.progress().history).subspan(lines));
   result.seconds_solve = counters.seconds_solve - solve;
   result.seconds_update = counters.seconds_update - update;

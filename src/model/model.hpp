@@ -39,6 +39,7 @@ struct StepResult {
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
   std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
+  std::int64_t face_switches = 0;   // places where faces have closed or opened
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
 
@@ -244,6 +245,7 @@ class Model {
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
+  fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;
   std::vector<int> loaded_nodes(int load);
   std::vector<int> pieces_of(std::vector<int> nodes);
   int anchored_pieces();

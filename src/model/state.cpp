@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "error.hpp"
 #include "model/fingerprint.hpp"
@@ -35,6 +36,13 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
   }
   for (const coupling::Terms::Following& pair : terms.following)
     fits(!is_gone(static_cast<std::size_t>(pair.leader)) || is_gone(static_cast<std::size_t>(pair.follower)));
+  // Every grown face that the state has is one of a bond that is gone, and the list of closed ones has it.
+  std::set<int> grown;
+  for (const fracture::GrownFace& face : state.faces.grown) {
+    fits(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
+         is_gone(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
+  }
+  fits(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size());
   const std::vector<int>& cut = scene.cut_bonds;
   fits(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));

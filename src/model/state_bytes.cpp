@@ -45,6 +45,10 @@ void visit_members(Tip& t, Visit& visit) {
   visit(t.law), visit(t.energy_ratios);
 }
 
+template <class Face, class Visit>
+requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
+void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), visit(f.normal_y); }
+
 template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
 void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.proportional); }
@@ -77,6 +81,7 @@ class Writer {
   void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(const fracture::GrowingTip& tip) { visit_members(tip, *this); }
+  void operator()(const fracture::GrownFace& face) { visit_members(face, *this); }
   void operator()(const scene::Values& values) {
     const auto* samples = std::get_if<scene::SampledValues>(&values);
     const auto* placed = std::get_if<scene::PlacedValues>(&values);
@@ -127,6 +132,7 @@ class Reader {
   void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
   void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
   void operator()(fracture::GrowingTip& tip) { visit_members(tip, *this); }
+  void operator()(fracture::GrownFace& face) { visit_members(face, *this); }
   void operator()(scene::Values& values) {
     std::uint8_t form = 0;
     (*this)(form);
@@ -187,6 +193,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions);
+  visit(e.faces.grown), visit(e.faces.closed), visit(e.contact_switches);
   visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
   visit(state.scene.loads), visit(state.said);
 }

@@ -13,6 +13,7 @@ class UncorrectedLattice : public regions::LatticeRegion {
   bool acts_as_one_with(const LatticeRegion&) const override { return false; }
   // Forces of its bonds at surfaces and interfaces are not those of the stress there.
   std::optional<regions::LatticeGrid> lattice_grid() const override { return std::nullopt; }
+  std::optional<pd::FaceLattice> face_lattice() const override { return std::nullopt; }
   // Of its own points, whatever the cells.
   pd::Network make_network(const pd::CellLattice& cells, int threads) const override;
 

@@ -14,6 +14,7 @@
 #include "geometry/crack_lines.hpp"
 #include "geometry/edge.hpp"
 #include "output/vtu.hpp"
+#include "pd/face_places.hpp"
 #include "pd/network.hpp"
 #include "pd/tip_law.hpp"
 #include "regions/cell_splits.hpp"
@@ -225,6 +226,8 @@ class Region {
   virtual std::vector<int> terms() const { return {}; }
   // Of a region whose bonds show what a crack tip among them carries.
   virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
+  // The rows on which the faces of cracks are found to meet; nothing if they cannot.
+  virtual std::optional<pd::FaceLattice> face_lattice() const { return std::nullopt; }
 
   // --- Results
 

@@ -1,3 +1,4 @@
 bempd_add_engine_test(pd_patch_test pd_patch_test.cpp)
 bempd_add_engine_test(pd_kirsch_test pd_kirsch_test.cpp)
 bempd_add_engine_test(pd_any_ratio_test pd_any_ratio_test.cpp)
+bempd_add_engine_test(contact_test contact_test.cpp)

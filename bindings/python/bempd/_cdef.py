@@ -205,6 +205,8 @@ typedef struct bempd_step_report {
   double peak_resistance;
   int32_t hanging;
   int32_t reserved;
+  int64_t closed_places;
+  int64_t face_switches;
 } bempd_step_report;
 bempd_status bempd_step_report_init(bempd_step_report *report, int64_t struct_size);
 bempd_status bempd_prepare(bempd_model *model);
@@ -1319,6 +1321,10 @@ forces and nodal loads, the pull in a tensile test; 0 before the first event [N]
 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears nothing,
 or less than the option stepping.separation_share of the peak""",
     "bempd_step_report.reserved": """0""",
+    "bempd_step_report.closed_places": """\
+places at which faces of cracks in lattices press on each other at the end, about one a spacing
+(option pd.contact)""",
+    "bempd_step_report.face_switches": """how often such places have closed or opened in this step""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
 

@@ -158,6 +158,8 @@ class StepReport:
     resistance: float  #: force that the body bore after the last event, the pull in a tensile test [N]
     peak_resistance: float  #: the largest that it bore in equilibrium [N]
     hanging: bool  #: separated, but some bonds still connect what carried the load
+    closed_places: int  #: at which faces of cracks in lattices press on each other at the end, about one a spacing
+    face_switches: int  #: how often such places have closed or opened in this step
 
 
 @dataclasses.dataclass(frozen=True)

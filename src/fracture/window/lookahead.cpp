@@ -18,9 +18,10 @@ using coupling::evaluate;
 
 Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts,
                      const StretchRatios& ratios, const std::vector<Point>& positions,
-                     const std::vector<std::vector<int>>& reaction_dofs)
+                     const std::vector<std::vector<int>>& reaction_dofs, const CrackFaces& faces)
     : system_(system),
       freed_parts_(freed_parts),
+      faces_(faces),
       whole_ratios_(ratios),
       place_(system, ratios, positions),
       functions_(system, reaction_dofs),
@@ -42,7 +43,7 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
 
 void Lookahead::build_window(const BodyState& state) {
   const Phase phase("window around what breaks", 3);
-  has_ended_ = needs_whole_body_ = system_has_changed_ = false;
+  has_ended_ = needs_whole_body_ = faces_move_ = system_has_changed_ = false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
   check_cancelled();
   phase.reach(1);
@@ -123,7 +124,7 @@ void Lookahead::compute(const BodyState& state) {
   }
   most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
   states_ = window_->complete(foreseen_);
-  certify();
+  certify(state.load_factor);
   take_back(0);
 }
 
@@ -233,14 +234,18 @@ void Lookahead::add_checks(double from, const Event& event) {
 }
 
 // Keeps the events that the whole body would go through in the same way.
-void Lookahead::certify() {
+void Lookahead::certify(double from) {
   if (!events_.empty()) keep_first(window_->left_behind().first_violation(states_, checks_));
   if (events_.empty()) return;
   std::vector<int> breaks{0};
   for (const ForeseenEvent& foreseen : events_) {
     breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
-  keep_first(certificate_->first_violation(states_, breaks, checks_, whole_));
+  // Their bonds are gone while the events computed are not taken back.
+  const FaceWatch watch(system_.contacts(), faces_, events_, from, proportional_);
+  const int kept = certificate_->first_violation(states_, breaks, checks_, whole_, watch);
+  keep_first(kept);
+  faces_move_ = certificate_->ended_at_faces();
   if (!events_.empty()) check_whole_body();
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "fracture/contact/crack_faces.hpp"
 #include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
@@ -41,7 +42,8 @@ class Lookahead {
   };
 
   Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
-            const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs);
+            const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs,
+            const CrackFaces& faces);
 
   // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
   void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }
@@ -63,8 +65,9 @@ class Lookahead {
   // The next of the events computed; null if there is none.
   const ForeseenEvent* next() const;
   void take();  // the system's terms change
-  // True if the window has come to its end before an event that no window can perform.
-  bool needs_whole_body() const { return needs_whole_body_; }
+  // True if the window has come to its end before an event that no window can perform, or after which faces of cracks
+  // open or close.
+  bool needs_whole_body() const { return needs_whole_body_ || faces_move_; }
 
   // States since the events were computed last, 0 first; only these can be asked for and returned to.
   int position() const { return position_; }
@@ -83,12 +86,13 @@ class Lookahead {
   bool perform_in_window(ForeseenEvent& foreseen);
   void take_back(int count);  // of the events computed all but the first ones, from the system
   void add_checks(double from, const Event& event);
-  void certify();
+  void certify(double from);
   void check_whole_body();
   void keep_first(int count);  // of the events computed
 
   coupling::EquilibriumSystem& system_;
   const FreedPartFinder& freed_parts_;
+  const CrackFaces& faces_;
   const StretchRatios& whole_ratios_;
   WindowPlace place_;
   WindowFunctions functions_;
@@ -102,7 +106,7 @@ class Lookahead {
   coupling::Affine whole_;  // displacements of the whole body in the last state
   bool proportional_ = false;
   bool has_ended_ = false;
-  bool needs_whole_body_ = false;
+  bool needs_whole_body_ = false, faces_move_ = false;
   int most_events_;  // to compute at once
 
   std::vector<ForeseenEvent> events_;

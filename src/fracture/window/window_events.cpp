@@ -40,7 +40,8 @@ class WindowWatch {
 }  // namespace
 
 WindowEvents::WindowEvents(LoadedBody& body, std::function<void()> before_forgetting)
-    : lookahead_(body.system(), body.freed_parts(), body.ratios(), body.positions(), body.reaction_dofs()),
+    : lookahead_(body.system(), body.freed_parts(), body.ratios(), body.positions(), body.reaction_dofs(),
+                 body.faces()),
       body_(body),
       before_forgetting_(std::move(before_forgetting)) {}
 
@@ -109,6 +110,7 @@ Outcome WindowEvents::perform() {
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
   for (const coupling::StageChange& c : event.changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   lookahead_.take();
+  body_.faces().note_gone(body_.system().gone_with(event.changes));
   is_behind_ = true;
   ++events_performed_;
   return outcome;
@@ -139,6 +141,7 @@ BodyState WindowEvents::state_at(const Place& place) const {
   state.stages = lookahead_.stages(place.position);
   state.springs = present.springs;
   state.unloaded = present.unloaded;
+  state.faces = present.faces;
   return state;
 }
 

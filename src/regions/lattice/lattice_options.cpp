@@ -37,7 +37,13 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "How initial cracks in peridynamic regions of scheme symmetric grow: bond, their bonds break one by one by "
           "their own stretch and the way prefers rows of the lattice; line, by a spacing at a time towards the largest "
           "hoop stress, all bonds across it at once. Away from tips bonds break one by one in both.",
-          "bond | line", "bond"))};
+          "bond | line", "bond")),
+      scene::shaping(scene::text_option(
+          "pd.contact",
+          "What faces of cracks in peridynamic regions of scheme symmetric do where they meet: faces, they press on each "
+          "other without friction; rough, every broken bond presses along itself, so that closed faces hardly slide; "
+          "none, they pass through each other.",
+          "faces | rough | none", "faces"))};
 });
 
 }  // namespace

@@ -29,6 +29,7 @@ class LatticeRegion : public BondedRegion {
   std::optional<LatticeGrid> lattice_grid() const override {
     return LatticeGrid{origin_, spacing(), horizon_ratio() * spacing()};
   }
+  std::optional<pd::FaceLattice> face_lattice() const override { return pd::FaceLattice{origin_, spacing(), 0}; }
 
   std::int64_t cell_count() const override { return grid_->cell_count(); }
   Cells cells() const override;

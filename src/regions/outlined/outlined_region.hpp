@@ -27,6 +27,9 @@ class OutlinedRegion final : public BondedRegion {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
 
   std::optional<LatticeGrid> lattice_grid() const override;
+  std::optional<pd::FaceLattice> face_lattice() const override {
+    return pd::FaceLattice{from_grid(body_.place.origin), spacing(), choice_.angle};
+  }
 
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(body_.cells.size()); }
   Cells cells() const override;

@@ -1408,6 +1408,11 @@ pub struct bempd_step_report {
     pub hanging: i32,
     /// 0
     pub reserved: i32,
+    /// places at which faces of cracks in lattices press on each other at the end, about one a
+    /// spacing (option pd.contact)
+    pub closed_places: i64,
+    /// how often such places have closed or opened in this step
+    pub face_switches: i64,
 }
 extern "C" {
     /// Set struct_size and zeros.

@@ -269,6 +269,10 @@ mirror! {
         peak_resistance: f64,
         /// Whether it is separated, but some bonds still connect what carried the load.
         hanging: bool,
+        /// Places at which faces of cracks in lattices press on each other at the end, about one a spacing.
+        closed_places: i64,
+        /// How often such places have closed or opened in this step.
+        face_switches: i64,
     }
 }
 

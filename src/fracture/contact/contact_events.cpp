@@ -1,0 +1,36 @@
+#include "fracture/contact/contact_events.hpp"
+
+namespace bempd::fracture {
+
+std::optional<double> ContactEvents::switch_before(double load_factor) {
+  if (body_.faces().are_none()) return std::nullopt;
+  body_.update_faces();
+  const BodyState& state = body_.state();
+  return next_switch(body_.faces().places(), state.displacement, state.load_factor, load_factor);
+}
+
+bool ContactEvents::is_before(double load_factor) { return switch_before(load_factor).has_value(); }
+
+const Event* ContactEvents::before(const Event* event, double target) {
+  const double present = body_.state().load_factor;
+  const bool upwards = target >= present;
+  double limit = target;
+  if (event && (upwards ? event->load_factor < target : event->load_factor > target)) limit = event->load_factor;
+  const std::optional<double> load_factor = switch_before(limit);
+  if (!load_factor) return nullptr;
+  direction_ = limit > present ? 1 : -1;
+  event_ = {*load_factor, 0, *load_factor, {}, true};
+  return &event_;
+}
+
+const Event* ContactEvents::next(double target, const SteppingOptions& /*options*/) { return before(nullptr, target); }
+
+Outcome ContactEvents::perform() {
+  Outcome outcome;
+  outcome.work_before = body_.move_to(event_.load_factor);
+  outcome.switches = body_.settle_contacts(direction_);
+  body_.update_ratios();
+  return outcome;
+}
+
+}  // namespace bempd::fracture

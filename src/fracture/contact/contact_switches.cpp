@@ -1,0 +1,72 @@
+// Which places are to open and close, and where.
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/contact/crack_faces.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Gaps below this share of the largest displacement are zero, and so are their rates.
+constexpr double rounding_of_gaps = 1e-12;
+
+// Gaps of one place as they follow the load factor, and what counts as zero of them.
+struct GapLine {
+  double gap, rate;
+  double zero_gap, zero_rate;
+
+  bool is_zero() const { return std::abs(gap) <= zero_gap; }
+  // How the gap goes on: negative while it closes.
+  double way(double direction) const { return std::abs(rate) <= zero_rate ? 0 : direction * rate; }
+  bool is_wrong(bool closed, double direction) const {
+    const double size = is_zero() ? way(direction) : gap;
+    return closed ? size > 0 : size < 0;
+  }
+};
+
+template <class Visit>
+void for_each_line(const coupling::Contacts& places, const coupling::Affine& u, double load_factor,
+                   const Visit& visit) {
+  const double largest[2] = {u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
+  const double zero_gap = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
+  const double zero_rate = gap_rounding(largest[1]);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double constant = places[i].gap(u.col(0).data()), rate = places[i].gap(u.col(1).data());
+    visit(i, GapLine{constant + load_factor * rate, rate, zero_gap, zero_rate});
+  }
+}
+
+}  // namespace
+
+double gap_rounding(double largest_displacement) { return rounding_of_gaps * largest_displacement; }
+
+std::vector<int> wrong_places(const coupling::Contacts& places, const coupling::Affine& displacement,
+                              double load_factor, double direction) {
+  std::vector<int> wrong;
+  if (places.size() == 0) return wrong;
+  for_each_line(places, displacement, load_factor, [&](std::size_t i, const GapLine& line) {
+    if (line.is_wrong(places.is_closed(i), direction)) wrong.push_back(static_cast<int>(i));
+  });
+  return wrong;
+}
+
+std::optional<double> next_switch(const coupling::Contacts& places, const coupling::Affine& displacement, double from,
+                                  double to) {
+  if (places.size() == 0 || from == to) return std::nullopt;
+  const double direction = to > from ? 1 : -1, farthest = (to - from) * direction;
+  std::optional<double> least;
+  for_each_line(places, displacement, from, [&](std::size_t i, const GapLine& line) {
+    const bool closed = places.is_closed(i);
+    double distance = 0;
+    if (!line.is_wrong(closed, direction)) {
+      const double way = line.way(direction);
+      if (closed ? way <= 0 : way >= 0) return;
+      distance = std::max(0.0, -line.gap / way);
+    }
+    if (distance <= farthest && (!least || distance < *least)) least = distance;
+  });
+  return least ? std::optional(from + direction * *least) : std::nullopt;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,216 @@
+#include "fracture/contact/crack_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/symmetric_modes.hpp"
+
+namespace bempd::fracture {
+
+using coupling::Contact;
+
+namespace {
+
+// Spacings around a place within which parted neighbours tell the direction of the crack: a horizon or so.
+constexpr double normal_reach = 3.6;
+
+// Middles that are spread as much across their axis as this share of along it have none.
+constexpr double no_axis = 0.4;
+
+// A bond that leans so far along the crack does not part its faces.
+constexpr double least_share_across = 0.2;
+
+std::uint64_t cell_of(const Point& p, double size, int right, int up) {
+  const auto x = static_cast<std::int64_t>(std::floor(p.x() / size)) + right;
+  const auto y = static_cast<std::int64_t>(std::floor(p.y() / size)) + up;
+  return static_cast<std::uint64_t>(x) << 32 ^ static_cast<std::uint32_t>(y);
+}
+
+Contact contact_of(const pd::FacePlace& place) {
+  Contact contact{{}, place.stiffness};
+  for (const pd::FacePlace::Pull& p : place.pulls) contact.pull.push_back({p.node, p.pull.x(), p.pull.y()});
+  return contact;
+}
+
+}  // namespace
+
+CrackFaces::CrackFaces(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, ContactPlan plan,
+                       const std::vector<int>& cut)
+    : system_(system), positions_(positions), plan_(std::move(plan)) {
+  if (are_none()) return;
+  for (std::size_t k = 0; k < plan_.lattices.lattice_count(); ++k)
+    reach_ = std::max(k == 0 ? 0 : reach_, normal_reach * plan_.lattices.spacing(static_cast<int>(k)));
+  for (const int term : cut) {
+    if (can_be_a_place(term)) cut_.push_back(term);
+  }
+  restore({});
+}
+
+bool CrackFaces::can_be_a_place(int term) const {
+  if (system_.terms().is_wide(static_cast<std::size_t>(term))) return false;
+  return plan_.rule == ContactRule::rough ||
+         plan_.lattices.lattice_of_neighbours(system_.terms().first[term], system_.terms().second[term]).has_value();
+}
+
+bool CrackFaces::can_have(const GrownFace& face) const {
+  const Point normal(face.normal_x, face.normal_y);
+  return !are_none() && std::abs(normal.norm() - 1) < 1e-6 && can_be_a_place(face.term) &&
+         !std::binary_search(cut_.begin(), cut_.end(), face.term) && contact_at(face.term, normal).has_value();
+}
+
+Point CrackFaces::middle(int term) const {
+  return 0.5 * (positions_[system_.terms().first[term]] + positions_[system_.terms().second[term]]);
+}
+
+double CrackFaces::spacing(int term) const { return system_.terms().length[term]; }
+
+void CrackFaces::enter(int term) {
+  if (entered_.insert(term).second) parted_[cell_of(middle(term), reach_, 0, 0)].push_back(term);
+}
+
+std::vector<int> CrackFaces::near(int term) const {
+  const Point place = middle(term);
+  std::vector<int> found;
+  for (int right = -1; right <= 1; ++right) {
+    for (int up = -1; up <= 1; ++up) {
+      const auto cell = parted_.find(cell_of(place, reach_, right, up));
+      if (cell == parted_.end()) continue;
+      for (const int other : cell->second)
+        if ((middle(other) - place).norm() < normal_reach * spacing(term)) found.push_back(other);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// Across the principal axis of the middles of parted neighbours, towards the bond's second end.
+Point CrackFaces::normal_at(int term, std::span<const int> others) const {
+  const Point along(system_.terms().cosine[term], system_.terms().sine[term]);
+  if (others.size() < 2) return along;
+  Point mean = Point::Zero();
+  for (const int other : others) mean += middle(other) / static_cast<double>(others.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const int other : others) {
+    const Point away = middle(other) - mean;
+    spread += away * away.transpose();
+  }
+  const linalg::SymmetricModes modes = linalg::symmetric_modes(spread);
+  if (modes.values[0] > no_axis * no_axis * modes.values[1]) return along;
+  const Point normal = modes.vectors.col(0);
+  return normal.dot(along) < 0 ? Point(-normal) : normal;
+}
+
+std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) const {
+  const coupling::Terms& terms = system_.terms();
+  const Point along(terms.cosine[term], terms.sine[term]);
+  if (plan_.rule == ContactRule::rough)
+    return Contact{{{terms.first[term], -along.x(), -along.y()}, {terms.second[term], along.x(), along.y()}},
+                   terms.stiffness[term]};
+  const double across = std::abs(normal.dot(along));
+  if (across < least_share_across) return std::nullopt;
+  // A crack parts as many neighbours of either direction in a length as it crosses rows and columns.
+  const double length = 1 / (across + std::abs(cross(normal, along)));
+  const int lattice = *plan_.lattices.lattice_of_neighbours(terms.first[term], terms.second[term]);
+  const auto place = plan_.lattices.at(lattice, middle(term), normal, length);
+  return place ? std::optional(contact_of(*place)) : std::nullopt;
+}
+
+void CrackFaces::note_gone(std::span<const int> terms) {
+  if (!are_none()) gone_.insert(gone_.end(), terms.begin(), terms.end());
+}
+
+std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
+  std::vector<int> found;
+  for (const int term : terms) {
+    if (!system_.intact()[term] && !entered_.contains(term) && can_be_a_place(term)) found.push_back(term);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+void CrackFaces::add(int term, FaceState& state) {
+  const Point normal = normal_at(term, near(term));
+  std::optional<Contact> contact = contact_at(term, normal);
+  if (!contact) return;
+  grown_[term] = state.grown.size();
+  state.grown.push_back({term, normal.x(), normal.y()});
+  state.closed.push_back(0);
+  system_.add_contact(std::move(*contact));
+}
+
+void CrackFaces::renew(int term, const Eigen::VectorXd& displacement, FaceState& state) {
+  const std::size_t number = grown_.at(term), place = initial_count_ + number;
+  if (places().is_closed(place)) return;
+  const Point normal = normal_at(term, near(term));
+  GrownFace& face = state.grown[number];
+  if (normal == Point(face.normal_x, face.normal_y)) return;
+  std::optional<Contact> contact = contact_at(term, normal);
+  if (!contact || !(contact->gap(displacement.data()) > 0)) return;
+  face.normal_x = normal.x(), face.normal_y = normal.y();
+  system_.replace_open_contact(place, std::move(*contact));
+}
+
+void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
+  if (gone_.empty()) return;
+  const std::vector<int> terms = fresh(gone_);
+  gone_.clear();
+  for (const int term : terms) enter(term);
+  if (plan_.rule == ContactRule::faces) {
+    std::vector<int> around;
+    for (const int term : terms) {
+      const std::vector<int> some = near(term);
+      around.insert(around.end(), some.begin(), some.end());
+    }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    for (const int term : around) {
+      if (grown_.contains(term)) {
+        renew(term, displacement, state);
+      } else if (!std::binary_search(cut_.begin(), cut_.end(), term)) {
+        add(term, state);
+      }
+    }
+  } else {
+    for (const int term : terms) add(term, state);
+  }
+}
+
+std::vector<std::pair<int, Contact>> CrackFaces::foreseen(std::span<const int> next) const {
+  std::vector<int> terms = gone_;
+  terms.insert(terms.end(), next.begin(), next.end());
+  terms = fresh(terms);
+  std::vector<std::pair<int, Contact>> found;
+  for (const int term : terms) {
+    std::vector<int> others = near(term);
+    for (const int other : terms)
+      if ((middle(other) - middle(term)).norm() < normal_reach * spacing(term)) others.push_back(other);
+    if (auto contact = contact_at(term, normal_at(term, others))) found.emplace_back(term, std::move(*contact));
+  }
+  return found;
+}
+
+void CrackFaces::restore(const FaceState& state) {
+  if (are_none()) return;
+  parted_.clear(), entered_.clear(), grown_.clear(), gone_.clear();
+  coupling::Contacts contacts;
+  if (plan_.rule == ContactRule::faces) {
+    for (const pd::FacePlace& place : plan_.initial) contacts.add(contact_of(place));
+  } else {
+    for (const int term : cut_) contacts.add(*contact_at(term, Point::Zero()));
+  }
+  initial_count_ = contacts.size();
+  for (const int term : cut_) enter(term);
+  for (const GrownFace& face : state.grown) {
+    grown_[face.term] = contacts.size() - initial_count_;
+    enter(face.term);
+    if (auto contact = contact_at(face.term, {face.normal_x, face.normal_y})) contacts.add(std::move(*contact));
+  }
+  for (std::size_t i = 0; i < std::min(contacts.size(), state.closed.size()); ++i)
+    contacts.set_closed(i, state.closed[i] != 0);
+  system_.set_contacts(std::move(contacts));
+  for (std::size_t t = 0; t < system_.terms().size(); ++t)
+    if (!system_.intact()[t]) gone_.push_back(static_cast<int>(t));
+}
+
+}  // namespace bempd::fracture

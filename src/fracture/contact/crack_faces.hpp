@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/contact/face_state.hpp"
+#include "pd/face_places.hpp"
+
+namespace bempd::fracture {
+
+enum class ContactRule { none, faces, rough };
+
+// What a host has said of contact, and where its initial cracks can close.
+struct ContactPlan {
+  ContactRule rule = ContactRule::none;
+  pd::FacePlaces lattices;
+  std::vector<pd::FacePlace> initial;
+};
+
+// The places where faces of cracks can meet: on the initial cracks, and one for every bond between neighbours that has
+// broken since, with the normal of the broken ones around it. The normal of a place may change while it is open. By the
+// rule `rough` each broken bond is a place instead, and presses along itself.
+class CrackFaces {
+ public:
+  // Bonds in `cut` are gone from the start.
+  CrackFaces(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, ContactPlan plan,
+             const std::vector<int>& cut);
+
+  // No place will ever be there.
+  bool are_none() const { return plan_.rule == ContactRule::none; }
+  const coupling::Contacts& places() const { return system_.contacts(); }
+
+  std::size_t initial_count() const { return initial_count_; }
+  bool can_have(const GrownFace& face) const;
+
+  // Terms that have gone; their places follow with the next update().
+  void note_gone(std::span<const int> terms);
+  // New places, and normals of open ones near them where they do not overlap for it at this displacement.
+  void update(const Eigen::VectorXd& displacement, FaceState& state);
+  // The places that terms noted, and others that go next, would make.
+  std::vector<std::pair<int, coupling::Contact>> foreseen(std::span<const int> next) const;
+
+  // Makes the system's places those of a state, whose stages it has; terms that are gone without one are noted.
+  void restore(const FaceState& state);
+
+ private:
+  bool can_be_a_place(int term) const;
+  std::vector<int> fresh(std::span<const int> terms) const;
+  void enter(int term);
+  void renew(int term, const Eigen::VectorXd& displacement, FaceState& state);
+  void add(int term, FaceState& state);
+  Point middle(int term) const;
+  double spacing(int term) const;
+  // The parted neighbours around a place.
+  std::vector<int> near(int term) const;
+  Point normal_at(int term, std::span<const int> others) const;
+  std::optional<coupling::Contact> contact_at(int term, const Point& normal) const;
+
+  coupling::EquilibriumSystem& system_;
+  const std::vector<Point>& positions_;
+  ContactPlan plan_;
+  std::vector<int> cut_;  // ascending
+  std::size_t initial_count_ = 0;
+  double reach_ = 1;                                             // of what tells a normal [m]
+  std::unordered_map<std::uint64_t, std::vector<int>> parted_;   // neighbours, by where their middles are
+  std::unordered_set<int> entered_;                              // the same as a set
+  std::unordered_map<int, std::size_t> grown_;                   // term -> its place among the grown ones
+  std::vector<int> gone_;                                        // since the last update
+};
+
+// Places that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction counts: 1
+// or -1; 0: it stays as it is.
+std::vector<int> wrong_places(const coupling::Contacts& places, const coupling::Affine& displacement,
+                              double load_factor, double direction);
+
+// Load factor on the way to another one at which the first place opens or closes; nothing if none does.
+std::optional<double> next_switch(const coupling::Contacts& places, const coupling::Affine& displacement, double from,
+                                  double to);
+
+// Whether a place is wrong where displacements are known as numbers: how far its gap counts as zero.
+double gap_rounding(double largest_displacement);
+
+}  // namespace bempd::fracture

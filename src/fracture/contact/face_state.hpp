@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+namespace bempd::fracture {
+
+// Where faces have come about by the break of a bond between neighbours.
+struct GrownFace {
+  int term;
+  double normal_x, normal_y;
+};
+
+// What a run knows of its faces.
+struct FaceState {
+  std::vector<GrownFace> grown;
+  std::vector<char> closed;  // of the initial places, then of the grown ones
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,70 @@
+#include "regions/crack_places.hpp"
+
+#include <algorithm>
+
+#include "cancellation.hpp"
+#include "geometry/outline.hpp"
+#include "geometry/segment.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Seen from a place on a crack the way to a point begins this share of it away from the crack itself.
+constexpr double off_the_crack = 1e-3;
+
+bool cross_each_other(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
+}
+
+bool is_crossed(const scene::Scene& scene, const Point& from, const Point& to) {
+  return std::any_of(scene.cracks().begin(), scene.cracks().end(), [&](const scene::Crack& crack) {
+    for (std::size_t k = 0; k + 1 < crack.points.size(); ++k)
+      if (cross_each_other(from, to, crack.points[k], crack.points[k + 1])) return true;
+    return false;
+  });
+}
+
+double modulus_of_one_stress(const PlaneElasticity& e) {
+  return e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
+}
+
+}  // namespace
+
+pd::FacePlaces face_lattices(const Discretization& d) {
+  std::vector<pd::FacePlaces::Body> bodies;
+  for (const auto& region : d.regions) {
+    const std::optional<pd::FaceLattice> lattice = region->face_lattice();
+    if (!lattice) continue;
+    const PlaneElasticity& e = region->elasticity();
+    bodies.push_back({*lattice, e.thickness * modulus_of_one_stress(e), region->nodes()});
+  }
+  return {d.positions, bodies};
+}
+
+std::vector<pd::FacePlace> places_on_cracks(const scene::Scene& scene, const Discretization& d,
+                                            const pd::FacePlaces& lattices) {
+  std::vector<pd::FacePlace> found;
+  const auto reaches = [&](int node, const Point& place) {
+    const Point& to = d.positions[static_cast<std::size_t>(node)];
+    return !is_crossed(scene, place + off_the_crack * (to - place), to);
+  };
+  for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
+    const std::vector<Point>& points = scene.cracks()[c].points;
+    if (d.crack_regions[c] > 0) continue;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      check_cancelled();
+      const Point along = (points[k + 1] - points[k]).normalized(), normal(-along.y(), along.x());
+      for (int lattice = 0; lattice < static_cast<int>(lattices.lattice_count()); ++lattice) {
+        const pd::FacePlaces::Crossings crossings = lattices.crossings(lattice, points[k], points[k + 1]);
+        for (const Point& place : crossings.places) {
+          auto one = lattices.at(lattice, place, normal, crossings.length, reaches);
+          if (one) found.push_back(std::move(*one));
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace bempd::regions

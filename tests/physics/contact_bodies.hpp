@@ -1,0 +1,151 @@
+// Cracked plates of lattice for tests of contact, and their equilibrium by an active set of contact forces, which knows
+// nothing of how the library finds it.
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "error.hpp"
+#include "model/model.hpp"
+#include "regions/lattice/lattice_description.hpp"
+#include "regions/places/edge_part.hpp"
+
+namespace contact_bodies {
+
+using namespace bempd;
+
+struct Size {
+  int cells, horizon_ratio;
+};
+
+inline std::unique_ptr<model::Model> plate(const Size& size, const std::vector<std::vector<Point>>& cracks,
+                                           const char* contact = "faces", double critical_stretch = 0,
+                                           double poisson_ratio = 1.0 / 3) {
+  auto model = std::make_unique<model::Model>();
+  model->options().set_text("pd.contact", contact);
+  scene::Scene& scene = model->editable_scene();
+  scene::Material material;
+  material.elasticity = {1, poisson_ratio, PlaneState::stress, 1};
+  if (critical_stretch > 0) material.critical_stretch = critical_stretch;
+  const double n = size.cells;
+  regions::add_lattice_region(scene, scene.add_material(material), {{0, 0}, {n, 0}, {n, n}, {0, n}}, 1,
+                              size.horizon_ratio);
+  for (const std::vector<Point>& crack : cracks) scene.add_crack(crack);
+  return model;
+}
+
+inline void hold(model::Model& model, int edge, int component, double constant, double proportional) {
+  model.editable_scene().add_support({std::make_shared<const regions::EdgePart>(1, edge, 0, 1), component,
+                                      scene::SampledValues{{constant}, {proportional}}});
+}
+
+// The lower edge is held, the upper one moves up, and to the right by a share of that.
+inline void move_ends(model::Model& model, double constant, double proportional, double sideways = 0) {
+  hold(model, 1, 1, 0, 0);
+  hold(model, 1, 2, 0, 0);
+  hold(model, 3, 1, sideways * constant, sideways * proportional);
+  hold(model, 3, 2, constant, proportional);
+}
+
+inline Eigen::VectorXd displacement(model::Model& model) {
+  return model.prepared().evolution->state().total_displacement;
+}
+
+// One to four cracks away from held edges under constant and growing motions of the upper edge; null if they cut
+// something off.
+inline std::unique_ptr<model::Model> random_plate(std::mt19937& random) {
+  std::uniform_real_distribution<double> place(2.2, 9.8), size(-1, 1);
+  std::vector<std::vector<Point>> cracks(1 + random() % 4);
+  for (std::vector<Point>& crack : cracks)
+    for (int k = 0; k < 2 + static_cast<int>(random() % 2); ++k) crack.emplace_back(place(random), place(random));
+  const std::array ratios{0.2, 1.0 / 3, 0.45};
+  auto model = plate({12, 3 + static_cast<int>(random() % 2)}, cracks, "faces", 0, ratios[random() % 3]);
+  hold(*model, 1, 1, 0, 0);
+  hold(*model, 1, 2, 0, 0);
+  hold(*model, 3, 1, size(random), size(random));
+  hold(*model, 3, 2, size(random), size(random));
+  try {
+    model->advance(0, fracture::Goal::load_factor);
+  } catch (const Error&) {
+    return nullptr;
+  }
+  const bool whole = model->prepared().evolution->state().springs.empty();
+  return whole && model->prepared().system->contacts().size() > 0 ? std::move(model) : nullptr;
+}
+
+// Forces p >= 0 with the least 1/2 p.A p + g.p, by the active set of Lawson and Hanson 1974.
+inline Eigen::VectorXd least_contact_forces(const Eigen::MatrixXd& a, const Eigen::VectorXd& g) {
+  const Eigen::Index n = g.size();
+  Eigen::VectorXd p = Eigen::VectorXd::Zero(n);
+  std::vector<int> active;
+  const double zero = 1e-13 * std::max(g.lpNorm<Eigen::Infinity>(), 1e-300);
+  for (int round = 0; round < 20 * n; ++round) {
+    const Eigen::VectorXd slope = -(a * p + g);
+    int next = -1;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const bool is_active = std::find(active.begin(), active.end(), static_cast<int>(i)) != active.end();
+      if (!is_active && slope[i] > zero && (next < 0 || slope[i] > slope[next])) next = static_cast<int>(i);
+    }
+    if (next < 0) break;
+    active.push_back(next);
+    for (;;) {
+      const Eigen::VectorXd trial = a(active, active).ldlt().solve(-g(active));
+      double step = 1;
+      for (std::size_t k = 0; k < active.size(); ++k) {
+        const double now = p[active[k]], then = trial[static_cast<Eigen::Index>(k)];
+        if (then <= 0) step = std::min(step, now / (now - then));
+      }
+      for (std::size_t k = 0; k < active.size(); ++k) p[active[k]] += step * (trial[static_cast<Eigen::Index>(k)] - p[active[k]]);
+      if (step == 1) break;
+      std::erase_if(active, [&](int i) {
+        if (p[i] > 1e-14 * p.maxCoeff()) return false;
+        p[i] = 0;
+        return true;
+      });
+    }
+  }
+  return p;
+}
+
+// The whole body's displacements at its load factor, by dense algebra with all places open and the forces that keep
+// them from overlapping. No place touches a held point.
+inline Eigen::VectorXd by_quadratic_programme(model::Model& model) {
+  coupling::EquilibriumSystem& system = *model.prepared().system;
+  const coupling::ReducedSystem reduced = system.reduce();
+  const Eigen::VectorXd load = coupling::evaluate(reduced.right_hand_side, model.load_factor());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd(system.assemble()).selfadjointView<Eigen::Lower>();
+  const coupling::Contacts& places = system.contacts();
+  const auto count = static_cast<Eigen::Index>(places.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(2 * system.node_count(), count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (const coupling::TermEntry& e : places[static_cast<std::size_t>(i)].pull) {
+      all(2 * e.node, i) += e.x;
+      all(2 * e.node + 1, i) += e.y;
+    }
+  const Eigen::MatrixXd pull = all(reduced.dof_of, Eigen::all);
+  Eigen::VectorXd softness(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    softness[i] = 1 / places[place].stiffness;
+    stiffness -= places.present_stiffness(place) * pull.col(i) * pull.col(i).transpose();
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> factor(stiffness);
+  const auto solve = [&](const Eigen::MatrixXd& rhs) {  // with one correction
+    Eigen::MatrixXd x = factor.solve(rhs);
+    x += factor.solve(rhs - stiffness * x);
+    return x;
+  };
+  const Eigen::VectorXd free = solve(load);
+  const Eigen::MatrixXd answer = solve(pull);
+  Eigen::MatrixXd a = pull.transpose() * answer;
+  a.diagonal() += softness;
+  const Eigen::VectorXd forces = least_contact_forces(a, pull.transpose() * free);
+  Eigen::VectorXd u = coupling::evaluate(reduced.prescribed, model.load_factor());
+  u(reduced.dof_of) = free + answer * forces;
+  return u;
+}
+
+}  // namespace contact_bodies

@@ -1,0 +1,158 @@
+// Faces of cracks that press on each other, against quadratic programmes solved on their own, and against what bodies
+// do that are whole, open, or taken back to where they were.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "contact_bodies.hpp"
+#include "error.hpp"
+
+namespace {
+
+using namespace bempd;
+using namespace contact_bodies;
+
+double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).lpNorm<Eigen::Infinity>() / std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+}
+
+// --- The quadratic programme
+
+TEST(Contact, random_bodies_agree_with_a_quadratic_programme) {
+  std::mt19937 random(2024);
+  double worst = 0, balance = 0;
+  int bodies = 0, closed = 0, places = 0;
+  std::int64_t switches = 0;
+  for (int attempt = 0; bodies < 48; ++attempt) {
+    ASSERT_LT(attempt, 200);
+    const auto model = random_plate(random);
+    if (!model) continue;
+    ++bodies;
+    for (const double load_factor : {0.7, 2.0, -1.5, 0.4, 0.0, -0.3}) {
+      model->advance(load_factor, fracture::Goal::load_factor);
+      const Eigen::VectorXd expected = by_quadratic_programme(*model);
+      worst = std::max(worst, difference(displacement(*model), expected));
+      closed += static_cast<int>(model->prepared().system->contacts().closed_count());
+      places += static_cast<int>(model->prepared().system->contacts().size());
+    }
+    const fracture::EvolutionState& state = model->prepared().evolution->state();
+    balance = std::max(balance, state.worst_energy_balance_error);
+    switches += state.contact_switches;
+  }
+  std::printf("48 bodies at 6 load factors: %d of %d places closed, %lld switches, energy balance %.1e; ", closed, places,
+              static_cast<long long>(switches), balance);
+  std::printf("displacements differ by %.1e (reference: quadratic programme, 0)\n", worst);
+  EXPECT_GT(closed, places / 10);
+  EXPECT_LT(closed, places * 9 / 10);
+  EXPECT_LE(worst, 5e-12);
+  EXPECT_LE(balance, 1e-12);
+}
+
+// --- Simple loads
+
+// Uniaxial pressure and pull across a crack along the rows, by the ends that move.
+TEST(Contact, a_plate_pressed_across_its_crack_is_as_good_as_whole) {
+  const auto cracked = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}), whole = plate({24, 3}, {});
+  const auto through = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}, "none");
+  move_ends(*cracked, 0, 1), move_ends(*whole, 0, 1), move_ends(*through, 0, 1);
+  double error[2];
+  for (model::Model* model : {cracked.get(), through.get()}) {
+    model->advance(-1, fracture::Goal::load_factor);
+    whole->advance(-1, fracture::Goal::load_factor);
+    error[model == cracked.get() ? 0 : 1] = difference(displacement(*model), displacement(*whole));
+  }
+  std::printf("pressed across: differs from the whole plate by %.2e, without contact by %.2e\n", error[0], error[1]);
+  EXPECT_LT(error[0], 0.03);
+  EXPECT_GT(error[1], 5 * error[0]);
+  const coupling::Contacts& places = cracked->prepared().system->contacts();
+  EXPECT_EQ(places.size(), 9U);
+  EXPECT_EQ(places.closed_count(), places.size());
+  const fracture::EvolutionState& pressed = cracked->prepared().evolution->state();
+  EXPECT_EQ(pressed.contact_switches, 9);  // once each, at the very beginning
+  EXPECT_LE(pressed.worst_energy_balance_error, 1e-13);
+
+  cracked->advance(0, fracture::Goal::load_factor);
+  EXPECT_LE(displacement(*cracked).lpNorm<Eigen::Infinity>(), 1e-15);
+  cracked->advance(1, fracture::Goal::load_factor);
+  through->advance(1, fracture::Goal::load_factor);
+  EXPECT_EQ(cracked->prepared().system->contacts().closed_count(), 0U);
+  EXPECT_LE(difference(displacement(*cracked), displacement(*through)), 1e-12);
+}
+
+// A constant pull along the slanted crack's normal and a growing one across: places close one after another.
+TEST(Contact, the_path_is_piecewise_linear_whatever_the_steps) {
+  const auto coarse = plate({20, 3}, {{{5.2, 8.1}, {14.9, 12.3}}}), fine = plate({20, 3}, {{{5.2, 8.1}, {14.9, 12.3}}});
+  move_ends(*coarse, 1, -1, 0.4), move_ends(*fine, 1, -1, 0.4);
+  coarse->advance(3, fracture::Goal::load_factor);
+  for (int k = 0; k <= 60; ++k) fine->advance(k / 20.0, fracture::Goal::load_factor);
+  EXPECT_LE(difference(displacement(*coarse), displacement(*fine)), 1e-12);
+  const fracture::EvolutionState &a = coarse->prepared().evolution->state(), &b = fine->prepared().evolution->state();
+  std::printf("%lld switches on the way, %lld in 60 steps; work %.12g and %.12g\n",
+              static_cast<long long>(a.contact_switches), static_cast<long long>(b.contact_switches), a.work, b.work);
+  EXPECT_GT(a.contact_switches, 5);
+  EXPECT_EQ(a.contact_switches, b.contact_switches);
+  EXPECT_NEAR(a.work, b.work, 1e-12 * std::abs(a.work));
+  EXPECT_LE(a.worst_energy_balance_error, 1e-12);
+  EXPECT_LE(difference(displacement(*coarse), by_quadratic_programme(*coarse)), 1e-12);
+}
+
+// --- Growth
+
+TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {
+  for (const char* rule : {"faces", "rough"}) {
+    const auto model = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}, rule, 1e-3);
+    move_ends(*model, 0, 24e-3, 0.3);
+    std::int64_t broken = 0;
+    while (broken < 60) broken += model->advance(10, fracture::Goal::next_event).broken_bonds;
+    const double load_factor = model->load_factor();
+    model->advance(0.9 * load_factor, fracture::Goal::load_factor);
+    const Eigen::VectorXd before = displacement(*model);
+    const std::int64_t switches = model->prepared().evolution->state().contact_switches;
+    model->advance(-0.9 * load_factor, fracture::Goal::load_factor);
+    const coupling::Contacts& places = model->prepared().system->contacts();
+    const std::size_t closed = places.closed_count();
+    EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
+    model->advance(0.9 * load_factor, fracture::Goal::load_factor);
+    const fracture::EvolutionState& state = model->prepared().evolution->state();
+    std::printf("%s: %lld bonds broken, %zu of %zu places closed under pressure, %lld switches; comes back within %.1e\n",
+                rule, static_cast<long long>(broken), closed, places.size(),
+                static_cast<long long>(state.contact_switches - switches), difference(displacement(*model), before));
+    EXPECT_GT(closed, 9U);
+    EXPECT_GT(places.size(), 9U);
+    EXPECT_LE(difference(displacement(*model), before), 1e-10);
+    EXPECT_LE(state.worst_energy_balance_error, 1e-10);
+  }
+}
+
+TEST(Contact, a_state_saved_among_closed_places_goes_on_alike) {
+  const auto build = [] {
+    auto model = plate({24, 3}, {{{7.2, 9.3}, {16.7, 14.6}}}, "faces", 1e-3);
+    move_ends(*model, 0, -24e-3, 1.2);
+    return model;
+  };
+  const auto first = build(), second = build();
+  first->advance(0.1, fracture::Goal::load_factor);
+  for (int k = 0; k < 12; ++k) first->advance(10, fracture::Goal::next_event);
+  const std::vector<std::uint8_t> bytes = model::to_bytes(first->save());
+  second->restore(model::from_bytes(bytes.data(), bytes.size()));
+  for (const auto* model : {&first, &second})
+    for (int k = 0; k < 25; ++k) (*model)->advance(10, fracture::Goal::next_event);
+  const fracture::EvolutionState &a = first->prepared().evolution->state(), &b = second->prepared().evolution->state();
+  EXPECT_GT(first->prepared().system->contacts().closed_count(), 3U);
+  EXPECT_GT(a.faces.grown.size(), 0U);
+  EXPECT_EQ(a.stages, b.stages);
+  EXPECT_EQ(a.faces.closed, b.faces.closed);
+  EXPECT_EQ(a.total_displacement, b.total_displacement);
+  EXPECT_LE(a.worst_energy_balance_error, 1e-10);
+}
+
+// --- What is said
+
+TEST(Contact, rough_is_of_symmetric_systems) {
+  const auto model = plate({10, 3}, {{{3.2, 5.5}, {6.8, 5.5}}}, "rough");
+  EXPECT_THROW(model->options().set_text("pd.contact", "sticky"), Error);
+}
+
+}  // namespace
