@@ -8,17 +8,9 @@
 
 namespace bempd::fracture {
 
-namespace {
-
 // A wide term that breaks by itself would have to be watched outside of windows.
-bool wide_terms_only_follow(const coupling::Terms& terms) {
-  return std::all_of(terms.wide.term.begin(), terms.wide.term.end(), [&](int term) { return terms.follows(term); });
-}
-
-}  // namespace
-
 bool has_window_form(const coupling::EquilibriumSystem& system) {
-  return system.is_symmetric() && !system.has_offsets() && wide_terms_only_follow(system.terms());
+  return system.is_symmetric() && !system.has_offsets() && system.terms().wide_terms_only_follow();
 }
 
 WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
