@@ -33,6 +33,7 @@ int Terms::add_wide(std::span<const TermEntry> entries, double its_length, doubl
 void Terms::let_follow(int follower, std::span<const int> leaders) {
   assert(followers.empty() || followers.back() < follower);
   followers.push_back(follower);
+  if (is_wide(static_cast<std::size_t>(follower))) ++wide_followers;
   for (int leader : leaders) {
     assert(leader < follower);
     following.push_back({leader, follower});

@@ -76,6 +76,7 @@ struct Terms {
   };
   std::vector<Following> following;
   std::vector<int> followers;  // each once, ascending
+  std::size_t wide_followers = 0;
 
   std::size_t size() const { return first.size(); }
   std::size_t bond_count() const { return size() - wide.term.size(); }
@@ -89,6 +90,7 @@ struct Terms {
   // the order of their numbers.
   void let_follow(int follower, std::span<const int> leaders);
   bool follows(int term) const { return std::binary_search(followers.begin(), followers.end(), term); }
+  bool wide_terms_only_follow() const { return wide_followers == wide.term.size(); }
 
   void set_rest_elongation(int term, double constant, double proportional = 0);
   void set_constant_force(int term, double constant, double proportional = 0);

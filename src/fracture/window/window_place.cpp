@@ -3,22 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
-namespace {
-
 // A wide term that breaks by itself would have to be watched outside of windows.
-bool wide_terms_only_follow(const coupling::Terms& terms) {
-  return std::all_of(terms.wide.term.begin(), terms.wide.term.end(), [&](int term) { return terms.follows(term); });
-}
-
-}  // namespace
-
 bool has_window_form(const coupling::EquilibriumSystem& system) {
-  return system.is_symmetric() && !system.has_offsets() && wide_terms_only_follow(system.terms());
+  return system.is_symmetric() && !system.has_offsets() && system.terms().wide_terms_only_follow();
 }
 
 WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
@@ -120,28 +113,41 @@ bool WindowPlace::still_holds(const std::vector<int>& hot) {
   if (nodes_.empty() || !system_.factor_keeps(nodes_)) return false;
   mark_rim();
   const std::vector<char> kept = marks_of_nodes();
-  const bool all_kept = std::all_of(
-      hot.begin(), hot.end(), [&](int b) { return kept[system_.terms().first[b]] && kept[system_.terms().second[b]]; });
+  std::vector<coupling::StageChange> next;
+  for (const int b : hot) next.push_back(system_.after_critical(b));
+  bool all_kept = true;
+  for (const coupling::StageChange& c : system_.with_followers(std::move(next))) {
+    system_.terms().for_each_node(static_cast<std::size_t>(c.term),
+                                  [&](int node) { all_kept = all_kept && kept[node] != 0; });
+  }
   return all_kept && is_far_from_rim(hot);
 }
 
-bool WindowPlace::choose(double load_factor, double tie_band, double ahead) {
+std::vector<int> WindowPlace::hot_bonds(double load_factor, double share) const {
   const std::vector<char>& intact = system_.intact();
   double largest = 0;
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (intact[b]) largest = std::max(largest, ratios_.at(b, load_factor));
   }
+  std::vector<int> hot;
+  for (std::size_t b = 0; b < intact.size(); ++b) {
+    if (intact[b] && ratios_.at(b, load_factor) >= share * largest) hot.push_back(static_cast<int>(b));
+  }
+  return hot;
+}
+
+bool WindowPlace::choose(double load_factor, double tie_band, double ahead) {
+  // With squares clamps and corners are nearly as hot as tips.
+  if (!system_.terms().followers.empty() && still_holds(hot_bonds(load_factor, WindowSettings::hot_in_present)))
+    return true;
   const ZoneShape shape{length_ahead(ahead)};
   std::vector<double> shares(WindowSettings::hot_shares.begin(), WindowSettings::hot_shares.end());
   shares.push_back(tie_limit(tie_band));
   for (double share : shares) {
-    std::vector<int> hot;
-    for (std::size_t b = 0; b < intact.size(); ++b) {
-      if (intact[b] && ratios_.at(b, load_factor) >= share * largest) hot.push_back(static_cast<int>(b));
-    }
+    const std::vector<int> hot = hot_bonds(load_factor, share);
     if (hot.size() > WindowSettings::most_hot_bonds) continue;
     if (still_holds(hot)) return true;
-    std::vector<Zone> zones = zones_of(hot, ratios_, load_factor, intact, positions_, spacing_, shape);
+    std::vector<Zone> zones = zones_of(hot, ratios_, load_factor, system_.intact(), positions_, spacing_, shape);
     std::vector<int> nodes = nodes_of(zones);
     if (nodes.empty() || is_too_large(nodes, shape)) continue;
     keep(std::move(zones), std::move(nodes));

@@ -37,6 +37,7 @@ class WindowPlace {
   double length_ahead(double wanted) const;
   bool is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const;
   bool still_holds(const std::vector<int>& hot);
+  std::vector<int> hot_bonds(double load_factor, double share) const;
   std::vector<int> nodes_of(const std::vector<Zone>& zones) const;
   std::vector<char> marks_of_nodes() const;
   void keep(std::vector<Zone> zones, std::vector<int> nodes);

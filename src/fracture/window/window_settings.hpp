@@ -25,6 +25,8 @@ struct WindowSettings {
   // Hot are bonds with this share of the largest ratio; the next share is taken where they are too many or their window
   // is too large.
   static constexpr std::array hot_shares{0.7, 0.8, 0.9, 0.97};
+  // The share with which a window stays that is there already, where terms follow others.
+  static constexpr double hot_in_present = 0.9;
   static constexpr std::size_t most_hot_bonds = 1500, most_cut_bonds = 6000;
   // Hot bonds nearer to each other than this are one crowd; broken bonds as near as the second tell on which side of a
   // crowd the crack is.
@@ -34,6 +36,8 @@ struct WindowSettings {
   // Which bonds tell in which direction a crack opens: those with this share of the largest ratio in a crowd, up to so
   // many spacings from it. The few that are about to break would tell the next step of a path that goes to and fro.
   static constexpr double opening_share = 0.5, opening_reach = 16;
+  // Where bonds open in all directions alike, by this ratio of the least to the largest, the crack behind tells.
+  static constexpr double opening_all_around = 0.75;
 
   // Bonds broken between two looks at what can be left behind; the least share of what is followed that is worth it;
   // and where it lies: so far behind the bonds with this share of the largest ratio.

@@ -67,13 +67,15 @@ class Builder {
     zone.centre /= weight;
     const double dx = spacing_[bonds().first[crowd.front()]];
     // A crack runs across the direction in which it opens.
-    zone.axis = linalg::symmetric_modes(
-                    opening(zone.centre, WindowSettings::opening_reach * dx, WindowSettings::opening_share * largest))
-                    .vectors.col(0);
+    const linalg::SymmetricModes openings = linalg::symmetric_modes(
+        opening(zone.centre, WindowSettings::opening_reach * dx, WindowSettings::opening_share * largest));
+    zone.axis = openings.vectors.col(0);
     Point crack = Point::Zero();
     for (const Point& p : parted) {
       if ((p - zone.centre).norm() < WindowSettings::crack_distance * dx) crack += p - zone.centre;
     }
+    const bool all_around = openings.values[0] > WindowSettings::opening_all_around * openings.values[1];
+    if (all_around && !bonds().followers.empty() && crack.norm() > 0) zone.axis = -crack.normalized();
     if (zone.axis.dot(crack) > 0) zone.axis = -zone.axis;
     const bool one_way = -zone.axis.dot(crack) > 0.5 * crack.norm() && crack.norm() > 0;
     std::vector<Point> middles;
