@@ -40,7 +40,7 @@ class NeighbourDescription final : public regions::LatticeDescription {
 int add_neighbour_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing) {
   constexpr int ratio = 3;  // of the horizon that the critical stretch is for
   return scene.add_region(
-      std::make_unique<NeighbourDescription>(material, scene.material(material), vertices, spacing, ratio));
+      std::make_unique<NeighbourDescription>(material, scene.material(material), Outline{{vertices}}, spacing, ratio));
 }
 
 // --- A strip of all three kinds, pulled along x
