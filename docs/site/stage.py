@@ -35,7 +35,7 @@ def copy(source: pathlib.Path, target: pathlib.Path) -> None:
 
 
 CHAPTERS = {
-    "Learn": ["docs/tutorial", "docs/theory", "docs/coupling", "docs/paraview", "docs/troubleshooting"],
+    "Learn": ["docs/tutorial", "docs/theory", "docs/coupling", "docs/checkpoints", "docs/paraview", "docs/troubleshooting"],
     "Look up": ["docs/reference/index", "docs/options", "bindings/fortran/README", "bindings/python/README",
                 "docs/python_reference", "bindings/rust/README"],
     "Examples": ["examples/*/README"],

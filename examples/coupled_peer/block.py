@@ -67,9 +67,11 @@ class Peer:
         free = np.concatenate([self._free, count + self._free])
         flexibility = np.linalg.inv(stiffness[np.ix_(free, free)])
         swelling = (c11 + c12) * block.thermal_expansion * np.vstack([np.kron(gx, my), np.kron(mx, gy)])
+        self._flexibility, self._pull, self._free_dofs = flexibility, swelling[free], free
         face_dofs = np.concatenate([np.arange(face), len(self._free) + np.arange(face)])
         self._by_forces = flexibility[np.ix_(face_dofs, face_dofs)]
         self._by_heat = flexibility[face_dofs] @ swelling[free]
+        self._face_dofs = face_dofs
 
     def mean(self, temperature: np.ndarray) -> float:
         return float((self._mass @ temperature).sum() / (self.block.width * self.block.height))
@@ -83,6 +85,14 @@ class Peer:
         right = self._mass @ temperature - matrix[:, len(free):].sum(axis=1) * cold
         after[free] = self._heat[hours] @ right[free]
         return after
+
+    def displacement_field(self, temperature: np.ndarray, forces: np.ndarray) -> np.ndarray:
+        """Of all nodes, in x and then in y, for pictures."""
+        load = self._pull @ temperature
+        load[self._face_dofs] += forces.T.ravel()
+        moved = np.zeros(2 * len(temperature))
+        moved[self._free_dofs] = self._flexibility @ load
+        return moved
 
     def displacement(self, temperature: np.ndarray, forces: np.ndarray) -> np.ndarray:
         return (self._by_forces @ forces.T.ravel() + self._by_heat @ temperature).reshape(2, -1).T

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+
 import numpy as np
 import ufl
 from block import Block
@@ -9,6 +11,8 @@ from dolfinx import fem, mesh
 from dolfinx.fem import petsc
 from mpi4py import MPI
 from petsc4py import PETSc
+
+logging.disable(logging.INFO)  # what the compiler of forms says
 
 
 def factorized(matrix: PETSc.Mat) -> PETSc.KSP:
@@ -62,7 +66,8 @@ class Peer:
             value = fem.Constant(space.mesh, 0.0)
             wall = fem.dirichletbc(value, at_wall, space)
             t, w = ufl.TrialFunction(space), ufl.TestFunction(space)
-            form = fem.form(t * w * ufl.dx + hours * self.block.diffusivity * ufl.dot(ufl.grad(t), ufl.grad(w)) * ufl.dx)
+            spread = fem.Constant(space.mesh, hours * self.block.diffusivity)  # a number in the form is compiled anew
+            form = fem.form(t * w * ufl.dx + spread * ufl.dot(ufl.grad(t), ufl.grad(w)) * ufl.dx)
             matrix = petsc.assemble_matrix(form, bcs=[wall])
             matrix.assemble()
             self._heat = {hours: (value, wall, form, factorized(matrix), fem.form(self._temperature * w * ufl.dx))}

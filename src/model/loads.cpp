@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "error.hpp"
 #include "model/model.hpp"
 
@@ -87,6 +89,10 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
     require(target != present, "load_factor is ", target,
             ", where the model is already; values move with the load factor, so give another one, such as the time at "
             "the end of the step");
+    require(std::abs(target - present) >= 1e-8 * std::abs(target), "load_factor is ", target,
+            ", nearer than 1e-8 of it to ", present,
+            ", where the model is: values on so short a way lose that many digits; let the load factor count "
+            "from a later beginning, or in larger steps");
     way = scene::line_between(loads_.in_force ? *loads_.in_force : scene::at_rest(*said), present, *said, target);
     before = replace_loads(conditions_under(*way), Acting::on_a_way);
   }

@@ -20,13 +20,14 @@ contains
     integer :: stat
 
     call make_strip(model)
-    call model%step(12._dp)
+    call model%step(2._dp)
     call model%edge_forces(3, 2, forces)
     call model%reaction(2, reaction)
-    call check(abs(sum(forces(1, :)) - reaction(1)) <= 1e-12_dp * abs(reaction(1)), "forces sum to the reaction")
+    call check(reaction(1) > 1e-3_dp .and. abs(sum(forces(1, :)) - reaction(1)) <= 1e-12_dp * reaction(1), &
+      "forces sum to the reaction")
     call model%edge_forces(2, 2, forces)
     call model%edge_forces(3, 4, opposite)
-    call check(all(abs(forces + opposite(:, size(opposite, 2):1:-1)) < 1e-10_dp * abs(reaction(1))), "both sides balance")
+    call check(all(abs(forces + opposite(:, size(opposite, 2):1:-1)) < 1e-10_dp * reaction(1)), "both sides balance")
     call model%edge_forces(2, 1, forces, stat, message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "neither held")
   end subroutine forces_sum_to_the_reaction

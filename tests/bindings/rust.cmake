@@ -49,5 +49,9 @@ if(BEMPD_INSTALL)
     -D "CARGO=${BEMPD_CARGO}" -D "WORK_DIR=${rust_build}/with space" -D "BUILD_DIR=${PROJECT_BINARY_DIR}"
     -D "LIBDIR=${CMAKE_INSTALL_LIBDIR}" -D "CRATES=${rust_source}" -D "VERSION=${PROJECT_VERSION}"
     -P "${PROJECT_SOURCE_DIR}/tests/package/cargo.cmake")
-  set_tests_properties(package.cargo PROPERTIES LABELS delivery)
+  bempd_add_rust_test(package.rust_lines bash "${PROJECT_SOURCE_DIR}/tests/package/rust_lines.sh" "${PROJECT_SOURCE_DIR}"
+    "${PROJECT_BINARY_DIR}/tests/package/with space/prefix moved" "${CMAKE_INSTALL_LIBDIR}" "${rust_build}/lines"
+    "${PROJECT_VERSION}" "${BEMPD_CARGO}")
+  set_tests_properties(package.cargo package.rust_lines PROPERTIES LABELS delivery)
+  set_tests_properties(package.rust_lines PROPERTIES FIXTURES_REQUIRED installed_package ENVIRONMENT "PATH=${rust_programs}:$ENV{PATH}")
 endif()

@@ -209,6 +209,26 @@ static void supports_with_a_common_corner_get_new_values_together(void) {
   bempd_model_free(model);
 }
 
+/** Late times leave values on short ways fewer digits: as many as the way is shorter than the time. */
+static void short_ways_at_late_times_lose_digits_or_are_refused(void) {
+  const coupled_plate early = coupled_plate_create(), late = coupled_plate_create();
+  double expected[2], found[2];
+  pull(&early, 0.1);
+  go(&early, 1.0, BEMPD_UNTIL_VALUES);
+  pull(&late, 0.05);
+  go(&late, 1e6, BEMPD_UNTIL_VALUES);
+  pull(&late, 0.1);
+  CHECK_FAILS(late.model, BEMPD_ERROR_ARGUMENT, "digits",
+              bempd_step_to_values(late.model, 1e6 + 1e-3, BEMPD_UNTIL_VALUES, NULL));
+  go(&late, 1e6 + 1.0, BEMPD_UNTIL_VALUES);
+  CHECK_OK(early.model, bempd_reaction(early.model, early.pulled_right, expected));
+  CHECK_OK(late.model, bempd_reaction(late.model, late.pulled_right, found));
+  CHECK(expected[0] > 0.0);
+  CHECK_CLOSE(found[0], expected[0], 1e-8 * expected[0]);
+  bempd_model_free(early.model);
+  bempd_model_free(late.model);
+}
+
 static void what_makes_no_way_is_refused(void) {
   const coupled_plate plate = coupled_plate_create();
   bempd_step_report report;
@@ -231,6 +251,7 @@ int main(void) {
   a_step_that_ends_on_the_way_is_gone_on_with();
   a_cancelled_way_is_not_begun();
   supports_with_a_common_corner_get_new_values_together();
+  short_ways_at_late_times_lose_digits_or_are_refused();
   what_makes_no_way_is_refused();
   return check_finish();
 }

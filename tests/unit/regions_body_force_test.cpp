@@ -54,11 +54,13 @@ struct Bar {
 // Holds the upper edge as the solution has it; a part of the weight is there from the start.
 void hang(const Bar& bar, Model& m) {
   scene::Scene& scene = m.editable_scene();
-  const auto held = [bar](const Point& p) -> scene::BoundaryValue {
+  const auto held = [bar](const Point& p, double) -> scene::BoundaryValue {
     return {0.25 * bar.displacement(p), 0.75 * bar.displacement(p)};
   };
   scene.add_support({std::make_shared<const regions::EdgePart>(1, 3, 0, 1), 3, held});
-  const auto force = [bar](const Point&) -> scene::BoundaryValue { return {0.25 * bar.force(), 0.75 * bar.force()}; };
+  const auto force = [bar](const Point&, double) -> scene::BoundaryValue {
+    return {0.25 * bar.force(), 0.75 * bar.force()};
+  };
   scene.add_load({std::make_shared<const regions::WholeRegion>(1), 3, force});
 }
 
@@ -209,7 +211,9 @@ TEST(BodyForce, passes_from_boundary_elements_to_a_lattice) {
   regions::add_lattice_region(scene, 1, {{c[0].x(), 1}, {c[1].x(), 1}, c[2], c[3]}, 0.05, 3);
   regions::add_boundary_region(scene, 1, {c[0], c[1], {c[1].x(), 1}, {c[0].x(), 1}}, 0.1);
   hang(bar, m);
-  const auto force = [bar](const Point&) -> scene::BoundaryValue { return {0.25 * bar.force(), 0.75 * bar.force()}; };
+  const auto force = [bar](const Point&, double) -> scene::BoundaryValue {
+    return {0.25 * bar.force(), 0.75 * bar.force()};
+  };
   scene.add_load({std::make_shared<const regions::WholeRegion>(2), 3, force});
   m.advance(1, fracture::Goal::load_factor);
   const double load = weight * width * height * thickness;

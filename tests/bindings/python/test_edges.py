@@ -45,6 +45,36 @@ def test_nodes_lie_in_order_with_their_weights(strip):
         assert set(found.nodes) <= set(elements.ravel()) and len(elements) >= (len(found.nodes) - 1) / 2
 
 
+@pytest.mark.parametrize("kind", ["bem", "pd"])
+def test_forces_on_round_edges_are_those_of_constant_stress(kind):
+    """A disc that is blown up evenly: what acts through each quarter is the stress on the section between its ends."""
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.01)
+    if kind == "bem":
+        disc = model.add_bem_disc(glass, (0, 0), 0.1, 0.02)
+    else:
+        disc = model.add_pd_region(glass, [(0.1, 0), (0, 0.1), (-0.1, 0), (0, -0.1)], spacing=0.01)
+        for edge in range(1, 5):
+            angle = np.pi / 4 * (2 * edge - 1)
+            model.set_edge_arc(disc, edge, (0.1 * np.cos(angle), 0.1 * np.sin(angle)))
+    supports = [model.fix_edge(disc, edge) for edge in range(1, 5)]
+    position = model.copy_field(disc, "position")
+    for edge in range(1, 5):
+        nodes = model.edge_nodes(disc, edge)
+        angles = np.pi / 2 * (edge - 1 + nodes.fractions)
+        places = 0.1 * np.column_stack([np.cos(angles), np.sin(angles)])
+        np.testing.assert_allclose(position[nodes.nodes], places, atol=1e-6 if kind == "bem" else 1e-3)
+        assert nodes.weights.sum() == pytest.approx(0.05 * np.pi, rel=1e-9 if kind == "bem" else 2e-2)
+    for edge, support in enumerate(supports, 1):
+        model.set_support_nodal_values(support, constant=1e-4 * position[model.edge_nodes(disc, edge).nodes])
+    model.step(1)
+    stress = 3e9 / (1 - 1 / 3) * 1e-4
+    for edge, direction in enumerate([(1, 1), (-1, 1), (-1, -1), (1, -1)], 1):
+        total = model.edge_forces(disc, edge).sum(axis=0)
+        np.testing.assert_allclose(total, stress * 0.01 * 0.1 * np.array(direction), rtol=1e-6 if kind == "bem" else 1e-9)
+        np.testing.assert_allclose(total, model.edge_reaction(disc, edge).force, rtol=1e-12)
+
+
 def test_values_at_nodes_and_places(strip):
     model = strip.model
     edge = model.edge_nodes(strip.right, 2)
