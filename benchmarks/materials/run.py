@@ -1,15 +1,18 @@
 """Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; the tables of docs/materials.md.
-Run it with benchmarks/run.sh materials."""
+Run it with benchmarks/run.sh materials, those of contact alone with benchmarks/run.sh materials contact."""
 
 from __future__ import annotations
 
 import math
+import sys
 import time
 from pathlib import Path
 from typing import Callable, Iterator
 
 import bempd
 import numpy as np
+
+import contact
 
 RATIOS = {"stress": (-0.2, 0.0, 0.2, 1 / 3, 0.45, 0.49), "strain": (0.0, 0.25, 0.4, 0.45, 0.49)}
 Field = Callable[[float, float], tuple[float, float]]
@@ -254,7 +257,20 @@ def updates_per_bond(plane: str, ratio: float, m: int) -> float:
     return statistics.factor_updates / statistics.broken_bonds
 
 
+def write(tables: dict[str, str]) -> None:
+    document = Path(__file__).resolve().parents[2] / "docs" / "materials.md"
+    text = document.read_text()
+    for mark, value in tables.items():
+        begin, end = f"<!-- {mark} -->", f"<!-- end {mark} -->"
+        if begin in text:
+            text = text.split(begin)[0] + f"{begin}\n{value}\n{end}" + text.split(end)[1]
+    document.write_text(text)
+
+
 def main() -> None:
+    write({"contact": table(contact.HEADS, contact.rows()), "wings": table(contact.WING_HEADS, contact.wing_rows())})
+    if sys.argv[1:] == ["contact"]:
+        return
     tables = {}
     tables["patch"] = table(
         ["material", "lattice alone", "with boundary elements", "that do not match"],
@@ -278,13 +294,7 @@ def main() -> None:
     tables["toughness"] = table(["m", "material", "first break along rows", "at 45 degrees", "strip: first break",
                                  "most in growth", "energy per length"], rows)
     tables["cost"] = table(["m", "material", "nonzeros of the factor", "seconds", "updates per bond"], costs)
-    document = Path(__file__).resolve().parents[2] / "docs" / "materials.md"
-    text = document.read_text()
-    for mark, value in tables.items():
-        begin, end = f"<!-- {mark} -->", f"<!-- end {mark} -->"
-        if begin in text:
-            text = text.split(begin)[0] + f"{begin}\n{value}\n{end}" + text.split(end)[1]
-    document.write_text(text)
+    write(tables)
 
 
 if __name__ == "__main__":

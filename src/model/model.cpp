@@ -78,9 +78,10 @@ void Model::grow_lines(PreparedScene& p) const {
 fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
   using fracture::ContactRule;
   const std::string rule = options_.text_value("pd.contact");
-  require(rule != "rough" || p.system->is_symmetric(),
+  const bool symmetric = options_.text_value("scheme") == "symmetric";
+  require(rule != "rough" || symmetric,
           "pd.contact is rough, which scheme symmetric has; choose that scheme, or pd.contact = none");
-  if (rule == "none" || !p.system->is_symmetric()) return {};
+  if (rule == "none" || !symmetric) return {};
   if (rule == "rough") return {ContactRule::rough, {}, {}};
   pd::FacePlaces lattices = regions::face_lattices(p.discretization);
   if (lattices.lattice_count() == 0) return {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <random>
@@ -76,32 +77,40 @@ inline std::unique_ptr<model::Model> random_plate(std::mt19937& random) {
   return whole && model->prepared().system->contacts().size() > 0 ? std::move(model) : nullptr;
 }
 
+// Numbers of the reference: a body whose cracks are open may hang together by next to nothing.
+using Number = long double;
+using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+using Numbers = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+
 // Forces p >= 0 with the least 1/2 p.A p + g.p, by the active set of Lawson and Hanson 1974.
-inline Eigen::VectorXd least_contact_forces(const Eigen::MatrixXd& a, const Eigen::VectorXd& g) {
+inline Numbers least_contact_forces(const Matrix& a, const Numbers& g) {
   const Eigen::Index n = g.size();
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(n);
+  Numbers p = Numbers::Zero(n);
   std::vector<int> active;
-  const double zero = 1e-13 * std::max(g.lpNorm<Eigen::Infinity>(), 1e-300);
-  for (int round = 0; round < 20 * n; ++round) {
-    const Eigen::VectorXd slope = -(a * p + g);
-    int next = -1;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const bool is_active = std::find(active.begin(), active.end(), static_cast<int>(i)) != active.end();
-      if (!is_active && slope[i] > zero && (next < 0 || slope[i] > slope[next])) next = static_cast<int>(i);
-    }
+  const auto is_active = [&](Eigen::Index i) {
+    return std::find(active.begin(), active.end(), static_cast<int>(i)) != active.end();
+  };
+  const Number zero = 1e-16L * std::max(g.lpNorm<Eigen::Infinity>(), Number{1e-300L});
+  for (Eigen::Index round = 0; round < 20 * n; ++round) {
+    const Numbers slope = -(a * p + g);
+    Eigen::Index next = -1;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!is_active(i) && slope[i] > zero && (next < 0 || slope[i] > slope[next])) next = i;
     if (next < 0) break;
-    active.push_back(next);
+    active.push_back(static_cast<int>(next));
     for (;;) {
-      const Eigen::VectorXd trial = a(active, active).ldlt().solve(-g(active));
-      double step = 1;
+      const Matrix among = a(active, active);
+      const Numbers trial = among.ldlt().solve(Numbers(-g(active)));
+      Number step = 1;
       for (std::size_t k = 0; k < active.size(); ++k) {
-        const double now = p[active[k]], then = trial[static_cast<Eigen::Index>(k)];
+        const Number now = p[active[k]], then = trial[static_cast<Eigen::Index>(k)];
         if (then <= 0) step = std::min(step, now / (now - then));
       }
-      for (std::size_t k = 0; k < active.size(); ++k) p[active[k]] += step * (trial[static_cast<Eigen::Index>(k)] - p[active[k]]);
+      for (std::size_t k = 0; k < active.size(); ++k)
+        p[active[k]] += step * (trial[static_cast<Eigen::Index>(k)] - p[active[k]]);
       if (step == 1) break;
       std::erase_if(active, [&](int i) {
-        if (p[i] > 1e-14 * p.maxCoeff()) return false;
+        if (p[i] > 1e-17L * p.maxCoeff()) return false;
         p[i] = 0;
         return true;
       });
@@ -110,42 +119,58 @@ inline Eigen::VectorXd least_contact_forces(const Eigen::MatrixXd& a, const Eige
   return p;
 }
 
-// The whole body's displacements at its load factor, by dense algebra with all places open and the forces that keep
-// them from overlapping. No place touches a held point.
-inline Eigen::VectorXd by_quadratic_programme(model::Model& model) {
-  coupling::EquilibriumSystem& system = *model.prepared().system;
-  const coupling::ReducedSystem reduced = system.reduce();
-  const Eigen::VectorXd load = coupling::evaluate(reduced.right_hand_side, model.load_factor());
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd(system.assemble()).selfadjointView<Eigen::Lower>();
-  const coupling::Contacts& places = system.contacts();
-  const auto count = static_cast<Eigen::Index>(places.size());
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(2 * system.node_count(), count);
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (const coupling::TermEntry& e : places[static_cast<std::size_t>(i)].pull) {
-      all(2 * e.node, i) += e.x;
-      all(2 * e.node + 1, i) += e.y;
+// The whole body's displacements by dense algebra, with all places open and the forces that keep them from overlapping.
+// No place touches a held point.
+class QuadraticProgramme {
+ public:
+  explicit QuadraticProgramme(model::Model& model) : model_(model) {
+    coupling::EquilibriumSystem& system = *model.prepared().system;
+    const coupling::ReducedSystem reduced = system.reduce();
+    dof_of_ = reduced.dof_of;
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(system.assemble()).selfadjointView<Eigen::Lower>();
+    Matrix stiffness = whole.cast<Number>();
+    const coupling::Contacts& places = system.contacts();
+    const auto count = static_cast<Eigen::Index>(places.size());
+    Matrix all = Matrix::Zero(2 * system.node_count(), count);
+    softness_.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      for (const coupling::TermEntry& e : places[place].pull) {
+        all(2 * e.node, i) += e.x;
+        all(2 * e.node + 1, i) += e.y;
+      }
+      softness_[i] = 1 / static_cast<Number>(places[place].stiffness);
     }
-  const Eigen::MatrixXd pull = all(reduced.dof_of, Eigen::all);
-  Eigen::VectorXd softness(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    softness[i] = 1 / places[place].stiffness;
-    stiffness -= places.present_stiffness(place) * pull.col(i) * pull.col(i).transpose();
+    pull_ = all(dof_of_, Eigen::all);
+    for (Eigen::Index i = 0; i < count; ++i)
+      stiffness -= places.present_stiffness(static_cast<std::size_t>(i)) * pull_.col(i) * pull_.col(i).transpose();
+    factor_.compute(stiffness);
+    answer_ = factor_.solve(pull_);
   }
-  const Eigen::LDLT<Eigen::MatrixXd> factor(stiffness);
-  const auto solve = [&](const Eigen::MatrixXd& rhs) {  // with one correction
-    Eigen::MatrixXd x = factor.solve(rhs);
-    x += factor.solve(rhs - stiffness * x);
-    return x;
-  };
-  const Eigen::VectorXd free = solve(load);
-  const Eigen::MatrixXd answer = solve(pull);
-  Eigen::MatrixXd a = pull.transpose() * answer;
-  a.diagonal() += softness;
-  const Eigen::VectorXd forces = least_contact_forces(a, pull.transpose() * free);
-  Eigen::VectorXd u = coupling::evaluate(reduced.prescribed, model.load_factor());
-  u(reduced.dof_of) = free + answer * forces;
-  return u;
-}
+
+  // At the model's load factor.
+  Eigen::VectorXd displacement() const {
+    const coupling::ReducedSystem reduced = model_.prepared().system->reduce();
+    const double f = model_.load_factor();
+    const Numbers load = coupling::evaluate(reduced.right_hand_side, f).cast<Number>();
+    const Numbers open = factor_.solve(load);
+    Matrix a = pull_.transpose() * answer_;
+    a.diagonal() += softness_;
+    const Numbers forces = least_contact_forces(a, pull_.transpose() * open);
+    const Numbers together = open + answer_ * forces;
+    Eigen::VectorXd u = coupling::evaluate(reduced.prescribed, f);
+    u(dof_of_) = together.cast<double>();
+    return u;
+  }
+
+ private:
+  model::Model& model_;
+  std::vector<int> dof_of_;
+  Matrix pull_, answer_;
+  Numbers softness_;
+  Eigen::LDLT<Matrix> factor_;
+};
+
+inline Eigen::VectorXd by_quadratic_programme(model::Model& model) { return QuadraticProgramme(model).displacement(); }
 
 }  // namespace contact_bodies

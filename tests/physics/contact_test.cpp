@@ -30,10 +30,10 @@ TEST(Contact, random_bodies_agree_with_a_quadratic_programme) {
     const auto model = random_plate(random);
     if (!model) continue;
     ++bodies;
+    const QuadraticProgramme programme(*model);
     for (const double load_factor : {0.7, 2.0, -1.5, 0.4, 0.0, -0.3}) {
       model->advance(load_factor, fracture::Goal::load_factor);
-      const Eigen::VectorXd expected = by_quadratic_programme(*model);
-      worst = std::max(worst, difference(displacement(*model), expected));
+      worst = std::max(worst, difference(displacement(*model), programme.displacement()));
       closed += static_cast<int>(model->prepared().system->contacts().closed_count());
       places += static_cast<int>(model->prepared().system->contacts().size());
     }
@@ -105,7 +105,7 @@ TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {
     const auto model = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}, rule, 1e-3);
     move_ends(*model, 0, 24e-3, 0.3);
     std::int64_t broken = 0;
-    while (broken < 60) broken += model->advance(10, fracture::Goal::next_event).broken_bonds;
+    while (broken < 40) broken += model->advance(10, fracture::Goal::next_event).broken_bonds;
     const double load_factor = model->load_factor();
     model->advance(0.9 * load_factor, fracture::Goal::load_factor);
     const Eigen::VectorXd before = displacement(*model);
@@ -113,7 +113,9 @@ TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {
     model->advance(-0.9 * load_factor, fracture::Goal::load_factor);
     const coupling::Contacts& places = model->prepared().system->contacts();
     const std::size_t closed = places.closed_count();
-    EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
+    if (std::string(rule) == "faces") {  // a programme of 300 bonds takes a second
+      EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
+    }
     model->advance(0.9 * load_factor, fracture::Goal::load_factor);
     const fracture::EvolutionState& state = model->prepared().evolution->state();
     std::printf("%s: %lld bonds broken, %zu of %zu places closed under pressure, %lld switches; comes back within %.1e\n",
@@ -151,8 +153,20 @@ TEST(Contact, a_state_saved_among_closed_places_goes_on_alike) {
 // --- What is said
 
 TEST(Contact, rough_is_of_symmetric_systems) {
-  const auto model = plate({10, 3}, {{{3.2, 5.5}, {6.8, 5.5}}}, "rough");
+  const auto model = plate({10, 3}, {{{3.2, 5.3}, {6.8, 5.3}}}, "rough");
   EXPECT_THROW(model->options().set_text("pd.contact", "sticky"), Error);
+  try {
+    model->options().set_text("scheme", "paper");
+  } catch (const Error&) {
+    GTEST_SKIP() << "built without scheme paper";
+  }
+  move_ends(*model, 0, 1);
+  try {
+    model->prepare();
+    ADD_FAILURE() << "was accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("pd.contact is rough"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

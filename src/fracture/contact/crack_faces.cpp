@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linalg/symmetric_modes.hpp"
 
@@ -66,6 +67,10 @@ double CrackFaces::spacing(int term) const { return system_.terms().length[term]
 
 void CrackFaces::enter(int term) {
   if (entered_.insert(term).second) parted_[cell_of(middle(term), reach_, 0, 0)].push_back(term);
+}
+
+void CrackFaces::leave(int term) {
+  if (entered_.erase(term) > 0) std::erase(parted_[cell_of(middle(term), reach_, 0, 0)], term);
 }
 
 std::vector<int> CrackFaces::near(int term) const {
@@ -151,43 +156,59 @@ void CrackFaces::renew(int term, const Eigen::VectorXd& displacement, FaceState&
   system_.replace_open_contact(place, std::move(*contact));
 }
 
+// What has a place, or may have one now, beside terms that are gone, and these.
+std::vector<int> CrackFaces::around(std::span<const int> terms) const {
+  if (plan_.rule == ContactRule::rough) return {terms.begin(), terms.end()};
+  std::vector<int> found;
+  for (const int term : terms) {
+    const std::vector<int> some = near(term);
+    found.insert(found.end(), some.begin(), some.end());
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::erase_if(found, [&](int term) { return std::binary_search(cut_.begin(), cut_.end(), term); });
+  return found;
+}
+
 void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
   if (gone_.empty()) return;
   const std::vector<int> terms = fresh(gone_);
   gone_.clear();
   for (const int term : terms) enter(term);
-  if (plan_.rule == ContactRule::faces) {
-    std::vector<int> around;
-    for (const int term : terms) {
-      const std::vector<int> some = near(term);
-      around.insert(around.end(), some.begin(), some.end());
+  for (const int term : around(terms)) {
+    if (grown_.contains(term)) {
+      renew(term, displacement, state);
+    } else {
+      add(term, state);
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    for (const int term : around) {
-      if (grown_.contains(term)) {
-        renew(term, displacement, state);
-      } else if (!std::binary_search(cut_.begin(), cut_.end(), term)) {
-        add(term, state);
-      }
-    }
-  } else {
-    for (const int term : terms) add(term, state);
   }
 }
 
-std::vector<std::pair<int, Contact>> CrackFaces::foreseen(std::span<const int> next) const {
-  std::vector<int> terms = gone_;
-  terms.insert(terms.end(), next.begin(), next.end());
-  terms = fresh(terms);
-  std::vector<std::pair<int, Contact>> found;
-  for (const int term : terms) {
-    std::vector<int> others = near(term);
-    for (const int other : terms)
-      if ((middle(other) - middle(term)).norm() < normal_reach * spacing(term)) others.push_back(other);
-    if (auto contact = contact_at(term, normal_at(term, others))) found.emplace_back(term, std::move(*contact));
-  }
-  return found;
+std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> next) {
+  constexpr int end = std::numeric_limits<int>::max();
+  std::vector<WatchedPlace> all;
+  for (std::size_t i = 0; i < places().size(); ++i) all.push_back({places()[i], places().is_closed(i), 0, end});
+  std::unordered_map<int, std::size_t> latest;
+  for (const auto& [term, number] : grown_) latest[term] = initial_count_ + number;
+  std::vector<int> entered;
+  const auto follow = [&](std::span<const int> gone, int since) {
+    const std::vector<int> terms = fresh(gone);
+    for (const int term : terms) enter(term);
+    entered.insert(entered.end(), terms.begin(), terms.end());
+    for (const int term : around(terms)) {
+      const auto known = latest.find(term);
+      if (known != latest.end() && all[known->second].closed) continue;
+      std::optional<Contact> contact = contact_at(term, normal_at(term, near(term)));
+      if (!contact) continue;
+      if (known != latest.end()) all[known->second].until = since;
+      latest[term] = all.size();
+      all.push_back({std::move(*contact), false, since, end});
+    }
+  };
+  follow(gone_, 0);
+  for (std::size_t e = 0; e < next.size(); ++e) follow(next[e], static_cast<int>(e) + 1);
+  for (const int term : entered) leave(term);
+  return all;
 }
 
 void CrackFaces::restore(const FaceState& state) {

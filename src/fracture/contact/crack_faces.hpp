@@ -23,6 +23,13 @@ struct ContactPlan {
   std::vector<pd::FacePlace> initial;
 };
 
+// A place as it is in some states of a row: from one of them on, before another one.
+struct WatchedPlace {
+  coupling::Contact contact;
+  bool closed;
+  int since, until;
+};
+
 // The places where faces of cracks can meet: on the initial cracks, and one for every bond between neighbours that has
 // broken since, with the normal of the broken ones around it. The normal of a place may change while it is open. By the
 // rule `rough` each broken bond is a place instead, and presses along itself.
@@ -43,8 +50,8 @@ class CrackFaces {
   void note_gone(std::span<const int> terms);
   // New places, and normals of open ones near them where they do not overlap for it at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
-  // The places that terms noted, and others that go next, would make.
-  std::vector<std::pair<int, coupling::Contact>> foreseen(std::span<const int> next) const;
+  // All places, and those that the terms noted and others that go in this order make; they are gone.
+  std::vector<WatchedPlace> watched(std::span<const std::vector<int>> next);
 
   // Makes the system's places those of a state, whose stages it has; terms that are gone without one are noted.
   void restore(const FaceState& state);
@@ -53,6 +60,8 @@ class CrackFaces {
   bool can_be_a_place(int term) const;
   std::vector<int> fresh(std::span<const int> terms) const;
   void enter(int term);
+  void leave(int term);
+  std::vector<int> around(std::span<const int> terms) const;
   void renew(int term, const Eigen::VectorXd& displacement, FaceState& state);
   void add(int term, FaceState& state);
   Point middle(int term) const;

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <array>
-#include <cstdlib>
-#include <utility>
+#include <cmath>
 #include <vector>
 
-#include "coupling/contacts.hpp"
+#include "coupling/affine.hpp"
+#include "fracture/contact/crack_faces.hpp"
 
 namespace bempd::fracture {
 
 struct ForeseenEvent;
-class CrackFaces;
 
 // The gaps of the faces of cracks in the states that a window goes through. A window knows closed places as stiffness
 // and open ones not at all: what it has computed counts as long as none closes or opens.
@@ -18,40 +17,42 @@ class FaceWatch {
  public:
   // Nothing to watch.
   FaceWatch() = default;
-  // Places that there are, and those that events make.
-  FaceWatch(const coupling::Contacts& places, const CrackFaces& faces, const std::vector<ForeseenEvent>& events,
-            double from, bool proportional);
+  // All places in the states after 0, 1, ... of the events, the first at the load factor `from`.
+  FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events, double from, bool proportional);
 
   bool is_idle() const { return places_.empty(); }
+
+  // How many of the events come before places open or close whose points are among the degrees of freedom kept.
+  int events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs, int dof_count) const;
 
   // Whether all places are in a state as they were at first, at the load factors from the event that led there to the
   // one that follows; `constant(dof)` and `proportional(dof)` are its displacements, the largest of which are given.
   template <class Part>
   bool holds(int state, const Part& constant, const Part& proportional, const std::array<double, 2>& largest) const {
-    for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
-      const double zero = rounding(largest[0] + std::abs(load_factor) * largest[1]);
-      for (const Place& place : places_) {
-        if (place.since > state) continue;
-        double gap = 0;
-        for (const coupling::TermEntry& e : place.contact.pull) {
-          gap += e.x * (constant(2 * e.node) + load_factor * proportional(2 * e.node)) +
-                 e.y * (constant(2 * e.node + 1) + load_factor * proportional(2 * e.node + 1));
-        }
-        if (place.closed ? gap > zero : gap < -zero) return false;
-      }
-    }
+    for (const WatchedPlace& place : places_)
+      if (!holds(place, state, constant, proportional, largest)) return false;
     return true;
   }
 
  private:
-  static double rounding(double largest);
+  template <class Part>
+  bool holds(const WatchedPlace& place, int state, const Part& constant, const Part& proportional,
+             const std::array<double, 2>& largest) const {
+    if (state < place.since || state >= place.until) return true;
+    double gap = 0, rate = 0;
+    for (const coupling::TermEntry& e : place.contact.pull) {
+      gap += e.x * constant(2 * e.node) + e.y * constant(2 * e.node + 1);
+      rate += e.x * proportional(2 * e.node) + e.y * proportional(2 * e.node + 1);
+    }
+    for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
+      const double zero = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
+      const double here = gap + load_factor * rate;
+      if (place.closed ? here > zero : here < -zero) return false;
+    }
+    return true;
+  }
 
-  struct Place {
-    coupling::Contact contact;
-    bool closed;
-    int since;  // the first state in which it is there
-  };
-  std::vector<Place> places_;
+  std::vector<WatchedPlace> places_;
   std::vector<std::array<double, 2>> load_factors_;  // of every state
 };
 

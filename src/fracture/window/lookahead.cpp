@@ -18,7 +18,7 @@ using coupling::evaluate;
 
 Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts,
                      const StretchRatios& ratios, const std::vector<Point>& positions,
-                     const std::vector<std::vector<int>>& reaction_dofs, const CrackFaces& faces)
+                     const std::vector<std::vector<int>>& reaction_dofs, CrackFaces& faces)
     : system_(system),
       freed_parts_(freed_parts),
       faces_(faces),
@@ -237,15 +237,19 @@ void Lookahead::add_checks(double from, const Event& event) {
 void Lookahead::certify(double from) {
   if (!events_.empty()) keep_first(window_->left_behind().first_violation(states_, checks_));
   if (events_.empty()) return;
+  // Their bonds are gone while the events computed are not taken back.
+  const FaceWatch watch(faces_, events_, from, proportional_);
+  const int unchanged = watch.events_before_change(states_, condensation_->dofs(), 2 * system_.node_count());
+  faces_move_ = unchanged < static_cast<int>(events_.size());
+  keep_first(unchanged);
+  if (events_.empty()) return;
   std::vector<int> breaks{0};
   for (const ForeseenEvent& foreseen : events_) {
     breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
-  // Their bonds are gone while the events computed are not taken back.
-  const FaceWatch watch(system_.contacts(), faces_, events_, from, proportional_);
   const int kept = certificate_->first_violation(states_, breaks, checks_, whole_, watch);
   keep_first(kept);
-  faces_move_ = certificate_->ended_at_faces();
+  faces_move_ = faces_move_ || certificate_->ended_at_faces();
   if (!events_.empty()) check_whole_body();
 }
 

@@ -43,7 +43,7 @@ class Lookahead {
 
   Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
             const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs,
-            const CrackFaces& faces);
+            CrackFaces& faces);
 
   // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
   void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }
@@ -92,7 +92,7 @@ class Lookahead {
 
   coupling::EquilibriumSystem& system_;
   const FreedPartFinder& freed_parts_;
-  const CrackFaces& faces_;
+  CrackFaces& faces_;
   const StretchRatios& whole_ratios_;
   WindowPlace place_;
   WindowFunctions functions_;
