@@ -213,24 +213,99 @@ def strip_model(plane: str, ratio: float, m: int, height: int, length: int, star
     return model, region, energy
 
 
-def strip(plane: str, ratio: float, m: int) -> tuple[list[float], bempd.Statistics, float]:
-    """Root of G over G0 at the first break and at most in steady growth, energy released per length over G0; what the
-    run took."""
-    height, length, start = 61, 150, 40.5
-    model, region, energy = strip_model(plane, ratio, m, height, length, start, {"stepping.control": "path"})
-    model.prepare()
-    front = Front(model, region, height / 2)
-    began = time.process_time()
+def strip(plane: str, ratio: float, m: int) -> tuple[list[float], int]:
+    """Root of G over G0 at the first break and at most in steady growth, energy released per length over G0; how many
+    events that took."""
+    length, start = 150, 40.5
+    model, region, energy = long_strip(plane, ratio, m, length, start)
+    front = Front(model, region, 61 / 2)
     loads, released, places = [], [], []
-    while not places or places[-1] < length - 1.3 * height:
+    while not places or places[-1] < length - 1.3 * 61:
         report = model.step_to_next_event(1e9)
         loads.append(report.load_factor)
         released.append(report.released_energy)
         places.append(front.place())
-    seconds = time.process_time() - began
     first = next(k for k, x in enumerate(places) if x > start + 6)
     per_length = (released[-1] - released[first]) / (places[-1] - places[first]) / energy
-    return [loads[0], max(loads[first:]), per_length], model.statistics(), seconds
+    return [loads[0], max(loads[first:]), per_length], len(loads)
+
+
+def long_strip(plane: str, ratio: float, m: int, length: float = 150, start: float = 40.5) -> tuple[bempd.Model, int, float]:
+    return strip_model(plane, ratio, m, 61, length, start, {"stepping.control": "path"})
+
+
+# --- What runs take
+
+
+def strip_costs(plane: str, ratio: float, m: int, events: int) -> tuple[float, int]:
+    """Processor seconds of so many events, the least of three runs, and entries of the factor."""
+    least = math.inf
+    for _ in range(3):
+        model, _, _ = long_strip(plane, ratio, m)
+        model.prepare()
+        began = time.process_time()
+        for _ in range(events):
+            model.step_to_next_event(1e9)
+        least = min(least, time.process_time() - began)
+    return least, model.statistics().factor_nonzeros
+
+
+def cracked_plate(plane: str, ratio: float) -> bempd.Model:
+    """60 by 60 spacings between columns that are pulled apart, a crack of 12 in the middle."""
+    model = bempd.Model(options={"threads": 1})
+    solid = model.add_material(young_modulus=1, poisson_ratio=ratio, plane=plane, critical_stretch=1e-3)
+    region = model.add_pd_region(solid, bempd.rectangle(0, 0, 59, 59), 1, 4)
+    model.add_crack([(29.5, 23.500001), (29.5, 35.499999)])
+    for edge, pull in ((4, -1.0), (2, 1.0)):
+        model.prescribe_edge(region, edge, "x", pull)
+        model.prescribe_edge(region, edge, "y", 0.0)
+    return model
+
+
+def cracked_layers(plane: str, ratio: float) -> bempd.Model:
+    """The same crack in a lattice of 17 by 99 spacings between boundary elements 41 spacings wide."""
+    model = bempd.Model(options={"threads": 1})
+    solid = model.add_material(young_modulus=1, poisson_ratio=ratio, plane=plane, critical_stretch=1e-3)
+    left = model.add_bem_region(solid, bempd.rectangle(0, 0, 41, 99), 10)
+    model.add_pd_region(solid, bempd.rectangle(41, 0, 58, 99), 1, 4)
+    right = model.add_bem_region(solid, bempd.rectangle(58, 0, 99, 99), 10)
+    model.add_crack([(49.5, 39.5), (49.5, 59.5)])
+    model.prescribe_edge(left, 4, "x", -1)
+    model.prescribe_edge(right, 2, "x", 1)
+    model.fix_point((0, 49.5), "y")
+    return model
+
+
+def run_costs(build: Callable[[str, float], bempd.Model], plane: str, ratio: float) -> tuple[float, int]:
+    """Processor seconds of a run to separation, the least of three, and its events."""
+    least = math.inf
+    for _ in range(3):
+        model = build(plane, ratio)
+        model.prepare()
+        began = time.process_time()
+        model.run_to_separation(1e9)
+        least = min(least, time.process_time() - began)
+    return least, len(model.history())
+
+
+def is_of_bonds(plane: str, ratio: float) -> bool:
+    return ratio == (1 / 3 if plane == "stress" else 0.25)
+
+
+def runs_table() -> list[list[str]]:
+    """Seconds of whole runs and of their events over those without squares, of the same plane state."""
+    builds = (cracked_plate, cracked_layers)
+    found = {of: [run_costs(build, *of) for build in builds] for of in materials()}
+    rows = []
+    for of, costs in found.items():
+        plain = found[next(other for other in found if other[0] == of[0] and is_of_bonds(*other))]
+        cells = []
+        for (seconds, events), (plain_seconds, plain_events) in zip(costs, plain):
+            cells += [f"{seconds:.2f}", f"{seconds / plain_seconds:.2f}",
+                      f"{seconds / events / (plain_seconds / plain_events):.2f}"]
+        rows.append([name(*of), *cells])
+        print(rows[-1], flush=True)
+    return rows
 
 
 class Front:
@@ -285,16 +360,28 @@ def main() -> None:
                            [[name(*of), *tip_errors(*of, 3), *tip_errors(*of, 4)] for of in materials()])
     rows, costs = [], []
     for m in (3, 4):
+        taken = {}
         for of in materials():
-            values, statistics, seconds = strip(*of, m)
+            values, events = strip(*of, m)
             rows.append([f"{m}", name(*of), *(f"{first_break(*of, m, slanted):.2f}" for slanted in (False, True)),
                          *(f"{value:.2f}" for value in values)])
-            costs.append([f"{m}", name(*of), f"{statistics.factor_nonzeros}", f"{seconds:.2f}", f"{updates_per_bond(*of, m):.2f}"])
-            print(rows[-1], costs[-1], flush=True)
+            taken[of] = (*strip_costs(*of, m, events), events)
+            print(rows[-1], taken[of], flush=True)
+        costs += [cost_row(m, of, taken) for of in taken]
     tables["toughness"] = table(["m", "material", "first break along rows", "at 45 degrees", "strip: first break",
                                  "most in growth", "energy per length"], rows)
-    tables["cost"] = table(["m", "material", "nonzeros of the factor", "seconds", "updates per bond"], costs)
+    tables["cost"] = table(["m", "material", "nonzeros of the factor", "seconds", "over bonds alone", "of one event",
+                            "updates per bond"], costs)
+    tables["runs"] = table(["material", "plate [s]", "over bonds alone", "of one event", "layers [s]", "over bonds alone",
+                            "of one event"], runs_table())
     write(tables)
+
+
+def cost_row(m: int, of: tuple[str, float], taken: dict[tuple[str, float], tuple[float, int, int]]) -> list[str]:
+    plain = taken[next(other for other in taken if other[0] == of[0] and is_of_bonds(*other))]
+    seconds, nonzeros, events = taken[of]
+    return [f"{m}", name(*of), f"{nonzeros}", f"{seconds:.2f}", f"{seconds / plain[0]:.2f}",
+            f"{seconds / events / (plain[0] / plain[2]):.2f}", f"{updates_per_bond(*of, m):.2f}"]
 
 
 if __name__ == "__main__":

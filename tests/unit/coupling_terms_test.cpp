@@ -1,6 +1,7 @@
 // Terms of any shape, laws of several stages, rest elongations and constant forces, each against dense algebra.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "coupling/condensation.hpp"
@@ -208,6 +209,19 @@ TEST(EquilibriumSystem, energy_is_the_potential_of_internal_forces) {
     const Eigen::VectorXd step = 0.5 * Eigen::VectorXd::Unit(Mixed::dofs, dof);
     EXPECT_NEAR(system.energy(u + step, load_factor) - system.energy(u - step, load_factor), force[dof], 1e-12) << dof;
   }
+}
+
+TEST(Terms, know_whether_all_that_are_wide_follow_others) {
+  Terms terms;
+  EXPECT_TRUE(terms.wide_terms_only_follow());
+  const int bond = terms.add_bond(0, 1, {1, 0}, 1, 1);
+  const std::array<TermEntry, 3> entries{TermEntry{0, 1, 0}, {1, -1, 0}, {2, 0, 1}};
+  const int follower = terms.add_wide(entries, 1, 1);
+  EXPECT_FALSE(terms.wide_terms_only_follow());
+  terms.let_follow(follower, std::array{bond});
+  EXPECT_TRUE(terms.wide_terms_only_follow());
+  terms.add_wide(entries, 1, 1);
+  EXPECT_FALSE(terms.wide_terms_only_follow());
 }
 
 TEST(TermLaw, stages_follow_each_other_until_the_term_is_gone) {
