@@ -69,6 +69,8 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_UNTIL_VALUES": '"values"',
     "BEMPD_UNTIL_EVENT": '"event"',
     "BEMPD_UNTIL_SEPARATED": '"separated"',
+    "BEMPD_COLUMN_SUPPORT": "supports",
+    "BEMPD_COLUMN_LOAD": "loads",
     "BEMPD_FACE_LEFT": '"left"',
     "BEMPD_FACE_RIGHT": '"right"',
 }
