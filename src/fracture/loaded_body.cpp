@@ -64,22 +64,24 @@ double LoadedBody::energy_at_rest() const {
   return system_.has_offsets() ? system_.energy(Eigen::VectorXd::Zero(2 * system_.node_count()), 0) : 0;
 }
 
-void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
-  Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = without_lost_loads(force);
-  std::vector<int> loaded = nodes_with_force(force);
+void LoadedBody::set_load(const Affine& force, const Affine& prescribed, const CrackPressures& pressures) {
+  Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = this->carried(force, pressures);
+  CrackPressures own_pressures = pressures;
+  std::vector<int> loaded = nodes_with_force(has_fluid() ? carried : force);
   // From here on no memory is needed: either all of it happens or nothing.
   force_ = std::move(own_force);
   prescribed_ = std::move(own_prescribed);
+  pressures_.swap(own_pressures);
   loaded_nodes_ = std::move(loaded);
   state_.in_equilibrium = false;
   state_.first_unit_energy = -1;
   system_.set_load(std::move(carried), std::move(held));
 }
 
-void LoadedBody::take_over(const Affine& force, const Affine& prescribed) {
+void LoadedBody::take_over(const Affine& force, const Affine& prescribed, const CrackPressures& pressures) {
   const bool was_in_equilibrium = state_.in_equilibrium;
-  set_load(force, prescribed);
-  const bool constant = force_.col(1).isZero(0) && prescribed_.col(1).isZero(0) && !system_.has_offsets();
+  set_load(force, prescribed, pressures);
+  const bool constant = system_.force().col(1).isZero(0) && prescribed_.col(1).isZero(0) && !system_.has_offsets();
   if (!was_in_equilibrium || !constant) return;
   state_.displacement.col(0) = state_.total_displacement;
   state_.displacement.col(1).setZero();
@@ -89,13 +91,14 @@ void LoadedBody::take_over(const Affine& force, const Affine& prescribed) {
 }
 
 ActingLoads LoadedBody::acting_loads() const {
-  return {force_, prescribed_, loaded_nodes_, state_.in_equilibrium, state_.first_unit_energy};
+  return {force_, prescribed_, pressures_, loaded_nodes_, state_.in_equilibrium, state_.first_unit_energy};
 }
 
 void LoadedBody::act_again(ActingLoads loads) noexcept {
   force_.swap(loads.force);
   loaded_nodes_.swap(loads.loaded_nodes);
   prescribed_.swap(loads.prescribed);
+  pressures_.swap(loads.pressures);
   state_.in_equilibrium = loads.in_equilibrium;
   state_.first_unit_energy = loads.first_unit_energy;
 }
@@ -107,7 +110,23 @@ Affine LoadedBody::without_lost_loads(Affine force) const {
   return force;
 }
 
-void LoadedBody::apply_load() { system_.set_load(without_lost_loads(force_), prescribed_); }
+Affine LoadedBody::carried(Affine force, const CrackPressures& pressures) const {
+  force = without_lost_loads(std::move(force));
+  if (has_fluid()) fluid_.add_forces(pressures, system_.terms(), system_.intact(), state_.unloaded, force);
+  return force;
+}
+
+void LoadedBody::apply_load() {
+  Affine force = carried(force_, pressures_);
+  if (has_fluid()) loaded_nodes_ = nodes_with_force(force);
+  system_.set_load(std::move(force), prescribed_);
+}
+
+Eigen::VectorXd LoadedBody::let_flow() {
+  const Eigen::VectorXd before = evaluate(system_.force(), state_.load_factor);
+  apply_load();
+  return evaluate(system_.force(), state_.load_factor) - before;
+}
 
 void LoadedBody::drop_loads(const std::vector<int>& nodes) {
   for (int node : nodes) state_.unloaded[node] = 1;
@@ -255,43 +274,6 @@ double LoadedBody::unit_energy() const { return system_.unit_energy(state_.displ
 
 double LoadedBody::residual() const {
   return fracture::residual(system_, state_.total_force, state_.load_factor, state_.largest_force);
-}
-
-Eigen::Vector2d LoadedBody::reaction(std::size_t support) const {
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (int dof : reaction_dofs_[support]) sum[dof % 2] += reaction_at(dof);
-  return sum;
-}
-
-double LoadedBody::reaction_at(int dof) const {
-  const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
-  return state_.total_force[dof] - load;
-}
-
-double LoadedBody::reaction_moment(std::size_t support, const Point& about) const {
-  double sum = 0;
-  for (int dof : reaction_dofs_[support]) {
-    const Point arm = positions_[static_cast<std::size_t>(dof / 2)] - about;
-    sum += reaction_at(dof) * (dof % 2 == 0 ? -arm.y() : arm.x());
-  }
-  return sum;
-}
-
-std::vector<double> LoadedBody::reactions() const {
-  std::vector<double> result;
-  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
-    const Eigen::Vector2d force = reaction(s);
-    result.insert(result.end(), {force.x(), force.y()});
-  }
-  return result;
-}
-
-double LoadedBody::resistance(const std::vector<double>& reactions) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < reactions.size(); i += 2) sum += std::hypot(reactions[i], reactions[i + 1]);
-  const Eigen::Vector2d at(1, state_.load_factor);
-  for (int node : loaded_nodes_) sum += (system_.force().middleRows<2>(2 * node) * at).norm();
-  return 0.5 * sum;
 }
 
 }  // namespace bempd::fracture

@@ -1,0 +1,45 @@
+// What supports exert on a body, and what it bears.
+#include <cmath>
+
+#include "fracture/loaded_body.hpp"
+
+namespace bempd::fracture {
+
+Eigen::Vector2d LoadedBody::reaction(std::size_t support) const {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int dof : reaction_dofs_[support]) sum[dof % 2] += reaction_at(dof);
+  return sum;
+}
+
+double LoadedBody::reaction_at(int dof) const {
+  const double load = system_.force()(dof, 0) + state_.load_factor * system_.force()(dof, 1);
+  return state_.total_force[dof] - load;
+}
+
+double LoadedBody::reaction_moment(std::size_t support, const Point& about) const {
+  double sum = 0;
+  for (int dof : reaction_dofs_[support]) {
+    const Point arm = positions_[static_cast<std::size_t>(dof / 2)] - about;
+    sum += reaction_at(dof) * (dof % 2 == 0 ? -arm.y() : arm.x());
+  }
+  return sum;
+}
+
+std::vector<double> LoadedBody::reactions() const {
+  std::vector<double> result;
+  for (std::size_t s = 0; s < reaction_dofs_.size(); ++s) {
+    const Eigen::Vector2d force = reaction(s);
+    result.insert(result.end(), {force.x(), force.y()});
+  }
+  return result;
+}
+
+double LoadedBody::resistance(const std::vector<double>& reactions) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < reactions.size(); i += 2) sum += std::hypot(reactions[i], reactions[i + 1]);
+  const Eigen::Vector2d at(1, state_.load_factor);
+  for (int node : loaded_nodes_) sum += (system_.force().middleRows<2>(2 * node) * at).norm();
+  return 0.5 * sum;
+}
+
+}  // namespace bempd::fracture
