@@ -7,6 +7,7 @@
 #   benchmarks/run.sh threads         a model for each of eight threads, with many threads of the BLAS and with one
 #   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md
 #   benchmarks/run.sh separation      where torn plates end, into docs/separation.md
+#   benchmarks/run.sh compression     what breaks in bodies that are pressed, by criterion, into docs/materials.md
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/materials.md
 #   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/outlines.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
@@ -23,9 +24,10 @@ case "$name" in
   windows) programs=() peers=() ;;
   directions) programs=(bempd_directions) peers=() ;;
   separation) programs=() peers=() ;;
+  compression) programs=(bempd_compression) peers=() ;;
   materials) programs=() peers=() ;;
   outlines) programs=(bempd_outlines) peers=() ;;
-  *) sed -n '2,12s/^# *//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,13s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

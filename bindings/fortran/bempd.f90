@@ -21,8 +21,8 @@ module bempd
     BEMPD_OPTION_NUMBER, BEMPD_OPTION_TEXT, BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN, BEMPD_X, BEMPD_Y, BEMPD_BOTH, &
     BEMPD_STOP_LOAD_FACTOR, BEMPD_STOP_EVENT, BEMPD_STOP_SEPARATED, BEMPD_STOP_NO_FURTHER_EVENT, &
     BEMPD_STOP_NO_ADMISSIBLE_LOAD, BEMPD_STOP_NO_EQUILIBRIUM, BEMPD_STOP_REQUESTED, &
-    BEMPD_UNTIL_VALUES, BEMPD_UNTIL_EVENT, BEMPD_UNTIL_SEPARATED, BEMPD_POSITION, BEMPD_STATE_BODY, &
-    BEMPD_STATE_BODY_AND_VALUES, &
+    BEMPD_UNTIL_VALUES, BEMPD_UNTIL_EVENT, BEMPD_UNTIL_SEPARATED, BEMPD_COLUMN_SUPPORT, BEMPD_COLUMN_LOAD, BEMPD_POSITION, &
+    BEMPD_STATE_BODY, BEMPD_STATE_BODY_AND_VALUES, &
     BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_DAMAGE, BEMPD_TRACTION, BEMPD_BOND_STRETCH, BEMPD_ELEMENT_STRESS, &
     BEMPD_STRESS_ORDER, BEMPD_COUNTER_CLOCKWISE, BEMPD_CLOCKWISE, BEMPD_FACE_LEFT, BEMPD_FACE_RIGHT, &
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
@@ -51,10 +51,11 @@ module bempd
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
-    procedure :: add_body_force, add_temperature, add_temperature_function, set_load_values, set_support_values
+    procedure :: add_crack_pressure, add_body_force, add_temperature, add_temperature_function, set_load_values
+    procedure :: set_support_values
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
-    procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values
+    procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
     procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
     procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
     procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
@@ -94,9 +95,9 @@ module bempd
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
-    add_body_force, add_temperature, add_temperature_function, set_load_values, &
+    add_crack_pressure, add_body_force, add_temperature, add_temperature_function, set_load_values, &
     set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
-    step_to_next_event, run_to_separation, step_to_values, &
+    step_to_next_event, run_to_separation, step_to_values, run_program, &
     load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field, copy_elements, copy_bonds, &
     reaction, &
     reaction_moment, evaluate, &
@@ -363,6 +364,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_point_force
+    module subroutine add_crack_pressure(self, crack, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_crack_pressure
     module subroutine add_body_force(self, region, component, constant, proportional, load, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, component
@@ -545,6 +554,18 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine step_to_values
+    !> Factors by time, factors(column, row); a column of its own for each of `ids`, of the kind BEMPD_COLUMN_SUPPORT or
+    !> BEMPD_COLUMN_LOAD, or without them one for all supports and loads. `until` is BEMPD_UNTIL_VALUES unless given.
+    module subroutine run_program(self, times, factors, kinds, ids, until, report, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: times(:)
+      real(c_double), intent(in) :: factors(:, :)
+      integer(c_int32_t), intent(in), optional :: kinds(:), ids(:)
+      integer(c_int32_t), intent(in), optional :: until
+      type(bempd_step_report), intent(out), optional :: report
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine run_program
 
     ! Results.
     module subroutine load_factor(self, value, stat, errmsg)

@@ -46,6 +46,33 @@ contains
     if (present(report)) report = done
   end procedure step_to_values
 
+  module procedure run_program
+    type(bempd_step_report), target :: done
+    integer(c_int32_t), allocatable, target :: kind_of(:), id_of(:)
+    integer(c_int64_t) :: columns
+    integer(c_int32_t) :: goal
+    integer(c_int) :: status
+
+    goal = BEMPD_UNTIL_VALUES
+    if (present(until)) goal = until
+    allocate (kind_of(1), id_of(1))
+    columns = 0
+    if (present(ids) .and. present(kinds)) then
+      kind_of = kinds
+      id_of = ids
+      columns = size(ids, kind=c_int64_t)
+    end if
+    status = bempd_step_report_init(done, c_sizeof(done))
+    if (size(factors, 2) /= size(times) .or. size(factors, 1) /= max(1_c_int64_t, columns) .or. &
+        size(kind_of) /= size(id_of) .or. (present(ids) .neqv. present(kinds))) then
+      call refuse(self, "run_program: give a kind and an id for each column, and factors(column, row) for each time", stat, errmsg)
+      return
+    end if
+    call finish(self, bempd_run_program(self%handle, size(times, kind=c_int64_t), times, columns, c_loc(kind_of), &
+      c_loc(id_of), factors, goal, c_loc(done)), stat, errmsg)
+    if (present(report)) report = done
+  end procedure run_program
+
   module procedure load_factor
     value = 0
     call finish(self, bempd_load_factor(self%handle, value), stat, errmsg)

@@ -247,6 +247,15 @@ contains
     call give(new, load)
   end procedure add_point_force
 
+  module procedure add_crack_pressure
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_crack_pressure(self%handle, crack, value_or(constant, 0.0_c_double), &
+      value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_crack_pressure
+
   module procedure add_body_force
     integer(c_int32_t), target :: new
 

@@ -6,6 +6,7 @@
 #include "regions/places/edge_part.hpp"
 #include "regions/places/forced_nodes.hpp"
 #include "regions/places/heated_region.hpp"
+#include "regions/places/pressed_crack.hpp"
 #include "regions/places/pressed_edge.hpp"
 #include "regions/places/single_point.hpp"
 #include "regions/places/whole_region.hpp"
@@ -186,6 +187,13 @@ bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crack, int32_t
             "; it must be BEMPD_PRESSURE (1) or BEMPD_SHEAR (2)");
     return Condition{std::make_shared<const regions::CrackFaces>(crack), component,
                      samples(value_count, constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_crack_pressure(bempd_model* model, int32_t crack, double constant, double proportional,
+                                      int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{std::make_shared<const regions::PressedCrack>(crack), BEMPD_X, single(constant, proportional)};
   });
 }
 

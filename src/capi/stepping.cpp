@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "capi/guard.hpp"
 
 using namespace bempd;
@@ -53,6 +55,13 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   return r;
 }
 
+void write_report(model::Model& m, const model::StepResult& result, bempd_step_report* report) {
+  if (!report) return;
+  bempd_step_report r = report_of(result, m.prepared().evolution->progress());
+  r.hanging = m.hangs() ? 1 : 0;
+  write_struct(report, r, "report");
+}
+
 using Step = model::StepResult (model::Model::*)(double, fracture::Goal);
 
 bempd_status advance(bempd_model* handle, const char* function, const char* target_name, double target,
@@ -60,11 +69,7 @@ bempd_status advance(bempd_model* handle, const char* function, const char* targ
   return with_model(handle, function, [&](model::Model& m) {
     require_finite(target, target_name);
     if (report) struct_bytes(report, "report", sizeof(int64_t));
-    const model::StepResult result = (m.*step)(target, goal);
-    if (!report) return;
-    bempd_step_report r = report_of(result, m.prepared().evolution->progress());
-    r.hanging = m.hangs() ? 1 : 0;
-    write_struct(report, r, "report");
+    write_report(m, (m.*step)(target, goal), report);
   });
 }
 
@@ -80,6 +85,27 @@ fracture::Goal goal_of(std::int32_t until) {
       fail(Failure::argument, "until is ", until,
            "; it must be BEMPD_UNTIL_VALUES (1), BEMPD_UNTIL_EVENT (2) or BEMPD_UNTIL_SEPARATED (3)");
   }
+}
+
+constexpr std::int64_t most_rows = std::int64_t{1} << 31;
+
+scene::LoadTable table_of(std::int64_t row_count, const double* times, std::int64_t column_count,
+                          const std::int32_t* kinds, const std::int32_t* ids, const double* factors) {
+  require(row_count >= 1 && row_count < most_rows, "row_count is ", row_count, "; give at least 1 row");
+  require(column_count >= 0 && column_count < most_rows / row_count, "column_count is ", column_count,
+          "; give 0 for all supports and loads together, or one column for each that has factors of its own");
+  require(times != nullptr, "times is NULL; give row_count increasing times");
+  require(factors != nullptr, "factors is NULL; give one for each row and column");
+  require(column_count == 0 || (kinds && ids), kinds ? "ids" : "kinds", " is NULL; give one for each column");
+  scene::LoadTable table;
+  table.times.assign(times, times + row_count);
+  table.factors.assign(factors, factors + row_count * std::max<std::int64_t>(1, column_count));
+  for (std::int64_t c = 0; c < column_count; ++c) {
+    require(kinds[c] == BEMPD_COLUMN_SUPPORT || kinds[c] == BEMPD_COLUMN_LOAD, "kind ", c, " is ", kinds[c],
+            "; it must be BEMPD_COLUMN_SUPPORT (1) or BEMPD_COLUMN_LOAD (2)");
+    table.columns.push_back({kinds[c] == BEMPD_COLUMN_SUPPORT, ids[c]});
+  }
+  return table;
 }
 
 }  // namespace
@@ -157,4 +183,15 @@ bempd_status bempd_step_to_values(bempd_model* model, double load_factor, int32_
   const bempd_status known = with_model(model, __func__, [&](model::Model&) { goal = goal_of(until); });
   if (known != BEMPD_OK) return known;
   return advance(model, __func__, "load_factor", load_factor, goal, report, &model::Model::advance_to_values);
+}
+
+bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const double* times, int64_t column_count,
+                               const int32_t* kinds, const int32_t* ids, const double* factors, int32_t until,
+                               bempd_step_report* report) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const scene::LoadTable table = table_of(row_count, times, column_count, kinds, ids, factors);
+    const fracture::Goal goal = goal_of(until);
+    if (report) struct_bytes(report, "report", sizeof(int64_t));
+    write_report(m, m.run_program(table, goal), report);
+  });
 }

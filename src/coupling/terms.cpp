@@ -58,6 +58,12 @@ void Terms::set_constant_force(int term, double constant, double proportional) {
   set(constant_force, term, constant, proportional);
 }
 
+void Terms::set_contraction(int term, double ratio) {
+  const auto place = static_cast<std::size_t>(term);
+  if (contraction.size() <= place) contraction.resize(place + 1, 0.0);
+  contraction[place] = ratio;
+}
+
 int Terms::add_law(const TermLaw& its_law) {
   const auto same = std::find(laws.begin(), laws.end(), its_law);
   if (same != laws.end()) return static_cast<int>(same - laws.begin());

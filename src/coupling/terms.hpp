@@ -52,6 +52,10 @@ struct Terms {
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
   std::array<std::vector<double>, 2> constant_force;   // [N]
 
+  // Poisson's ratio in the plane of bonds that count what compression across them adds to their stretch; terms beyond
+  // the end have 0 and do not count it.
+  std::vector<double> contraction;
+
   // Law of each term, an index into `laws`; terms beyond the end are brittle.
   std::vector<std::uint8_t> law;
   std::vector<TermLaw> laws{TermLaw::brittle()};
@@ -92,6 +96,9 @@ struct Terms {
 
   void set_rest_elongation(int term, double constant, double proportional = 0);
   void set_constant_force(int term, double constant, double proportional = 0);
+
+  void set_contraction(int term, double ratio);
+  double contraction_of(std::size_t term) const { return term < contraction.size() ? contraction[term] : 0; }
 
   int add_law(const TermLaw& its_law);  // returns its index, that of an equal one if there is one
   void set_law(int term, int its_law);

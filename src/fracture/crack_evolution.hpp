@@ -40,13 +40,17 @@ class CrackEvolution {
   // Before the first step: cracks grow as lines from these tips, by the laws that they name.
   void grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips);
 
+  // Before the first loads: what pressures in cracks among bonds act by.
+  void let_in(CrackFluid fluid) { body_.let_in(std::move(fluid)); }
+
   // `work_within`: what loads do beside the work of the nodal forces, half of (1, f) within (1, f) at the load factor
   // f. It is stored in the body as soon as it is done.
   void set_load(const coupling::Affine& force, const coupling::Affine& prescribed,
-                const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero());
+                const Eigen::Matrix2d& work_within = Eigen::Matrix2d::Zero(), const CrackPressures& pressures = {});
 
   // The same with loads that are the present ones at this load factor: nothing moves.
-  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within);
+  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const Eigen::Matrix2d& work_within,
+                 const CrackPressures& pressures = {});
 
   // What set_load() replaces, to come back to.
   struct Loads {

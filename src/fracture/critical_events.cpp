@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bempd::fracture {
 
@@ -19,10 +20,12 @@ constexpr double tie_rounding = 1e-9;
 double tie_limit(double band) { return (1 - band) * (1 - tie_rounding); }
 
 StretchRatios::StretchRatios(const coupling::Terms& terms, std::vector<double> critical_stretch)
-    : AffineRatios{std::vector<double>(terms.size(), 0.0), std::vector<double>(terms.size(), 0.0)},
+    : AffineRatios{std::vector<double>(terms.size(), 0.0), std::vector<double>(terms.size(), 0.0), {}},
       terms_(terms),
       critical_stretch_(std::move(critical_stretch)),
+      across_(terms),
       scales_(terms.critical_scales(critical_stretch_)) {
+  if (!across_.empty()) present_.assign(terms.size(), 1);
   const coupling::TermLaw& brittle = coupling::TermLaw::brittle();
   if (std::all_of(terms.laws.begin(), terms.laws.end(), [&](const auto& law) { return law == brittle; })) return;
   stages_.assign(terms.size(), 0);
@@ -30,6 +33,7 @@ StretchRatios::StretchRatios(const coupling::Terms& terms, std::vector<double> c
 }
 
 void StretchRatios::enter(const std::vector<std::uint8_t>& stages) {
+  for (std::size_t t = 0; t < present_.size(); ++t) present_[t] = stages[t] < terms_.law_of(t).gone() ? 1 : 0;
   for (std::size_t t = 0; t < stages_.size(); ++t) {
     if (stages_[t] == stages[t]) continue;
     stages_[t] = stages[t];
@@ -39,6 +43,38 @@ void StretchRatios::enter(const std::vector<std::uint8_t>& stages) {
 
 void StretchRatios::update(const coupling::Affine& displacement) {
   terms_.critical_shares(displacement, scales_, constant, proportional);
+  if (!across_.empty()) across_.relieve(constant, proportional, scales_.per_elongation, present_, relief);
+}
+
+namespace {
+
+// Where a function is at least 1, in load factors times a direction.
+std::pair<double, double> at_least_one(double constant, double proportional, double direction) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double slope = proportional * direction;
+  if (slope == 0) return constant >= 1 ? std::pair(-infinity, infinity) : std::pair(infinity, -infinity);
+  const double place = (1 - constant) / slope;
+  return slope > 0 ? std::pair(place, infinity) : std::pair(-infinity, place);
+}
+
+}  // namespace
+
+AffineRatios::Span AffineRatios::critical_span(std::size_t b, double direction) const {
+  const auto [begin, end] = at_least_one(constant[b], proportional[b], direction);
+  const auto [relieved_begin, relieved_end] =
+      at_least_one(constant[b] - relief.constant[b], proportional[b] - relief.proportional[b], direction);
+  return {std::max(begin, relieved_begin), std::min(end, relieved_end)};
+}
+
+std::optional<double> AffineRatios::critical_from(std::size_t b, double from, double direction) const {
+  if (relief.empty()) {
+    const double slope = proportional[b];
+    if (!(slope * direction > 0)) return std::nullopt;
+    return (1 - constant[b]) / slope;
+  }
+  const Span span = critical_span(b, direction);
+  if (!(span.begin <= span.end) || span.end < from * direction) return std::nullopt;
+  return span.begin * direction;
 }
 
 std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, double from, double to) const {
@@ -48,9 +84,9 @@ std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, 
     if (!intact[b]) continue;
     const double ratio = at(b, from);
     if (ratio > 1 + excess_tolerance) return from;
-    const double slope = proportional[b];
-    if (!(slope * direction > 0)) continue;
-    double load_factor = (1 - constant[b]) / slope;
+    const std::optional<double> critical = critical_from(b, from, direction);
+    if (!critical) continue;
+    double load_factor = *critical;
     if ((load_factor - from) * direction < 0) load_factor = from;  // reached already, up to rounding
     if (!next || (load_factor - *next) * direction < 0) next = load_factor;
   }
@@ -63,6 +99,18 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
   LoadInterval result{-infinity, infinity};
   for (std::size_t b = 0; b < intact.size(); ++b) {
     if (!intact[b]) continue;
+    if (!relief.empty()) {
+      const Span span = critical_span(b, 1);
+      if (!(span.begin <= span.end)) continue;
+      if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
+      // Of two ranges without a critical bond the lower one.
+      if (std::isinf(span.begin)) {
+        result.lowest = std::max(result.lowest, span.end);
+      } else {
+        result.highest = std::min(result.highest, span.begin);
+      }
+      continue;
+    }
     const double slope = proportional[b], room = 1 - constant[b];
     if (slope > 0) {
       result.highest = std::min(result.highest, room / slope);
@@ -76,11 +124,19 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
 }
 
 double AffineRatios::critical_load_factor(std::size_t bond, double load_factor) const {
-  const double critical = (1 - constant[bond]) / proportional[bond];
+  const bool relieved = !relief.empty() && relief.at(bond, load_factor) > 0;
+  const double critical = (1 - constant[bond] + (relieved ? relief.constant[bond] : 0)) /
+                          (proportional[bond] - (relieved ? relief.proportional[bond] : 0));
   return std::isfinite(critical) ? critical : load_factor;
 }
 
 double AffineRatios::steepest() const {
+  if (!relief.empty()) {
+    double largest = 0;
+    for (std::size_t b = 0; b < proportional.size(); ++b)
+      largest = std::max(largest, proportional[b] - std::max(0.0, relief.proportional[b]));
+    return largest;
+  }
   const auto count = static_cast<Eigen::Index>(proportional.size());
   return count > 0 ? Eigen::Map<const Eigen::ArrayXd>(proportional.data(), count).maxCoeff() : 0;
 }

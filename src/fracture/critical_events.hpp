@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/terms.hpp"
+#include "fracture/bonds_across.hpp"
 
 namespace bempd::fracture {
 
@@ -22,11 +24,16 @@ struct LoadInterval {
   }
 };
 
-// Stretch of bonds over their critical stretch as affine functions of the load factor.
+// Stretch of bonds over their critical stretch as affine functions of the load factor. From it goes what is positive of
+// a second function where there is one, so that the ratio is the lesser of two functions.
 struct AffineRatios {
   std::vector<double> constant, proportional;
+  AffineRelief relief;  // empty: of no bond
 
-  double at(std::size_t bond, double load_factor) const { return constant[bond] + load_factor * proportional[bond]; }
+  double at(std::size_t bond, double load_factor) const {
+    const double whole = constant[bond] + load_factor * proportional[bond];
+    return relief.empty() ? whole : whole - std::max(0.0, relief.at(bond, load_factor));
+  }
 
   // Load factor of the next break on the way from `from` towards `to` (which may be infinite): `from` itself while a
   // bond exceeds its critical stretch there. Empty if no intact bond becomes critical.
@@ -39,7 +46,7 @@ struct AffineRatios {
   // Where a bond that has reached its critical stretch at a load factor just reaches it; there, if it always exceeds
   // it.
   double critical_load_factor(std::size_t bond, double load_factor) const;
-  double steepest() const;  // largest proportional part
+  double steepest() const;  // largest ratio at the load factor 1 without the constant parts
 
   // Intact bonds at or beyond their critical stretch at this load factor, in bond order.
   std::vector<int> overstretched(const std::vector<char>& intact, double load_factor) const;
@@ -49,6 +56,14 @@ struct AffineRatios {
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit) const;
   std::vector<int> most_stretched(const std::vector<char>& intact, double load_factor, double band, int limit,
                                   double largest) const;
+
+ private:
+  // Load factors times a direction between which a bond is at or beyond its critical stretch.
+  struct Span {
+    double begin, end;
+  };
+  Span critical_span(std::size_t bond, double direction) const;
+  std::optional<double> critical_from(std::size_t bond, double from, double direction) const;
 };
 
 // Share of the largest ratio from which on bonds break together with it; wider than the band by the rounding in which
@@ -66,6 +81,7 @@ class StretchRatios : public AffineRatios {
 
   const coupling::CriticalScales& scales() const { return scales_; }
   const coupling::Terms& terms() const { return terms_; }
+  const BondsAcross& across() const { return across_; }
   // Of a term in one of its stages; infinite where it is gone.
   double critical_stretch(std::size_t term, int stage) const {
     return critical_stretch_[term] * terms_.law_of(term).critical_share(stage);
@@ -75,6 +91,8 @@ class StretchRatios : public AffineRatios {
   const coupling::Terms& terms_;
   std::vector<double> critical_stretch_;
   std::vector<std::uint8_t> stages_;  // empty if no critical value depends on them
+  BondsAcross across_;
+  std::vector<char> present_;  // per term; empty if no ratio depends on it
   coupling::CriticalScales scales_;
 };
 

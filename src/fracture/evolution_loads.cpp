@@ -6,17 +6,19 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
-void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
+void CrackEvolution::set_load(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within,
+                              const CrackPressures& pressures) {
   sources_.refresh();
   sources_.settle();
-  body_.set_load(force, prescribed);
+  body_.set_load(force, prescribed, pressures);
   work_within_ = work_within;
 }
 
-void CrackEvolution::take_over(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within) {
+void CrackEvolution::take_over(const Affine& force, const Affine& prescribed, const Eigen::Matrix2d& work_within,
+                               const CrackPressures& pressures) {
   sources_.refresh();
   sources_.settle();
-  body_.take_over(force, prescribed);
+  body_.take_over(force, prescribed, pressures);
   work_within_ = work_within;
 }
 

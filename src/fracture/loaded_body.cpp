@@ -57,22 +57,24 @@ double LoadedBody::energy_at_rest() const {
   return system_.has_offsets() ? system_.energy(Eigen::VectorXd::Zero(2 * system_.node_count()), 0) : 0;
 }
 
-void LoadedBody::set_load(const Affine& force, const Affine& prescribed) {
-  Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = without_lost_loads(force);
-  std::vector<int> loaded = nodes_with_force(force);
+void LoadedBody::set_load(const Affine& force, const Affine& prescribed, const CrackPressures& pressures) {
+  Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = this->carried(force, pressures);
+  CrackPressures own_pressures = pressures;
+  std::vector<int> loaded = nodes_with_force(has_fluid() ? carried : force);
   // From here on no memory is needed: either all of it happens or nothing.
   force_ = std::move(own_force);
   prescribed_ = std::move(own_prescribed);
+  pressures_.swap(own_pressures);
   loaded_nodes_ = std::move(loaded);
   state_.in_equilibrium = false;
   state_.first_unit_energy = -1;
   system_.set_load(std::move(carried), std::move(held));
 }
 
-void LoadedBody::take_over(const Affine& force, const Affine& prescribed) {
+void LoadedBody::take_over(const Affine& force, const Affine& prescribed, const CrackPressures& pressures) {
   const bool was_in_equilibrium = state_.in_equilibrium;
-  set_load(force, prescribed);
-  const bool constant = force_.col(1).isZero(0) && prescribed_.col(1).isZero(0) && !system_.has_offsets();
+  set_load(force, prescribed, pressures);
+  const bool constant = system_.force().col(1).isZero(0) && prescribed_.col(1).isZero(0) && !system_.has_offsets();
   if (!was_in_equilibrium || !constant) return;
   state_.displacement.col(0) = state_.total_displacement;
   state_.displacement.col(1).setZero();
@@ -82,13 +84,14 @@ void LoadedBody::take_over(const Affine& force, const Affine& prescribed) {
 }
 
 ActingLoads LoadedBody::acting_loads() const {
-  return {force_, prescribed_, loaded_nodes_, state_.in_equilibrium, state_.first_unit_energy};
+  return {force_, prescribed_, pressures_, loaded_nodes_, state_.in_equilibrium, state_.first_unit_energy};
 }
 
 void LoadedBody::act_again(ActingLoads loads) noexcept {
   force_.swap(loads.force);
   loaded_nodes_.swap(loads.loaded_nodes);
   prescribed_.swap(loads.prescribed);
+  pressures_.swap(loads.pressures);
   state_.in_equilibrium = loads.in_equilibrium;
   state_.first_unit_energy = loads.first_unit_energy;
 }
@@ -100,7 +103,23 @@ Affine LoadedBody::without_lost_loads(Affine force) const {
   return force;
 }
 
-void LoadedBody::apply_load() { system_.set_load(without_lost_loads(force_), prescribed_); }
+Affine LoadedBody::carried(Affine force, const CrackPressures& pressures) const {
+  force = without_lost_loads(std::move(force));
+  if (has_fluid()) fluid_.add_forces(pressures, system_.terms(), system_.intact(), state_.unloaded, force);
+  return force;
+}
+
+void LoadedBody::apply_load() {
+  Affine force = carried(force_, pressures_);
+  if (has_fluid()) loaded_nodes_ = nodes_with_force(force);
+  system_.set_load(std::move(force), prescribed_);
+}
+
+Eigen::VectorXd LoadedBody::let_flow() {
+  const Eigen::VectorXd before = evaluate(system_.force(), state_.load_factor);
+  apply_load();
+  return evaluate(system_.force(), state_.load_factor) - before;
+}
 
 void LoadedBody::drop_loads(const std::vector<int>& nodes) {
   for (int node : nodes) state_.unloaded[node] = 1;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "fracture/crack_fluid.hpp"
 #include "fracture/critical_events.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
@@ -13,6 +14,7 @@ namespace bempd::fracture {
 // Loads as a host gave them, and whether the body is in equilibrium under them.
 struct ActingLoads {
   coupling::Affine force, prescribed;
+  CrackPressures pressures;
   std::vector<int> loaded_nodes;
   bool in_equilibrium = false;
   double first_unit_energy = -1;
@@ -38,9 +40,15 @@ class LoadedBody {
   BodyState& state() { return state_; }
   double& seconds_search() { return seconds_search_; }
 
-  void set_load(const coupling::Affine& force, const coupling::Affine& prescribed);
+  // Before the first loads.
+  void let_in(CrackFluid fluid) { fluid_ = std::move(fluid); }
+  bool has_fluid() const { return !fluid_.empty(); }
+  // Lets it follow what has broken: force [N] that it adds by that at the present load factor.
+  Eigen::VectorXd let_flow();
+
+  void set_load(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   // Loads that are the present ones at this load factor: the body stays in equilibrium if they are constant.
-  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed);
+  void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   ActingLoads acting_loads() const;
   void act_again(ActingLoads loads) noexcept;      // restore() has to follow
   void drop_loads(const std::vector<int>& nodes);  // for good
@@ -87,6 +95,8 @@ class LoadedBody {
  private:
   void apply_load();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
+  // What is left of them, and the forces of the fluid.
+  coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
 
   coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
@@ -94,6 +104,8 @@ class LoadedBody {
   StretchRatios ratios_;
   std::vector<std::vector<int>> reaction_dofs_;
   coupling::Affine force_, prescribed_;  // as the host gave them
+  CrackPressures pressures_;             // likewise
+  CrackFluid fluid_;
   std::vector<int> loaded_nodes_;
   BodyState& state_;
   double seconds_search_ = 0;

@@ -131,6 +131,7 @@ Outcome WholeBodyEvents::perform() {
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
   FreedParts freed;
+  Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {
     const Stopwatch watch(body_.seconds_search());
     changing_.clear();
@@ -138,6 +139,7 @@ Outcome WholeBodyEvents::perform() {
     const std::vector<int> gone = system_.gone_with(changes);
     outcome.broken = system_.count_broken(changes);
     system_.mark(changes);
+    if (body_.has_fluid()) flow = body_.let_flow();
     freed = body_.freed_parts().after_break(gone, before);
   }
   system_.commit(changes, freed.springs);
@@ -148,10 +150,14 @@ Outcome WholeBodyEvents::perform() {
   const bool loads_lost = held.loads_lost || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
+  // All of that force is there while the points give way, of which nodal forces before and after show the half.
+  const double by_fluid = 0.5 * flow.dot(state.total_displacement - before);
+  outcome.work += by_fluid;
   outcome.stored_energy = body_.stored_energy();
   // Lost loads take their part along with the piece.
-  outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy();
-  outcome.bond_energy = released_energy() / (event_.ratio * event_.ratio);
+  outcome.released_energy =
+      loads_lost ? outcome.work + stored_before - outcome.stored_energy : released_energy() + by_fluid;
+  outcome.bond_energy = (released_energy() + by_fluid) / (event_.ratio * event_.ratio);
   outcome.critical_stored_energy = body_.stored_energy_at(event_.critical_load_factor);
   state.stages = system_.stages();
   state.springs = system_.springs();

@@ -9,8 +9,13 @@ namespace bempd::model {
 
 regions::BondedBody Model::bonded_body() const {
   const coupling::EquilibriumSystem& system = *prepared_->system;
-  return {scene_,          prepared_->discretization, system.terms(), system.present_stiffness(),
-          system.intact(), prepared_->cut_bonds};
+  return {scene_,
+          prepared_->discretization,
+          system.terms(),
+          system.present_stiffness(),
+          system.intact(),
+          prepared_->cut_bonds,
+          pressures_of(prepared_->conditions)};
 }
 
 std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, regions::TipDetail detail) const {

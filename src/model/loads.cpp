@@ -2,6 +2,7 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
+#include "regions/fluid_ways.hpp"
 
 // Values of loads and supports, and when they act.
 namespace bempd::model {
@@ -26,6 +27,30 @@ template void Model::set_load_values(int, scene::PlacedValues);
 template void Model::set_support_values(int, scene::SampledValues);
 template void Model::set_support_values(int, scene::PlacedValues);
 
+void Model::let_fluid_in(PreparedScene& p) const {
+  if (p.conditions.crack_pressures.empty()) return;
+  std::map<int, std::vector<int>> cut;
+  for (const regions::CrackPressure& pressure : p.conditions.crack_pressures) {
+    std::vector<std::string> told_before;
+    std::vector<int>& bonds = cut[pressure.crack];
+    if (!bonds.empty()) continue;
+    for (const auto& region : p.discretization.regions)
+      region->cut(scene_.crack(pressure.crack), pressure.crack, bonds, told_before);
+  }
+  const coupling::Terms& terms = p.system->terms();
+  p.evolution->let_in(
+      {regions::fluid_ways(scene_, p.discretization, terms), std::move(cut), terms, p.discretization.positions});
+}
+
+fracture::CrackPressures Model::pressures_of(const regions::DofConditions& conditions) {
+  fracture::CrackPressures sums;
+  for (const regions::CrackPressure& pressure : conditions.crack_pressures) {
+    sums.try_emplace(pressure.crack, Eigen::RowVector2d::Zero());
+    sums[pressure.crack] += pressure.value;
+  }
+  return sums;
+}
+
 void Model::values_were_set() {
   if (!prepared_) return;
   loads_.acting = Acting::others;
@@ -39,7 +64,7 @@ regions::DofConditions Model::conditions_under(scene::SceneValues values) {
 Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   LoadsBefore before{{}, evolution.loads(), loads_.acting};
-  evolution.set_load(conditions.force, conditions.displacement, conditions.work_within);
+  evolution.set_load(conditions.force, conditions.displacement, conditions.work_within, pressures_of(conditions));
   before.conditions = std::exchange(prepared_->conditions, std::move(conditions));
   loads_.acting = acting;
   ++generation_;
@@ -114,7 +139,8 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
 // At the end of the way, where what was set acts already. What fails now leaves the model there on its way.
 void Model::arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept {
   say([&] {
-    prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within);
+    prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within,
+                                    pressures_of(conditions));
     prepared_->conditions = std::move(conditions);
     loads_.in_force.swap(said);
     loads_.acting = Acting::values;

@@ -100,7 +100,9 @@ std::unique_ptr<PreparedScene> Model::build() const {
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs);
   if (options_.text_value("pd.crack_rule") == "line") grow_lines(*p);
-  p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within);
+  let_fluid_in(*p);
+  p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,
+                         pressures_of(p->conditions));
   p->interface_bonds.emplace(*p->system, d.positions);
   return p;
 }

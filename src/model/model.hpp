@@ -29,6 +29,7 @@
 #include "results/point_values.hpp"
 #include "results/snapshots.hpp"
 #include "results/tip_record.hpp"
+#include "scene/load_table.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
 
@@ -106,6 +107,8 @@ class Model {
   // the values with which the last step ended to those that the host has set since.
   StepResult advance(double target, fracture::Goal goal);
   StepResult advance_to_values(double target, fracture::Goal goal);
+  // Row by row through a table, from the present load factor, which is its time (programs.cpp).
+  StepResult run_program(const scene::LoadTable& table, fracture::Goal goal);
 
   // Tips that are critical first grow by a length, at the load factor at which they are; what they do not touch of the
   // scene stays prepared. Throws Error if no tip can grow, or if a crack would cut a region in two; then nothing has
@@ -197,6 +200,8 @@ class Model {
   Eigen::VectorXd forces_from_outside(const std::vector<int>& body);
   void restore_body(const SavedState& state);
   StepResult run(double target, fracture::Goal goal);
+  StepResult run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
+                        fracture::Goal goal);
   // What acts on the body beside what the host has set (loads.cpp).
   enum class Acting {
     values,   // what was set
@@ -244,6 +249,8 @@ class Model {
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
+  void let_fluid_in(PreparedScene& prepared) const;
+  static fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
   std::vector<int> loaded_nodes(int load);
   std::vector<int> pieces_of(std::vector<int> nodes);
   int anchored_pieces();

@@ -9,6 +9,12 @@
 
 namespace bempd::regions {
 
+// Of a crack among bonds [Pa].
+struct CrackPressure {
+  int crack;                 // id
+  Eigen::RowVector2d value;  // constant and proportional part
+};
+
 // Supports and loads as values on the degrees of freedom of the scene's nodes (2 * node + component).
 struct DofConditions {
   std::vector<char> prescribed;                 // per degree of freedom
@@ -16,6 +22,7 @@ struct DofConditions {
   coupling::Affine force;                       // [N]
   coupling::Affine body_force;                  // [N/m^3], 2 * (region - 1) + component; part of `force`
   std::vector<CrackLoad> crack_loads;           // their effect on nodes is part of `force`
+  std::vector<CrackPressure> crack_pressures;   // follow as cracks grow; not part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
 
   // What makes materials want other lengths, by the ids of regions; not part of `force`.

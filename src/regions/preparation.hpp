@@ -37,8 +37,14 @@ struct Contributions {
   std::vector<double>& critical_stretch;  // per term
   std::vector<std::string>& warnings;
 
+  // What bonds of a region break by.
+  struct Breaking {
+    double limit;        // stretch
+    int law;             // of `bonds`
+    double contraction;  // 0: compression across a bond is not counted apart
+  };
   // Adds one between nodes of the scene, a step of the lattice apart.
-  void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, double limit, int law) const;
+  void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, const Breaking& breaking) const;
   // Adds the squares of all cells, which follow their own bonds; `node` gives those of the scene for points of the
   // grid, `term` those of it for bonds. Returns RegionBonds::squares.
   std::vector<int> add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,

@@ -9,13 +9,14 @@
 
 namespace bempd::regions {
 
-void Contributions::add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, double limit,
-                             int law) const {
+void Contributions::add_bond(const pd::Bond& between_nodes, const Point& step, double spacing,
+                             const Breaking& breaking) const {
   const double length = step.norm();
   const int term = bonds.add_bond(between_nodes.first, between_nodes.second, step / length, spacing * length,
                                   between_nodes.stiffness);
-  if (law != 0) bonds.set_law(term, law);
-  critical_stretch.push_back(limit);
+  if (breaking.law != 0) bonds.set_law(term, breaking.law);
+  if (breaking.contraction > 0) bonds.set_contraction(term, breaking.contraction);
+  critical_stretch.push_back(breaking.limit);
 }
 
 std::vector<int> Contributions::add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,

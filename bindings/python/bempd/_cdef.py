@@ -136,6 +136,8 @@ typedef enum bempd_face_component {
 } bempd_face_component;
 bempd_status bempd_add_crack_traction(bempd_model *model, int32_t crack, int32_t component,
     int64_t value_count, const double *constant, const double *proportional, int32_t *load);
+bempd_status bempd_add_crack_pressure(bempd_model *model, int32_t crack, double constant,
+    double proportional, int32_t *load);
 bempd_status bempd_set_load_values(bempd_model *model, int32_t load, int64_t value_count,
     const double *constant, const double *proportional);
 bempd_status bempd_set_support_values(bempd_model *model, int32_t support, int64_t value_count,
@@ -212,6 +214,13 @@ typedef enum bempd_until {
 } bempd_until;
 bempd_status bempd_step_to_values(bempd_model *model, double load_factor, int32_t until,
     bempd_step_report *report);
+typedef enum bempd_program_column {
+  BEMPD_COLUMN_SUPPORT = 1,
+  BEMPD_COLUMN_LOAD = 2
+} bempd_program_column;
+bempd_status bempd_run_program(bempd_model *model, int64_t row_count, const double *times,
+    int64_t column_count, const int32_t *kinds, const int32_t *ids, const double *factors,
+    int32_t until, bempd_step_report *report);
 typedef enum bempd_field {
   BEMPD_POSITION = 1,
   BEMPD_DISPLACEMENT = 2,
@@ -1016,6 +1025,25 @@ proportional [in]: shape [value_count], part multiplied by the load factor [Pa];
 load [out]: its id; may be NULL
 return: status
 since: 0.3""",
+    "bempd_add_crack_pressure": """\
+Add a uniform pressure in a crack, of a fluid in it say, that follows wherever it grows; give it a
+new value with bempd_set_load_values().
+
+In BEM regions it acts on the crack and what bempd_grow_cracks() adds. In PD regions it acts in
+place of all bonds that the crack cuts, and of those that break from there on and continue it: each
+pushes its points apart as it would hold them together under a pressure on all sides, so that a
+straight crack of any direction feels the pressure times its length. It reaches what breaks at once,
+does not care whether faces touch, and acts no more on pieces that have come loose. Events are found
+in the whole body then, without windows. How far a crack has grown is seen where bonds one spacing
+long are broken, which the last row of points beside a slanted or round outline does not have.
+
+model [in]: the model
+crack [in]: id of a crack
+constant [in]: constant part [Pa]; positive opens
+proportional [in]: part multiplied by the load factor [Pa]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
     "bempd_set_load_values": """\
 Give a traction or point force new values, at any time; a prepared model only changes its right-hand
 side.
@@ -1353,6 +1381,41 @@ until [in]: a bempd_until
 report [in,out]: struct_size in, the rest out; stop_reason is BEMPD_STOP_LOAD_FACTOR where the
   values were reached; may be NULL
 return: status; the present load factor is an argument error
+since: 0.3""",
+    "bempd_program_column": """Whose factors a column of a load program has.
+
+since: 0.3""",
+    "BEMPD_COLUMN_SUPPORT": """Those of a support.""",
+    "BEMPD_COLUMN_LOAD": """Those of a load.""",
+    "bempd_run_program": """\
+Go through a table of factors by time, breaking every bond that reaches its critical stretch on the
+way: loads that rise, rest, turn round, change their sign or go in cycles.
+
+At the time of a row the value of each support and load with a column is its constant part and the
+factor there times its proportional part; between two rows it goes on a straight line. What has no
+column takes the time as its factor. Without columns one factor a row is that of all supports and
+loads. While a program runs the load factor is its time, in the history, in reports and to
+callbacks. What is broken stays so; unloading is elastic.
+
+The program goes on from the present load factor: rows before it have been. If the first time lies
+ahead of it, values go there on a straight line from those with which the last step ended, from zero
+before the first step; if it is the present load factor, its values act at once. A program that ends
+before its last time (at an event, separated, on request) goes on where it stands with the same
+call; bempd_step() goes to values without a table at once. A call that fails or is cancelled leaves
+everything as it was before.
+
+model [in]: the model
+row_count [in]: how many rows, 1 or more
+times [in]: shape [row_count], increasing; the last one lies ahead of the present load factor
+column_count [in]: how many columns; 0: one factor a row for all supports and loads
+kinds [in]: shape [column_count], of each column a bempd_program_column; NULL without columns
+ids [in]: shape [column_count], of each column the support or load; NULL without columns
+factors [in]: shape [row_count][column_count], or [row_count] without columns [-]
+until [in]: a bempd_until; values are those of the last row
+report [in,out]: struct_size in, the rest out, of all rows together; stop_reason is
+  BEMPD_STOP_LOAD_FACTOR where the last row was reached; may be NULL
+return: status; temperatures have no column, and the option stepping.control = "path" does not go on
+  in time: argument errors
 since: 0.3""",
     "bempd_field": """A field on a region. Nodes are boundary nodes or material points.
 

@@ -288,6 +288,11 @@ class Scene:
                            arguments.choice("add_body_force: component", component, ONE_COMPONENT), constant,
                            proportional)
 
+    def add_crack_pressure(self, crack: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
+        """Add a uniform pressure [Pa] in a crack that follows wherever it grows, in either kind of region; returns the id
+        of the load."""
+        return self._added("bempd_add_crack_pressure", crack, constant, proportional)
+
     def add_temperature(self, region: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Change the temperature [K] of a whole region; returns the id of the load."""
         return self._added("bempd_add_temperature", region, constant, proportional)

@@ -78,6 +78,8 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_UNTIL_SEPARATED": '"separated"',
     "BEMPD_STATE_BODY": "values=False",
     "BEMPD_STATE_BODY_AND_VALUES": "values=True",
+    "BEMPD_COLUMN_SUPPORT": "supports",
+    "BEMPD_COLUMN_LOAD": "loads",
     "BEMPD_FACE_LEFT": '"left"',
     "BEMPD_FACE_RIGHT": '"right"',
 }

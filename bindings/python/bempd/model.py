@@ -7,7 +7,11 @@ import os
 from types import TracebackType
 from typing import Any, Mapping, NoReturn, Optional, Type, Union
 
+import numpy as np
+import numpy.typing as npt
+
 from . import _arguments as arguments
+from ._arguments import real_array
 from ._edges import Edges
 from ._handle import Handle
 from ._help import complete
@@ -193,6 +197,46 @@ class Model(Scene, Edges, Results):
         goal = arguments.choice("step_to_values: until", until, UNTIL)
         return self._run("bempd_step_to_values", load_factor, goal, goal=load_factor if until == "values" else None)
 
+    def run_program(self, times: npt.ArrayLike, factors: Optional[npt.ArrayLike] = None, *,
+                    supports: Optional[Mapping[int, npt.ArrayLike]] = None,
+                    loads: Optional[Mapping[int, npt.ArrayLike]] = None, until: Until = "values") -> StepReport:
+        """Go through a table of factors by time: loads that rise, rest, turn round, change their sign or go in cycles.
+
+        Either `factors` are those of all supports and loads, or `supports` and `loads` give some of them factors of their
+        own, by id; what has none then takes the time as its factor. The value at a time is the constant part and the factor
+        times the proportional one, straight between times. While it runs the load factor is the time.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> steel = model.add_material(young_modulus=2e11, poisson_ratio=1 / 3)
+        >>> bar = model.add_bem_region(steel, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> held = model.fix_edge(bar, 4)
+        >>> pull = model.add_traction(bar, 2, "x", proportional=3e6)
+        >>> report = model.run_program([1, 2, 3], [1, -1, 0])
+        >>> bool(abs(report.work) < 1e-9 * max(model.history()["work"]))
+        True
+        """
+        at = real_array("run_program: times", times)
+        if at.ndim != 1:
+            raise ArgumentError(f"run_program: times has the shape {at.shape}; give a row of numbers")
+        given = [(kind, key, values) for kind, named in ((lib.BEMPD_COLUMN_SUPPORT, supports), (lib.BEMPD_COLUMN_LOAD, loads))
+                 for key, values in (named or {}).items()]
+        if (factors is None) == (not given):
+            raise ArgumentError("run_program: give factors for all supports and loads, or supports and loads with factors of "
+                                "their own")
+        columns = [real_array("run_program: factors", values) for values in ([factors] if not given else
+                                                                             [values for _, _, values in given])]
+        for column in columns:
+            if column.shape != at.shape:
+                raise ArgumentError(f"run_program: factors have the shape {column.shape} and times {at.shape}; give a factor "
+                                    "for each time")
+        kinds = ffi.new("int32_t[]", [kind for kind, _, _ in given]) if given else ffi.NULL
+        ids = ffi.new("int32_t[]", [arguments.whole("run_program: id", key) for _, key, _ in given]) if given else ffi.NULL
+        table = np.ascontiguousarray(np.column_stack(columns) if at.size else np.empty((0, 1)))
+        goal = arguments.choice("run_program: until", until, UNTIL)
+        return self._run("bempd_run_program", at.size, arguments.doubles(at), len(given), kinds, ids,
+                         arguments.doubles(table), goal, goal=float(at[-1]) if at.size and until == "values" else None)
+
     def save(self, *, values: bool = False) -> State:
         """The state of a prepared model, to come back to or to keep; with `values` it contains those of loads and
         supports, which restore() then brings back.
@@ -253,13 +297,13 @@ class Model(Scene, Edges, Results):
 
         return plot.draw(self, quantity, **options)
 
-    def _run(self, name: str, load_factor: float, *more: int, goal: Optional[float] = None) -> StepReport:
+    def _run(self, name: str, *given: Any, goal: Optional[float] = None) -> StepReport:
         report = new_struct("bempd_step_report", "bempd_step_report_init")
         start, finish = (getattr(self._progress, part, None) for part in ("start", "finish"))
         if start is not None:
             start(self.load_factor, goal)
         try:
-            self._open().call(name, load_factor, *more, report, changes=True)
+            self._open().call(name, *given, report, changes=True)
         finally:
             if finish is not None:
                 finish()

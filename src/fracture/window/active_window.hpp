@@ -58,6 +58,8 @@ class ActiveWindow {
   // Row k: value of the function k for the constant and the proportional part of the load.
   Eigen::Matrix<double, Eigen::Dynamic, 2> function_values() const { return rows_.middleRows(size(), functions_); }
 
+  bool ratio_is_known(int bond) const { return terms_.ratio_is_known(static_cast<std::size_t>(bond)); }
+
   double elongation(int bond, double load_factor) const;
   double stiffness_lost(const coupling::StageChange& change) const {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);

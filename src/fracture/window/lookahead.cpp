@@ -155,6 +155,7 @@ bool Lookahead::foresee(double from, const BodyState& start) {
   ForeseenEvent foreseen;
   foreseen.event.load_factor = *next;
   for (int place : chosen) {
+    if (!window_->ratio_is_known(place)) return false;
     const int term = window_->bonds()[place];
     foreseen.event.changes.push_back(system_.after_critical(term));
     const auto bond = static_cast<std::size_t>(place);

@@ -39,6 +39,8 @@ WindowTerms::WindowTerms(const coupling::EquilibriumSystem& system, const coupli
   intact_.assign(size(), 1);
   ratios_.constant.assign(size(), 0.0);
   ratios_.proportional.assign(size(), 0.0);
+  across_ = ratios.across().chosen(
+      numbers_, [&](int number) { return place_of(number); }, [&](int number) { return system.intact()[number] != 0; });
 }
 
 void WindowTerms::add(int number, const coupling::EquilibriumSystem& system) {
@@ -89,9 +91,25 @@ void WindowTerms::update_ratios(const coupling::Affine& rows, bool has_constant_
   };
   if (has_constant_part) fill(0, ratios_.constant);
   fill(1, ratios_.proportional);
+  relieve();
+}
+
+void WindowTerms::relieve() {
+  if (!across_.empty())
+    across_.relieve(ratios_.constant, ratios_.proportional, scales_.per_elongation, intact_, ratios_.relief);
 }
 
 void WindowTerms::keep(const std::vector<char>& watched) {
+  if (!across_.empty()) {
+    std::vector<int> kept, place_after(size(), -1);
+    for (std::size_t t = 0; t < size(); ++t) {
+      if (!watched[t]) continue;
+      place_after[t] = static_cast<int>(kept.size());
+      kept.push_back(static_cast<int>(t));
+    }
+    across_ = across_.chosen(
+        kept, [&](int place) { return place_after[place]; }, [&](int place) { return intact_[place] != 0; });
+  }
   pulls_.keep(watched);
   std::size_t to = 0;
   for (std::size_t t = 0; t < size(); ++t) {
@@ -113,6 +131,7 @@ void WindowTerms::keep(const std::vector<char>& watched) {
   stages_.resize(to);
   numbers_.resize(to);
   intact_.assign(to, 1);
+  relieve();
 }
 
 void WindowTerms::renumber_rows(const std::vector<int>& row_after) { pulls_.renumber(row_after); }

@@ -32,6 +32,9 @@ class WindowTerms {
   double stiffness(std::size_t term) const { return stiffness_[term]; }
   double ratio_per_elongation(std::size_t term) const { return scales_.per_elongation[term]; }
 
+  // Whether all that its ratio depends on is watched; otherwise the ratio is too large rather than too small.
+  bool ratio_is_known(std::size_t term) const { return across_.empty() || across_.is_known(term); }
+
   // Where a term of the system is in this list; -1: it is not watched.
   int place_of(int number) const;
 
@@ -47,6 +50,7 @@ class WindowTerms {
 
  private:
   void add(int number, const coupling::EquilibriumSystem& system);
+  void relieve();
 
   const StretchRatios& of_all_;
   std::vector<int> numbers_;
@@ -56,6 +60,7 @@ class WindowTerms {
   coupling::CriticalScales scales_;
   std::vector<char> intact_;
   AffineRatios ratios_;
+  BondsAcross across_;
   std::vector<char> contained_;
   std::vector<int> prescribed_dofs_;
 };

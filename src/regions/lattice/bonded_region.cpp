@@ -29,6 +29,13 @@ std::vector<int> BondedRegion::terms() const {
   return all;
 }
 
+Contributions::Breaking BondedRegion::breaking(const Preparation& preparation,
+                                               const Contributions& contributions) const {
+  const bool opening = preparation.options.text_value("pd.criterion") == "opening";
+  return {critical_stretch(preparation), contributions.bonds.add_law(material().bond_law),
+          opening ? elasticity().c12() / elasticity().c11() : 0.0};
+}
+
 std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) const {
   const double horizon = horizon_ratio_ * spacing();
   const PlaneElasticity& e = elasticity();
@@ -41,11 +48,10 @@ std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) c
 void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {
   bonds_.first = contributions.bonds.size();
   bonds_.listed = network()->bonds.size();
-  const double limit = critical_stretch(preparation);
-  const int law = contributions.bonds.add_law(material().bond_law);
+  const Contributions::Breaking breaking = this->breaking(preparation, contributions);
   for (const pd::Bond& bond : network()->bonds) {
     const Point step = points_[bond.second] - points_[bond.first];
-    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), limit, law);
+    contributions.add_bond({nodes_[bond.first], nodes_[bond.second], bond.stiffness}, step, spacing(), breaking);
   }
 }
 

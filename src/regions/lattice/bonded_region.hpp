@@ -63,6 +63,7 @@ class BondedRegion : public Region {
   const Point& origin() const { return origin_; }
   void take_bonds(RegionBonds bonds) { bonds_ = std::move(bonds); }
   virtual double critical_stretch(const Preparation& preparation) const;
+  Contributions::Breaking breaking(const Preparation& preparation, const Contributions& contributions) const;
 
  protected:
   // Share of a full cell's volume that every point takes of a force per volume.

@@ -190,8 +190,7 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
   const LatticeRegion& leader = *members_.front();
   const pd::Network network = leader.make_network(all.cells(), preparation.options.whole_number("threads"));
   if (network.reduced) return false;
-  const double limit = leader.critical_stretch(preparation);
-  const int law = contributions.bonds.add_law(leader.material().bond_law);
+  const Contributions::Breaking breaking = leader.breaking(preparation, contributions);
   const auto rows = bonds_by_owner(all, network, members_.size());
   std::vector<std::size_t> of_scene(network.bonds.size());
   std::vector<MemberBonds> parts;
@@ -205,7 +204,7 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
       const Point step = (all.cells().point(bond.second) - all.cells().point(bond.first)).cast<double>();
       of_scene[b] = contributions.bonds.size();
       contributions.add_bond({all.node(bond.first), all.node(bond.second), bond.stiffness}, step, leader.spacing(),
-                             limit, law);
+                             breaking);
       if (m < parts.size()) parts[m].add(b, of_scene[b], true);
     }
   }

@@ -30,6 +30,12 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "Constant that turns a fracture energy into a critical stretch: exact, or as printed by Yang and Liu "
           "2021, Eq. 15 (plane stress only).",
           "exact | printed", "exact")),
+      scene::shaping(
+          scene::text_option("pd.criterion",
+                             "What counts of a bond's stretch in peridynamic regions: stretch, all of it; opening, all "
+                             "but what compression "
+                             "across the bond adds by Poisson's effect, so that pressure does not crush a sound body.",
+                             "stretch | opening", "stretch")),
       scene::shaping(scene::text_option(
           "pd.crack_rule",
           "How initial cracks in peridynamic regions of scheme symmetric grow: bond, their bonds break one by one by "

@@ -16,7 +16,8 @@ void CrackFaces::add_load(const scene::Scene& scene, const Discretization& d, in
                           DofConditions& conditions) const {
   const int region = d.crack_regions[static_cast<std::size_t>(crack_) - 1];
   require(region > 0, "load ", load + 1, " acts on the faces of crack ", crack_,
-          ", which lies in a peridynamic region; faces can be loaded in BEM regions only");
+          ", which lies in a peridynamic region; faces can be given a traction in BEM regions only, "
+          "and a uniform pressure by bempd_add_crack_pressure() in both kinds");
   // The condition may get new values while the result of this one is in use.
   const scene::Condition condition = scene.loads()[load];
   conditions.crack_loads.push_back({crack_, [condition](double fraction) -> std::array<Point, 2> {

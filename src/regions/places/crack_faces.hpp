@@ -6,7 +6,7 @@ namespace bempd::regions {
 
 // Both faces of a crack, loaded by a pressure (component x of a condition) that pushes them apart and by a shear
 // (component y) that drives the left face, seen along the crack, forward and the right one back [Pa].
-class CrackFaces final : public OffEdges {
+class CrackFaces : public OffEdges {
  public:
   explicit CrackFaces(int crack) : crack_(crack) {}
 
@@ -21,6 +21,9 @@ class CrackFaces final : public OffEdges {
                                      int support) const override;
   void add_load(const scene::Scene& scene, const Discretization& discretization, int load,
                 DofConditions& conditions) const override;
+
+ protected:
+  int crack() const { return crack_; }
 
  private:
   int crack_;

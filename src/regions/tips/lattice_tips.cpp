@@ -52,15 +52,24 @@ TipValues without_contours(const LatticeTip& tip) {
   return values;
 }
 
-// Displacements with which the lattice of a tip would follow heat freely, which say nothing about the tip; nothing if
-// heat makes stress by itself.
+// Constant and proportional part of the pressure in the crack of a tip.
+Eigen::RowVector2d pressure_in(const BondedBody& body, const LatticeTip& tip) {
+  const auto found = body.pressures.find(tip.crack);
+  return found == body.pressures.end() ? Eigen::RowVector2d::Zero() : found->second;
+}
+
+// Displacements that say nothing about the tip: those with which its lattice would follow heat freely, and those under
+// a pressure on all sides like that in its crack, without which the faces bear nothing. Nothing if heat makes stress by
+// itself.
 std::optional<coupling::Affine> free_displacement(const BondedBody& body, const LatticeTip& tip) {
+  const PlaneElasticity& elasticity = tip.axes.elasticity;
+  const Eigen::RowVector2d strain = -pressure_in(body, tip) / (elasticity.c11() + elasticity.c12());
   const std::vector<Point>& positions = body.discretization.positions;
   coupling::Affine free(2 * static_cast<Eigen::Index>(positions.size()), 2);
   for (std::size_t node = 0; node < positions.size(); ++node) {
     const auto at = body.discretization.region(tip.region).free_displacement(positions[node]);
     if (!at) return std::nullopt;
-    free.middleRows<2>(2 * static_cast<Eigen::Index>(node)) = *at;
+    free.middleRows<2>(2 * static_cast<Eigen::Index>(node)) = *at + (positions[node] - tip.axes.place) * strain;
   }
   return free;
 }
@@ -84,7 +93,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fractu
   };
   const TipRings::Expansion largest = seen(whole, 1);
   values.factors = factors_of(largest);
-  values.stress_along = largest.uniform;
+  values.stress_along = largest.uniform - pressure_in(body, tip).dot(Eigen::RowVector2d(1, solution.load_factor));
   values.error = 0;
   for (const double part : parts)
     values.error = std::max(values.error, (factors_of(seen(whole, part)) - values.factors).norm());

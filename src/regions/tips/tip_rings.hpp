@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct BondedBody {
   const coupling::Terms& bonds;
   const std::vector<double>& stiffness;  // present ones [N/m]
   const std::vector<char>& intact;
-  const std::vector<int>& cut;  // by initial cracks, ascending
+  const std::vector<int>& cut;                  // by initial cracks, ascending
+  std::map<int, Eigen::RowVector2d> pressures;  // in cracks, constant and proportional part [Pa]
 };
 
 // Where a tip is, and the crack behind it.

@@ -55,3 +55,47 @@ def test_bad_ends_of_a_way_are_refused(strip):
         strip.model.step_to_values(1.0, until="now")
     with pytest.raises(bempd.ArgumentError, match="already"):
         strip.model.step_to_values(0.0)
+
+
+def test_a_program_loads_unloads_and_goes_on(strip):
+    end = 1.05 * strip.model.run_to_separation(1e4).load_factor
+    host = make_strip()
+    report = host.model.run_program([1, 2, 3], [0.5 * end, -0.1 * end, end])
+    assert report.load_factor == 3 and report.energy_balance_error < 1e-9
+    assert report.total_broken_bonds == strip.model.history()["total_broken_bonds"][-1]
+
+
+def test_columns_of_a_program_are_of_supports(strip):
+    host = make_strip()
+    host.model.run_program([1.0, 2.0], supports={host.pulled: [3.0, 2.0]})
+    strip.model.step(2.0)
+    np.testing.assert_allclose(host.model.reaction(host.pulled), strip.model.reaction(strip.pulled), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("given, words", [
+    (dict(times=[1, 2], factors=[1]), "shape"),
+    (dict(times=[[1, 2]], factors=[[1, 2]]), "row"),
+    (dict(times=[1, 2]), "give factors"),
+    (dict(times=[], factors=[]), "row"),
+    (dict(times=[2, 1], factors=[1, 2]), "increase"),
+    (dict(times=[1, float("nan")], factors=[1, 2]), "finite"),
+    (dict(times=[1], factors=[float("inf")]), "finite"),
+    (dict(times=[1], loads={1: [1]}), "load 1"),
+    (dict(times=[1], supports={"one": [1]}), "whole"),
+    (dict(times=[1], factors=[1], until="now"), "until")])
+def test_tables_that_cannot_be_meant_are_refused(strip, given, words):
+    with pytest.raises(bempd.ArgumentError, match=words):
+        strip.model.run_program(given.pop("times"), given.pop("factors", None), **given)
+
+
+def test_a_pressure_goes_with_its_crack():
+    model = bempd.Model()
+    solid = model.add_material(young_modulus=1, poisson_ratio=0.2)
+    body = model.add_pd_region(solid, bempd.rectangle(0, 0, 8, 10), 1, 3)
+    load = model.add_crack_pressure(model.add_crack([(0, 5.5), (8, 5.5)]), 2.0)
+    top, bottom = model.fix_edge(body, 3), model.fix_edge(body, 1)
+    model.step(1)
+    np.testing.assert_allclose(model.reaction(top), [0, -16], atol=1e-9)
+    model.set_load_values(load, constant=3.0)
+    model.step(2)
+    np.testing.assert_allclose(model.reaction(bottom), [0, 24], atol=1e-9)

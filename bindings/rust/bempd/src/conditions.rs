@@ -166,6 +166,11 @@ impl Model {
         self.handle.add_point_force(place, component as i32, constant, proportional).map(LoadId)
     }
 
+    /// Adds a uniform pressure [Pa] in a crack, which follows wherever it grows, in either kind of region.
+    pub fn add_crack_pressure(&mut self, crack: CrackId, constant: f64, proportional: f64) -> Result<LoadId> {
+        self.handle.add_crack_pressure(crack.0, constant, proportional).map(LoadId)
+    }
+
     /// Adds a force per volume [N/m^3], along x or y, on a whole region, such as its weight.
     pub fn add_body_force(
         &mut self,

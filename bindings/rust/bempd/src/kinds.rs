@@ -1,5 +1,7 @@
 use bempd_sys as sys;
 
+use crate::{LoadId, SupportId};
+
 /// Plane stress (thin plates) or plane strain (long bodies).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
@@ -30,6 +32,31 @@ pub enum FaceComponent {
     Pressure = sys::BEMPD_PRESSURE as i32,
     /// Shear along the crack that drives the left face, seen from its first point, forward and the other one back.
     Shear = sys::BEMPD_SHEAR as i32,
+}
+
+/// Whose factors a column of a load program has: [`Model::run_program`](crate::Model::run_program).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ProgramColumn {
+    /// Those of a support.
+    Support(SupportId),
+    /// Those of a load.
+    Load(LoadId),
+}
+
+impl ProgramColumn {
+    pub(crate) fn kind(self) -> i32 {
+        match self {
+            Self::Support(_) => sys::BEMPD_COLUMN_SUPPORT as i32,
+            Self::Load(_) => sys::BEMPD_COLUMN_LOAD as i32,
+        }
+    }
+
+    pub(crate) fn id(self) -> i32 {
+        match self {
+            Self::Support(id) => id.0,
+            Self::Load(id) => id.0,
+        }
+    }
 }
 
 /// How far [`Model::step_to_values`](crate::Model::step_to_values) goes.

@@ -57,8 +57,8 @@ pub use edges::{EdgeNode, EdgePlace, NodalValues};
 pub use error::{Error, Result};
 pub use ids::{CrackId, LoadId, MaterialId, RegionId, SupportId};
 pub use kinds::{
-    BondState, Component, Face, FaceComponent, Field, LogLevel, Plane, SingularityKind, StopReason, TipEnd, TipMethod,
-    Turn, Until,
+    BondState, Component, Face, FaceComponent, Field, LogLevel, Plane, ProgramColumn, SingularityKind, StopReason,
+    TipEnd, TipMethod, Turn, Until,
 };
 pub use material::Material;
 pub use model::Model;

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::raw::Handle;
 use crate::{
-    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, PhaseProgress, Progress, RegionId, Result, State,
-    StepReport, Turn, Until,
+    CancelToken, CrackId, Error, LogLevel, Material, MaterialId, PhaseProgress, ProgramColumn, Progress, RegionId, Result,
+    State, StepReport, Turn, Until,
 };
 
 /// A scene and its state. Dropping it frees everything.
@@ -245,6 +245,27 @@ impl Model {
     /// has ended on the way.
     pub fn step_to_values(&mut self, load_factor: f64, until: Until) -> Result<StepReport> {
         Ok(StepReport::from_raw(&self.handle.step_to_values(load_factor, until as i32)?))
+    }
+
+    /// Goes through a table of factors by time, on straight lines between its rows: `factors` has one for each column
+    /// in each row, or, without columns, one a row for all supports and loads. The load factor is the time.
+    pub fn run_program(
+        &mut self,
+        times: &[f64],
+        columns: &[ProgramColumn],
+        factors: &[f64],
+        until: Until,
+    ) -> Result<StepReport> {
+        let needed = times.len() * columns.len().max(1);
+        if factors.len() != needed {
+            return Err(Error::Argument(format!(
+                "run_program: there are {} factors; give {needed}, one for each time and column",
+                factors.len()
+            )));
+        }
+        let kinds: Vec<i32> = columns.iter().map(|column| column.kind()).collect();
+        let ids: Vec<i32> = columns.iter().map(|column| column.id()).collect();
+        Ok(StepReport::from_raw(&self.handle.run_program(times, &kinds, &ids, factors, until as i32)?))
     }
 
     /// Saves the state of a prepared model in memory, so that a host can repeat a step.

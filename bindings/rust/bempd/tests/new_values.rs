@@ -2,7 +2,7 @@
 
 mod common;
 
-use bempd::{StopReason, Until, Values};
+use bempd::{ProgramColumn, StopReason, Until, Values};
 use common::{plate, Plate};
 
 const GOAL: f64 = 1.2;
@@ -46,4 +46,30 @@ fn a_way_stops_at_an_event_and_goes_on() {
     let report = host.model.step_to_values(GOAL, Until::Separated).unwrap();
     assert_eq!(report.stop_reason, StopReason::LoadFactor);
     assert_fails!(host.model.step_to_values(GOAL, Until::Values), Argument, "already");
+}
+
+#[test]
+fn a_program_loads_unloads_and_goes_on() {
+    let mut expected = plate();
+    let one_way = expected.model.step(GOAL).unwrap();
+    let mut host = plate();
+    let (times, factors) = ([1.0, 2.0, 3.0], [0.5 * GOAL, 0.0, GOAL]);
+    let report = host.model.run_program(&times, &[], &factors, Until::Values).unwrap();
+    assert_eq!((report.stop_reason, report.broken_bonds), (StopReason::LoadFactor, one_way.broken_bonds));
+    assert!(report.load_factor == 3.0 && report.energy_balance_error < 1e-9);
+    assert_fails!(host.model.run_program(&times, &[], &factors, Until::Values), Argument, "already");
+    assert_fails!(host.model.run_program(&times, &[], &factors[1..], Until::Values), Argument, "2 factors");
+}
+
+#[test]
+fn columns_of_a_program_are_of_supports() {
+    let mut host = plate();
+    let columns = [ProgramColumn::Support(host.pulled_left), ProgramColumn::Support(host.pulled_right)];
+    let report = host.model.run_program(&[1.0], &columns, &[0.02, 0.02], Until::Event).unwrap();
+    assert_eq!((report.stop_reason, report.events), (StopReason::LoadFactor, 0));
+    let force = host.model.reaction(host.pulled_right).unwrap();
+    let mut expected = plate();
+    expected.model.step(0.02).unwrap();
+    let wanted = expected.model.reaction(expected.pulled_right).unwrap();
+    assert!((force[0] - wanted[0]).abs() < 1e-9 * wanted[0].abs());
 }

@@ -132,6 +132,12 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_crack_pressure(&mut self, crack: i32, constant: f64, proportional: f64) -> Result<i32> {
+        self.output(|model, load| unsafe {
+            sys::bempd_add_crack_pressure(model, crack, constant, proportional, load)
+        })
+    }
+
     pub(crate) fn add_body_force(
         &mut self,
         region: i32,

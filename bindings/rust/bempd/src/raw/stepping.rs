@@ -34,6 +34,32 @@ impl Handle {
         Ok(report)
     }
 
+    pub(crate) fn run_program(
+        &mut self,
+        times: &[f64],
+        kinds: &[i32],
+        ids: &[i32],
+        factors: &[f64],
+        until: i32,
+    ) -> Result<sys::bempd_step_report> {
+        let mut report = filled(sys::bempd_step_report_init)?;
+        let (rows, columns) = (times.len() as i64, ids.len() as i64);
+        self.call(|model| unsafe {
+            sys::bempd_run_program(
+                model,
+                rows,
+                times.as_ptr(),
+                columns,
+                kinds.as_ptr(),
+                ids.as_ptr(),
+                factors.as_ptr(),
+                until,
+                &mut report,
+            )
+        })?;
+        Ok(report)
+    }
+
     pub(crate) fn set_option(&mut self, name: &str, value: f64) -> Result<()> {
         let name = terminated(name)?;
         self.call(|model| unsafe { sys::bempd_set_option(model, name.as_ptr(), value) })

@@ -1,0 +1,82 @@
+#include <algorithm>
+
+#include "error.hpp"
+#include "model/model.hpp"
+
+// Load programs: tables of factors by time, which the load factor is while they run.
+namespace bempd::model {
+
+namespace {
+
+void add(StepResult& sum, const StepResult& step) {
+  sum.reason = step.reason;
+  sum.events += step.events;
+  sum.broken_bonds += step.broken_bonds;
+  if (sum.unstable_event == 0) sum.unstable_event = step.unstable_event;
+  sum.seconds_total += step.seconds_total;
+  sum.seconds_solve += step.seconds_solve;
+  sum.seconds_update += step.seconds_update;
+  sum.seconds_search += step.seconds_search;
+}
+
+}  // namespace
+
+// To the time of a row, on the straight line that leads there.
+StepResult Model::run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
+                             fracture::Goal goal) {
+  const double present = load_factor(), end = table.times[row];
+  const scene::SceneValues at_end = table.at(row, given);
+  std::optional<scene::SceneValues> way;
+  if (end == present) {
+    way = at_end;
+  } else if (row == 0) {
+    way = scene::line_between(loads_.in_force ? *loads_.in_force : scene::at_rest(given), present, at_end, end);
+  } else {
+    way = scene::line_between(table.at(row - 1, given), table.times[row - 1], at_end, end);
+  }
+  replace_loads(conditions_under(*way), Acting::on_a_way);
+  StepResult result = run(end, goal);
+  // Nothing breaks any more, which is no reason to stay where it is.
+  if (result.reason == fracture::StopReason::no_further_event && load_factor() != end) {
+    add(result, run(end, fracture::Goal::load_factor));
+  }
+  if (result.reason == fracture::StopReason::no_further_event) result.reason = fracture::StopReason::load_factor;
+  loads_.in_force.swap(way);
+  loads_.end_of_way = end;
+  return result;
+}
+
+StepResult Model::run_program(const scene::LoadTable& table, fracture::Goal goal) {
+  table.check(scene_);
+  require(
+      options_.text_value("stepping.control") == "load",
+      "stepping.control is path, by which the load factor falls where growth is unstable; a program goes on in time: "
+      "set it to load");
+  prepare();
+  const double present = load_factor(), end = table.times.back();
+  const bool has_begun =
+      prepared_->evolution->progress().in_equilibrium || !prepared_->evolution->progress().history.empty();
+  require(end > present || (end == present && !has_begun), "the last time of the program is ", end,
+          ", and the load factor is ", present, " already; times go on from there");
+  const SavedState start = save();
+  try {
+    const scene::SceneValues given = scene_.values();
+    StepResult sum{fracture::StopReason::load_factor};
+    auto row = static_cast<std::size_t>(std::lower_bound(table.times.begin(), table.times.end(), present) -
+                                        table.times.begin());
+    // A time that is reached has been, unless it is the first.
+    if (row + 1 < table.times.size() && row > 0 && table.times[row] == present) ++row;
+    for (; row < table.times.size(); ++row) {
+      add(sum, run_to_row(table, row, given, goal));
+      const bool arrived = sum.reason == fracture::StopReason::load_factor ||
+                           (sum.reason == fracture::StopReason::separated && goal == fracture::Goal::load_factor);
+      if (!arrived) break;
+    }
+    return sum;
+  } catch (...) {
+    restore(start);
+    throw;
+  }
+}
+
+}  // namespace bempd::model

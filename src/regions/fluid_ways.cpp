@@ -1,0 +1,68 @@
+#include "regions/fluid_ways.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "regions/node_registry.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Up to which a bond is one spacing long, and places are the same, in spacings.
+constexpr double same_length = 1e-6, same_place = 0.1;
+
+// Pressure per strain in the plane where both are the same in all directions [Pa]; 0 for terms of no lattice.
+std::vector<double> moduli_of_terms(const Discretization& d, const coupling::Terms& terms) {
+  std::vector<double> moduli(terms.size(), 0.0);
+  for (const auto& region : d.regions) {
+    const auto bonds = region->bonds();
+    if (!bonds) continue;
+    const double modulus = region->elasticity().c11() + region->elasticity().c12();
+    std::fill_n(moduli.begin() + static_cast<std::ptrdiff_t>(region->first_bond()), bonds->size(), modulus);
+  }
+  for (const coupling::Terms::Following& pair : terms.following) moduli[pair.follower] = moduli[pair.leader];
+  return moduli;
+}
+
+std::vector<double> pushes(const Discretization& d, const coupling::Terms& terms) {
+  const std::vector<double> moduli = moduli_of_terms(d, terms);
+  std::vector<double> push(terms.size(), 0.0);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (moduli[t] == 0) continue;
+    double elongation = 0;  // under the strain 1
+    const Point& origin = d.positions[terms.first[t]];
+    terms.for_each_entry(
+        t, [&](int node, double x, double y) { elongation += Point(x, y).dot(d.positions[node] - origin); });
+    push[t] = terms.stiffness[t] * elongation / moduli[t];
+  }
+  return push;
+}
+
+}  // namespace
+
+pd::FluidWays fluid_ways(const scene::Scene& scene, const Discretization& d, const coupling::Terms& terms) {
+  pd::FluidWays ways{{}, pushes(d, terms)};
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& region : d.regions)
+    if (region->bonds()) least = std::min(least, scene.region(region->id()).resolution());
+  NodeRegistry places(scene.bounding_box().min(), same_place * least);
+  int asked = 0;  // every question is one of another region, so that all places are compared
+  for (const auto& region : d.regions) {
+    const auto bonds = region->bonds();
+    if (!bonds) continue;
+    const double spacing = scene.region(region->id()).resolution();
+    for (std::size_t t = region->first_bond(); t < region->first_bond() + bonds->size(); ++t) {
+      if (std::abs(terms.length[t] - spacing) > same_length * spacing) continue;
+      const Point middle = 0.5 * (d.positions[terms.first[t]] + d.positions[terms.second[t]]);
+      const Point half = 0.5 * spacing * Point(-terms.sine[t], terms.cosine[t]);
+      const Point from = middle - half, to = middle + half;
+      const int first = places.add_shared(from, asked++), second = places.add_shared(to, asked++);
+      ways.facets.push_back({static_cast<int>(t), from, to, {first, second}});
+    }
+  }
+  return ways;
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,81 @@
+#include "scene/load_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "error.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::scene {
+
+namespace {
+
+// The value at a load factor, for good.
+template <class Parts>
+Parts still_at_factor(Parts values, double factor) {
+  for (std::size_t i = 0; i < values.constant.size(); ++i) values.constant[i] += factor * values.proportional[i];
+  std::fill(values.proportional.begin(), values.proportional.end(), 0.0);
+  return values;
+}
+
+Values at_factor(const Values& values, double factor) {
+  if (const auto* samples = std::get_if<SampledValues>(&values)) return still_at_factor(*samples, factor);
+  if (const auto* placed = std::get_if<PlacedValues>(&values)) return still_at_factor(*placed, factor);
+  return BoundaryFunction([function = std::get<BoundaryFunction>(values), factor](const Point& p, double fraction) {
+    const BoundaryValue value = function(p, fraction);
+    return BoundaryValue{value.constant + factor * value.proportional, Point::Zero()};
+  });
+}
+
+void require_moves(const Condition& load, int id) {
+  require(!load.place->is_built_in(), "load ", id,
+          " is a temperature, which follows the time of a program only; give the table columns for what else it moves");
+}
+
+}  // namespace
+
+void LoadTable::check(const Scene& scene) const {
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    require(std::isfinite(times[row]), "time ", row, " is ", times[row], "; it must be a finite number");
+    require(row == 0 || times[row] > times[row - 1], "time ", row, " is ", times[row], " and the one before it ",
+            row > 0 ? times[row - 1] : 0, "; give times that increase");
+  }
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    require(std::isfinite(factors[i]), "the factor of row ", i / width(), ", column ", i % width(), " is ", factors[i],
+            "; it must be a finite number");
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const auto [is_support, id] = columns[c];
+    const auto& conditions = is_support ? scene.supports() : scene.loads();
+    const char* what = is_support ? "support " : "load ";
+    require(id >= 1 && id <= static_cast<int>(conditions.size()), "column ", c, " is of ", what, id,
+            ", which does not exist; there are ", conditions.size());
+    const Condition& condition = conditions[static_cast<std::size_t>(id - 1)];
+    require(!condition.removed(), "column ", c, " is of ", what, id, ", which was removed");
+    if (!is_support) require_moves(condition, id);
+    const bool is_second = std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(c), columns[c]) !=
+                           columns.begin() + static_cast<std::ptrdiff_t>(c);
+    require(!is_second, "column ", c, " is of ", what, id, ", which has a column before; give it one");
+  }
+  if (!columns.empty()) return;
+  for (std::size_t i = 0; i < scene.loads().size(); ++i)
+    if (!scene.loads()[i].removed()) require_moves(scene.loads()[i], static_cast<int>(i) + 1);
+}
+
+SceneValues LoadTable::at(std::size_t row, const SceneValues& given) const {
+  const auto all = [](const std::vector<Values>& values, double factor) {
+    std::vector<Values> still;
+    for (const Values& one : values) still.push_back(at_factor(one, factor));
+    return still;
+  };
+  const double common = columns.empty() ? factors[row] : times[row];
+  SceneValues result{all(given.supports, common), all(given.loads, common)};
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const auto place = static_cast<std::size_t>(columns[c].id - 1);
+    const Values& value = columns[c].is_support ? given.supports[place] : given.loads[place];
+    (columns[c].is_support ? result.supports[place] : result.loads[place]) =
+        at_factor(value, factors[row * width() + c]);
+  }
+  return result;
+}
+
+}  // namespace bempd::scene

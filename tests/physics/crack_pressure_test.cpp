@@ -1,0 +1,171 @@
+// Pressure in cracks, among bonds and with boundary elements, at rest and while they grow. References: an infinite
+// plane under the pressure p in a crack of length 2a opens by 4 p a / E in its middle and has K_I = p sqrt(pi a) (I. N.
+// Sneddon, Proc. R. Soc. London A 187, 1946); equilibrium; a strip between clamps, whose energy release rate does not
+// depend on where its crack ends (J. R. Rice, J. Appl. Mech. 35, 1968).
+#include <gtest/gtest.h>
+
+#include "westergaard.hpp"
+
+namespace {
+
+using namespace host;
+
+constexpr double pi = 3.14159265358979323846;
+
+int32_t press(Model& model, double constant, double proportional) {
+  int32_t load = 0;
+  model.check(bempd_add_crack_pressure(model.get(), 1, constant, proportional, &load));
+  return load;
+}
+
+std::vector<bempd_crack_tip> tips_of(Model& model) {
+  int64_t count = 0;
+  model.check(bempd_tip_count(model.get(), &count));
+  std::vector<bempd_crack_tip> tips(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    model.check(bempd_crack_tip_init(&tips[k], sizeof tips[k]));
+    model.check(bempd_tip(model.get(), static_cast<int64_t>(k), &tips[k]));
+  }
+  return tips;
+}
+
+// The plane around a crack of half length a under the pressure 1 in it: it moves as under the tension 1 less what that
+// makes without the crack.
+struct PressedPlane {
+  Vector centre;
+  double a, direction;
+
+  Vector displacement(double x, double y) const {
+    const double c = std::cos(direction), s = std::sin(direction);
+    const double along = c * (x - centre[0]) + s * (y - centre[1]), across = c * (y - centre[1]) - s * (x - centre[0]);
+    const Vector pulled = CrackedPlane{a}.displacement(along, across);
+    const Vector u{pulled[0] + CrackedPlane::poisson * along, pulled[1] - across};
+    return {c * u[0] - s * u[1], s * u[0] + c * u[1]};
+  }
+};
+
+void surround(Model& model, int32_t body, const PressedPlane& plane) {
+  for (int32_t edge = 1; edge <= 4; ++edge)
+    model.prescribe(body, edge, 0, 1, [plane](double x, double y) { return plane.displacement(x, y); });
+}
+
+// All that a straight cut of any direction feels is the pressure times its length.
+TEST(CrackPressure, on_a_cut_has_the_resultant_of_its_length) {
+  constexpr double pressure = 3, thickness = 0.5;
+  for (const double rise : {0.0, 3.0, 7.0, -5.0}) {
+    Model model;
+    const int32_t id = model.add(material(1000, 1.0 / 3, BEMPD_PLANE_STRESS, thickness));
+    const int32_t body = model.pd(id, rectangle(0, 0, 12, 20), 1, 3);
+    model.crack({{0, 10.3 - rise / 2}, {12, 10.3 + rise / 2}});
+    press(model, 0, pressure);
+    const int32_t top = model.fix(body, 3, BEMPD_BOTH), bottom = model.fix(body, 1, BEMPD_BOTH);
+    model.step(1);
+    // The left face of the crack, above it, is pushed along its normal (-rise, 12).
+    const auto up = model.reaction(top), down = model.reaction(bottom);
+    std::printf("rise %g: ", rise);
+    EXPECT_LE(std::abs(report("force up", -up[1], pressure * thickness * 12, "p L")), 1e-9);
+    EXPECT_LE(std::abs(report("force along", -up[0], -pressure * thickness * rise, "p L")), 1e-9);
+    EXPECT_LE(std::abs(up[0] + down[0]) + std::abs(up[1] + down[1]), 1e-9);
+  }
+}
+
+// Among bonds, along the rows of the lattice and across their diagonals: the crack is that much longer as its tips are
+// felt ahead of where it is cut (docs/materials.md).
+TEST(CrackPressure, among_bonds_opens_as_in_a_plane) {
+  for (const double direction : {0.0, pi / 4}) {
+    const double half = direction == 0 ? 14.5 : 10.5 * std::sqrt(2), felt = direction == 0 ? 0.38 : 0.3;
+    const Vector centre = direction == 0 ? Vector{0, 0} : Vector{-0.25, 0.25};
+    const PressedPlane plane{centre, half + felt, direction};
+    const Vector arm{half * std::cos(direction), half * std::sin(direction)};
+    Model model;
+    const double low = direction == 0 ? -30.5 : -30;
+    const int32_t body =
+        model.pd(model.add(material(CrackedPlane::young, CrackedPlane::poisson)), rectangle(-30, low, 30, -low), 1, 4);
+    model.crack({{centre[0] - arm[0], centre[1] - arm[1]}, {centre[0] + arm[0], centre[1] + arm[1]}});
+    press(model, 0, 1);
+    surround(model, body, plane);
+    model.step(1);
+    std::printf("at %.0f degrees: ", direction * 180 / pi);
+    for (const bempd_crack_tip& tip : tips_of(model)) {
+      const double expected = std::sqrt(pi * (half + tip.felt_ahead));
+      EXPECT_LE(std::abs(report("K_I", tip.stress_intensity_1, expected, "p sqrt(pi a)")), 3e-3 * expected);
+      EXPECT_LE(std::abs(tip.stress_intensity_2), 0.01 * expected);
+    }
+    // Between the two points beside the middle, which are a bond apart.
+    const Vector above = direction == 0 ? Vector{0, 0.5} : Vector{0, 1},
+                 below = direction == 0 ? Vector{0, -0.5} : Vector{0, 0};
+    const auto opening = [&](const auto& displacement) {
+      const Vector up = displacement(above), down = displacement(below);
+      return std::hypot(up[0] - down[0], up[1] - down[1]);
+    };
+    const double seen = opening([&](const Vector& at) { return model.evaluate(at).displacement; });
+    const double expected = opening([&](const Vector& at) { return plane.displacement(at[0], at[1]); });
+    EXPECT_LE(std::abs(report("opening", seen, expected, "4 p a / E'")), 5e-3 * expected);
+  }
+}
+
+TEST(CrackPressure, on_boundary_elements_opens_as_in_a_plane) {
+  Model model;
+  const int32_t body =
+      model.bem(model.add(material(CrackedPlane::young, CrackedPlane::poisson)), rectangle(-3, -3, 3, 3), 0.5);
+  model.crack({{-1, 0}, {1, 0}});
+  press(model, 0, 1);
+  surround(model, body, {{0, 0}, 1, 0});
+  model.step(1);
+  for (const bempd_crack_tip& tip : tips_of(model))
+    EXPECT_LE(std::abs(report("K_I", tip.stress_intensity_1, std::sqrt(pi), "p sqrt(pi a)")), 1e-3);
+  const double middle = 0.5;
+  double opening = 0;
+  model.check(bempd_crack_opening(model.get(), 1, 1, &middle, &opening, nullptr));
+  EXPECT_LE(std::abs(report("opening", opening, 4, "4 p a / E'")), 4e-3);
+}
+
+// A strip between clamps whose load factor is the root of the energy release rate over the fracture energy: under the
+// pressure p in its crack the rate is p^2 height (1 - nu^2) / (2 E) wherever the crack ends.
+struct Strip {
+  static constexpr double height = 31, length = 70, start = 20.5, energy = 1e-6, nu = 1.0 / 3;
+  double pressure = std::sqrt(2 * energy / (height * (1 - nu * nu)));
+  Model model;
+  int32_t body = 0, top = 0;
+
+  explicit Strip(const char* control) {
+    model.set_text("stepping.control", control);
+    bempd_material solid = material(1, nu);
+    solid.fracture_energy = energy;
+    body = model.pd(model.add(solid), rectangle(0, 0, length, height), 1, 3);
+    model.crack({{0, height / 2}, {start, height / 2}});
+    press(model, 0, pressure);
+    top = model.fix(body, 3, BEMPD_BOTH);
+    model.fix(body, 1, BEMPD_BOTH);
+    model.prepare();
+  }
+};
+
+TEST(CrackPressure, follows_a_crack_that_grows) {
+  Strip strip("path");
+  bempd_step_report step{};
+  for (int64_t broken = 0; broken < 220; broken = step.total_broken_bonds) {
+    step = strip.model.next_event(10);
+    ASSERT_EQ(step.stop_reason, BEMPD_STOP_EVENT);
+  }
+  const bempd_crack_tip tip = tips_of(strip.model).front();
+  EXPECT_TRUE(tip.x > 36 && tip.x < 50) << tip.x;
+  const double rate = step.load_factor * step.load_factor * Strip::energy;
+  EXPECT_EQ(tip.grown, 1);
+  EXPECT_LE(std::abs(report("energy release rate", tip.energy_release_rate, rate, "Rice")), 0.03 * rate);
+  // Unloaded it has back what it stored.
+  strip.model.set_text("stepping.control", "load");
+  step = strip.model.step(0);
+  EXPECT_LE(std::abs(report("work of a cycle", step.work, step.released_energy, "released")), 1e-9 * step.work);
+  EXPECT_LE(step.stored_energy, 1e-9 * step.work);
+}
+
+TEST(CrackPressure, acts_along_all_of_a_body_that_it_has_parted) {
+  Strip strip("load");
+  const bempd_step_report step = strip.model.step(1.8);
+  const double force = strip.model.reaction(strip.top)[1] / (step.load_factor * strip.pressure);
+  EXPECT_LE(std::abs(report("force on the upper part", -force, Strip::length, "p L")), 1e-9 * Strip::length);
+  EXPECT_LE(step.energy_balance_error, 1e-9);
+}
+
+}  // namespace
