@@ -26,6 +26,7 @@ template void Model::set_load_values(int, scene::SampledValues);
 template void Model::set_load_values(int, scene::PlacedValues);
 template void Model::set_support_values(int, scene::SampledValues);
 template void Model::set_support_values(int, scene::PlacedValues);
+
 void Model::let_fluid_in(PreparedScene& p) const {
   if (p.conditions.crack_pressures.empty()) return;
   std::map<int, std::vector<int>> cut;

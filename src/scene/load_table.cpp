@@ -11,15 +11,18 @@ namespace bempd::scene {
 namespace {
 
 // The value at a load factor, for good.
+template <class Parts>
+Parts still_at_factor(Parts values, double factor) {
+  for (std::size_t i = 0; i < values.constant.size(); ++i) values.constant[i] += factor * values.proportional[i];
+  std::fill(values.proportional.begin(), values.proportional.end(), 0.0);
+  return values;
+}
+
 Values at_factor(const Values& values, double factor) {
-  if (const auto* samples = std::get_if<SampledValues>(&values)) {
-    SampledValues still = *samples;
-    for (std::size_t i = 0; i < still.constant.size(); ++i) still.constant[i] += factor * still.proportional[i];
-    std::fill(still.proportional.begin(), still.proportional.end(), 0.0);
-    return still;
-  }
-  return BoundaryFunction([function = std::get<BoundaryFunction>(values), factor](const Point& p) {
-    const BoundaryValue value = function(p);
+  if (const auto* samples = std::get_if<SampledValues>(&values)) return still_at_factor(*samples, factor);
+  if (const auto* placed = std::get_if<PlacedValues>(&values)) return still_at_factor(*placed, factor);
+  return BoundaryFunction([function = std::get<BoundaryFunction>(values), factor](const Point& p, double fraction) {
+    const BoundaryValue value = function(p, fraction);
     return BoundaryValue{value.constant + factor * value.proportional, Point::Zero()};
   });
 }
