@@ -931,13 +931,13 @@ extern "C" {
     /// give it a new value with bempd_set_load_values().
     ///
     /// In BEM regions it acts on the crack and what bempd_grow_cracks() adds. In PD regions it acts
-    /// across the bonds one spacing long that the crack cuts, and across those that break from
-    /// there on and continue it: on each it pushes the two points apart by the pressure times the
-    /// spacing times the thickness, so that a straight crack of any direction feels the pressure
-    /// times its length. It reaches what breaks at once, does not care whether faces touch, and
-    /// acts no more beside pieces that have come loose. Events are found in the whole body then,
-    /// without windows. Near outlines that are not parallel to the rows of a lattice bonds are of
-    /// other lengths and feel nothing.
+    /// in place of all bonds that the crack cuts, and of those that break from there on and
+    /// continue it: each pushes its points apart as it would hold them together under a pressure on
+    /// all sides, so that a straight crack of any direction feels the pressure times its length. It
+    /// reaches what breaks at once, does not care whether faces touch, and acts no more on pieces
+    /// that have come loose. Events are found in the whole body then, without windows. How far a
+    /// crack has grown is seen where bonds one spacing long are broken, which the last row of
+    /// points beside a slanted or round outline does not have.
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
