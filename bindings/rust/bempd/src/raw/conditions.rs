@@ -133,9 +133,7 @@ impl Handle {
     }
 
     pub(crate) fn add_crack_pressure(&mut self, crack: i32, constant: f64, proportional: f64) -> Result<i32> {
-        self.output(|model, load| unsafe {
-            sys::bempd_add_crack_pressure(model, crack, constant, proportional, load)
-        })
+        self.output(|model, load| unsafe { sys::bempd_add_crack_pressure(model, crack, constant, proportional, load) })
     }
 
     pub(crate) fn add_body_force(
