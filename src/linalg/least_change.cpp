@@ -1,15 +1,15 @@
 #include "linalg/least_change.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "cancellation.hpp"
+#include "linalg/minimum_norm.hpp"
 
 namespace bempd::linalg {
 
@@ -24,9 +24,7 @@ constexpr double rounding = 5e-16;
 // Shortest x = B^T lambda with B x = r, for a consistent right-hand side.
 class MinimumNormSolver {
  public:
-  struct Step {
-    VectorXd lambda, change;  // change = B^T lambda
-  };
+  using Step = SparseMinimumNorm::Step;
   virtual ~MinimumNormSolver() = default;
   virtual Step solve(VectorXd r) const = 0;
 };
@@ -49,58 +47,13 @@ class DenseSolver final : public MinimumNormSolver {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows_, columns_;
 };
 
-// Conjugate gradients on N lambda = r, N = B B^T. N is singular, so the Cholesky factor F of the slightly shifted
-// matrix serves as preconditioner, in the form F^-1 N F^-1: F^-1 alone would amplify the kernel's share of the rounding
-// in r by the inverse of the shift and drown the rest.
 class SparseSolver final : public MinimumNormSolver {
  public:
-  // Assigned, here and below: Eigen's constructors keep a part of their memory where the rest is missing.
-  explicit SparseSolver(const Sparse& b) {
-    b_ = b;
-    bt_ = b.transpose();
-    Sparse normal;
-    normal = b_ * bt_;
-    double largest = 0;
-    for (int i = 0; i < normal.rows(); ++i) largest = std::max(largest, normal.coeff(i, i));
-    Sparse identity(normal.rows(), normal.cols());
-    identity.setIdentity();
-    normal += 1e-12 * (largest > 0 ? largest : 1) * identity;
-    factor_.compute(normal);
-  }
-
-  Step solve(VectorXd r) const override {
-    Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
-    VectorXd z = precondition(r), p = z;
-    double rz = r.dot(z);
-    // One round need not be exact: the next one starts from the residual recomputed from the values. Nor can it be
-    // more exact than that is.
-    const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
-    for (int step = 0; step < 100 && rz > 0; ++step) {
-      check_cancelled();
-      const VectorXd q = bt_ * p;
-      const double square = q.squaredNorm();
-      if (!(square > 0) || rz / std::numeric_limits<double>::max() >= square) break;
-      const double alpha = rz / square;
-      s.lambda += alpha * p;
-      s.change += alpha * q;
-      r -= alpha * (b_ * q);
-      if (r.lpNorm<Eigen::Infinity>() <= goal) break;
-      z = precondition(r);
-      const double next = r.dot(z);
-      p = z + next / rz * p;
-      rz = next;
-    }
-    return s;
-  }
+  explicit SparseSolver(const Sparse& b) { solver_.factorize(b); }
+  Step solve(VectorXd r) const override { return solver_.solve(std::move(r), rounding); }
 
  private:
-  VectorXd precondition(const VectorXd& r) const {
-    const VectorXd pulled = bt_ * VectorXd(factor_.solve(r));
-    return factor_.solve(VectorXd(b_ * pulled));
-  }
-
-  Sparse b_, bt_;
-  Eigen::SimplicialLDLT<Sparse> factor_;
+  SparseMinimumNorm solver_{1e-12};
 };
 
 double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
@@ -110,27 +63,28 @@ struct Candidate {
   double residual = 0;
 };
 
-// Least change with some of the values held at the bound.
-Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held) {
+// Zero for values that are held.
+VectorXd free_scales(const LeastChange& problem, const std::vector<char>& held) {
+  VectorXd scale = problem.scale;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i]) scale[i] = 0;
+  return scale;
+}
+
+Candidate starting_candidate(const LeastChange& problem, const std::vector<char>& held) {
   Candidate c{problem.start, VectorXd::Zero(problem.target.size()), 0};
-  VectorXd free_scale = problem.scale;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (!held[i]) continue;
-    c.values[i] = problem.lower * problem.scale[i];
-    free_scale[i] = 0;
-  }
-  Sparse scaled;
-  scaled = problem.constraints * free_scale.asDiagonal();
-  std::unique_ptr<MinimumNormSolver> solver;
-  if (scaled.rows() <= 80) {
-    solver = std::make_unique<DenseSolver>(scaled);
-  } else {
-    solver = std::make_unique<SparseSolver>(scaled);
-  }
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i]) c.values[i] = problem.lower * problem.scale[i];
+  return c;
+}
+
+// Up to so many steps, or as many as make it better.
+template <class Solver>
+void refine(const LeastChange& problem, const VectorXd& free_scale, const Solver& solve, int most, Candidate& c) {
   VectorXd missing = problem.target - problem.constraints * c.values;
   c.residual = largest(missing);
-  for (int round = 0; round < 30 && c.residual > rounding; ++round) {
-    const MinimumNormSolver::Step step = solver->solve(missing);
+  for (int round = 0; round < most && c.residual > rounding; ++round) {
+    const SparseMinimumNorm::Step step = solve(missing);
     const VectorXd next = c.values + free_scale.cwiseProduct(step.change);
     missing = problem.target - problem.constraints * next;
     const double residual = largest(missing), before = c.residual;
@@ -140,7 +94,37 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
     c.residual = residual;
     if (residual > 0.5 * before) break;
   }
+}
+
+// Least change with some of the values held at the bound.
+Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& held) {
+  Candidate c = starting_candidate(problem, held);
+  const VectorXd free_scale = free_scales(problem, held);
+  Sparse scaled;
+  scaled = problem.constraints * free_scale.asDiagonal();
+  std::unique_ptr<MinimumNormSolver> solver;
+  if (scaled.rows() <= 80) {
+    solver = std::make_unique<DenseSolver>(scaled);
+  } else {
+    solver = std::make_unique<SparseSolver>(scaled);
+  }
+  refine(
+      problem, free_scale, [&](const VectorXd& r) { return solver->solve(r); }, 30, c);
   return c;
+}
+
+// Which values the multipliers of a candidate would take below the bound.
+std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const std::vector<char>& held) {
+  const VectorXd pull = problem.constraints.transpose() * c.lambda;
+  const bool bounded = std::isfinite(problem.lower);
+  std::vector<char> next(held.size(), 0);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const double wanted = problem.start[i] + problem.scale[i] * problem.scale[i] * pull[i];
+    // A margin keeps rounding from letting a value change sides for ever.
+    const double margin = held[i] ? 1e-12 : -1e-12;
+    next[i] = bounded && wanted < (problem.lower + margin) * problem.scale[i];
+  }
+  return next;
 }
 
 }  // namespace
@@ -151,24 +135,48 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   assert(problem.constraints.cols() == problem.start.size() && problem.start.size() == problem.scale.size());
   LeastChangeResult result;
   std::vector<char> held(problem.start.size(), 0);
-  const bool bounded = std::isfinite(problem.lower);
   for (int round = 0; round < 30; ++round) {
     check_cancelled();
     const Candidate c = solve_with_held(problem, held);
     result.values = c.values;
     result.residual = c.residual;
-    const VectorXd pull = problem.constraints.transpose() * c.lambda;
-    std::vector<char> next(held.size(), 0);
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      const double wanted = problem.start[i] + problem.scale[i] * problem.scale[i] * pull[i];
-      // A margin keeps rounding from letting a value change sides for ever.
-      const double margin = held[i] ? 1e-12 : -1e-12;
-      next[i] = bounded && wanted < (problem.lower + margin) * problem.scale[i];
-    }
+    const std::vector<char> next = held_by(problem, c, held);
     if (next == held) break;
     held = next;
   }
   return result;
+}
+
+// Mostly the first digits of the multipliers tell which values are held: the others wait until that is known, or until
+// some rounds have not told.
+LeastChangeResult solve_long_least_change(const LeastChange& problem) {
+  if (problem.target.size() <= 80) return solve_least_change(problem);
+  constexpr double shift = 3e-15;
+  constexpr int rough_rounds = 5;
+  SparseMinimumNorm solver(shift);
+  Candidate c;
+  std::vector<char> held(problem.start.size(), 0);
+  for (int round = 0; round < 30; ++round) {
+    check_cancelled();
+    c = starting_candidate(problem, held);
+    const VectorXd free_scale = free_scales(problem, held);
+    Sparse scaled;
+    scaled = problem.constraints * free_scale.asDiagonal();
+    solver.factorize(scaled);
+    const auto solve = [&](const VectorXd& r) { return solver.solve(r, rounding); };
+    std::vector<char> next;
+    if (round < rough_rounds) {
+      refine(problem, free_scale, solve, 1, c);
+      next = held_by(problem, c, held);
+    }
+    if (round >= rough_rounds || next == held) {
+      refine(problem, free_scale, solve, 30, c);
+      next = held_by(problem, c, held);
+    }
+    if (next == held) break;
+    held = next;
+  }
+  return {c.values, c.residual};
 }
 
 }  // namespace bempd::linalg

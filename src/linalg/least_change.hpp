@@ -21,4 +21,8 @@ struct LeastChangeResult {
 
 LeastChangeResult solve_least_change(const LeastChange& problem);
 
+// The same for equations along a line that is hundreds of times longer than each of them reaches, whose long waves have
+// eigenvalues near rounding.
+LeastChangeResult solve_long_least_change(const LeastChange& problem);
+
 }  // namespace bempd::linalg

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "floating_point_traps.hpp"
 #include "linalg/least_change.hpp"
@@ -47,6 +50,31 @@ TEST_P(LeastChanges, equations_that_nothing_can_meet_leave_their_residual) {
   const LeastChangeResult result = solve_least_change(problem);
   EXPECT_EQ(result.values, problem.start);
   EXPECT_EQ(result.residual, 1);
+}
+
+// Second differences around a ring of the sums of three values at each node: long waves resist next to nothing.
+TEST(LongLeastChange, is_the_least_change) {
+  const int count = 400;
+  LeastChange problem;
+  problem.lower = 0.7;
+  problem.start = problem.scale = Eigen::VectorXd::Ones(3 * count);
+  problem.constraints.resize(count, 3 * count);
+  Eigen::VectorXd wanted = problem.start;
+  for (int k = 0; k < count; ++k) {
+    for (int copy = 0; copy < 3; ++copy) {
+      for (const auto& [step, weight] : {std::pair{0, -2.0}, {1, 1.0}, {count - 1, 1.0}})
+        problem.constraints.insert((k + step) % count, 3 * k + copy) = (1 + copy) * weight;
+    }
+    wanted[3 * k] += std::sin(2 * std::numbers::pi * k / count) + 0.5 * std::cos(k * k);
+  }
+  problem.target = problem.constraints * wanted;
+  const LeastChangeResult slow = solve_least_change(problem), fast = solve_long_least_change(problem);
+  EXPECT_LE(slow.residual, 1e-14);
+  EXPECT_LE(fast.residual, 1e-14);
+  EXPECT_GE(fast.values.minCoeff(), 0.7 - 1e-12);
+  EXPECT_LE((fast.values - slow.values).lpNorm<Eigen::Infinity>(), 1e-9);
+  EXPECT_GT((fast.values.array() < 0.7 + 1e-12).count(), 0);
+  EXPECT_LT((fast.values.array() < 0.7 + 1e-12).count(), count);
 }
 
 }  // namespace

@@ -100,8 +100,9 @@ void balance_outlined(const std::vector<Point>& surface, int threads, OutlinedBo
   const std::vector<Vector4d> missing = missing_moments(surface, bonds);
   const std::vector<std::vector<int>> clusters = free_clusters(bonds, static_cast<int>(surface.size()));
   std::vector<linalg::LeastChangeResult> results(clusters.size());
-  parallel_for(clusters.size(), threads,
-               [&](std::size_t c) { results[c] = solve_least_change(outlined_problem(bonds, missing, clusters[c])); });
+  parallel_for(clusters.size(), threads, [&](std::size_t c) {
+    results[c] = solve_long_least_change(outlined_problem(bonds, missing, clusters[c]));
+  });
   for (std::size_t c = 0; c < clusters.size(); ++c)
     for (std::size_t k = 0; k < clusters[c].size(); ++k)
       bonds.bonds[clusters[c][k]].stiffness = results[c].values[static_cast<Eigen::Index>(k)];

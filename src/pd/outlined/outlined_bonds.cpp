@@ -104,16 +104,26 @@ OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& p
 void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds) {
   constexpr double volume_stiffness = 8.0 / 3;
   constexpr int rounds = 30;
+  struct Free {
+    int first, second;
+    double half;  // of k L^2
+  };
+  std::vector<Free> free;
+  std::vector<double> of_others(areas.size(), 0.0), factor(areas.size(), 1.0);
   std::vector<char> near(areas.size(), 0);
-  for (const OutlinedBond& b : bonds.bonds)
-    if (b.free) near[b.first] = near[b.second] = 1;
-  std::vector<double> factor(areas.size(), 1.0), resisted(areas.size());
+  for (const OutlinedBond& b : bonds.bonds) {
+    const double length = bonds.offsets[b.offset].length, half = 0.5 * b.stiffness * length * length;
+    if (b.free) {
+      free.push_back({b.first, b.second, half});
+      near[b.first] = near[b.second] = 1;
+    } else {
+      of_others[b.first] += half, of_others[b.second] += half;
+    }
+  }
   for (int round = 0; round < rounds; ++round) {
-    std::fill(resisted.begin(), resisted.end(), 0.0);
-    for (const OutlinedBond& b : bonds.bonds) {
-      const double length = bonds.offsets[b.offset].length;
-      const double scale = b.free ? factor[b.first] * factor[b.second] : 1;
-      const double half = 0.5 * scale * b.stiffness * length * length;
+    std::vector<double> resisted = of_others;
+    for (const Free& b : free) {
+      const double half = factor[b.first] * factor[b.second] * b.half;
       resisted[b.first] += half, resisted[b.second] += half;
     }
     for (std::size_t i = 0; i < areas.size(); ++i)

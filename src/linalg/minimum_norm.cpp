@@ -1,0 +1,65 @@
+#include "linalg/minimum_norm.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "cancellation.hpp"
+
+namespace bempd::linalg {
+
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+// Assigned, here and below: Eigen's constructors keep a part of their memory where the rest is missing.
+void SparseMinimumNorm::factorize(const Sparse& b) {
+  constexpr double largest_shift = 1e-12;
+  b_ = b;
+  bt_ = b.transpose();
+  Sparse normal;
+  normal = b_ * bt_;
+  const double largest = normal.rows() == 0 ? 0 : VectorXd(normal.diagonal()).maxCoeff();
+  Sparse identity(normal.rows(), normal.cols());
+  identity.setIdentity();
+  for (;; shift_ *= 10) {
+    Sparse shifted;
+    shifted = normal + shift_ * (largest > 0 ? largest : 1) * identity;
+    if (!has_pattern_) factor_.analyzePattern(shifted);
+    has_pattern_ = true;
+    check_cancelled();
+    factor_.factorize(shifted);
+    const bool positive = factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+    if (positive || shift_ >= largest_shift) return;
+  }
+}
+
+SparseMinimumNorm::Step SparseMinimumNorm::solve(VectorXd r, double rounding) const {
+  Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
+  VectorXd z = precondition(r), p = z;
+  double rz = r.dot(z);
+  // One round need not be exact: the next one starts from the residual recomputed from the values. Nor can it be
+  // more exact than that is.
+  const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
+  for (int step = 0; step < 100 && rz > 0; ++step) {
+    check_cancelled();
+    const VectorXd q = bt_ * p;
+    const double square = q.squaredNorm();
+    if (!(square > 0) || rz / std::numeric_limits<double>::max() >= square) break;
+    const double alpha = rz / square;
+    s.lambda += alpha * p;
+    s.change += alpha * q;
+    r -= alpha * (b_ * q);
+    if (r.lpNorm<Eigen::Infinity>() <= goal) break;
+    z = precondition(r);
+    const double next = r.dot(z);
+    p = z + next / rz * p;
+    rz = next;
+  }
+  return s;
+}
+
+VectorXd SparseMinimumNorm::precondition(const VectorXd& r) const {
+  const VectorXd pulled = bt_ * VectorXd(factor_.solve(r));
+  return factor_.solve(VectorXd(b_ * pulled));
+}
+
+}  // namespace bempd::linalg

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace bempd::linalg {
+
+// Shortest x = B^T lambda with B x = r for a consistent right-hand side, by conjugate gradients on N lambda = r,
+// N = B B^T. N is singular, so the Cholesky factor F of the slightly shifted matrix serves as preconditioner, in the
+// form F^-1 N F^-1: F^-1 alone would amplify the kernel's share of the rounding in r by the inverse of the shift and
+// drown the rest.
+class SparseMinimumNorm {
+ public:
+  // `shift` of N, over its largest entry: eigenvalues below it take many steps; a shift near rounding may leave nothing
+  // positive to factorize, and is then raised.
+  explicit SparseMinimumNorm(double shift) : shift_(shift) {}
+
+  // Matrices that follow each other have the same pattern.
+  void factorize(const Eigen::SparseMatrix<double>& b);
+
+  struct Step {
+    Eigen::VectorXd lambda, change;  // change = B^T lambda
+  };
+  // To a share of 1e-5 of r, or `rounding`.
+  Step solve(Eigen::VectorXd r, double rounding) const;
+
+ private:
+  Eigen::VectorXd precondition(const Eigen::VectorXd& r) const;
+
+  double shift_;
+  Eigen::SparseMatrix<double> b_, bt_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
+  bool has_pattern_ = false;
+};
+
+}  // namespace bempd::linalg
