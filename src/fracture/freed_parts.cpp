@@ -153,6 +153,19 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   if (!missing.empty() && !supported) ++found.fragments;
 }
 
+std::vector<char> FreedPartFinder::held_nodes() const {
+  std::vector<char> held(system_.node_count(), 0);
+  for (const HoldingSpring& s : system_.springs()) held[s.node] = 1;
+  for (const std::vector<int>& nodes : connectivity_.pieces()) {
+    const auto is_supported = [&](int n) { return system_.is_prescribed(2 * n) || system_.is_prescribed(2 * n + 1); };
+    const auto is_held = [&](int n) { return held[n] != 0; };
+    if (std::none_of(nodes.begin(), nodes.end(), is_held)) continue;
+    if (std::any_of(nodes.begin(), nodes.end(), is_supported)) continue;
+    for (const int node : nodes) held[node] = 1;
+  }
+  return held;
+}
+
 HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const {
   int largest = -1;
   for (int dof = 0; dof < motion.size(); ++dof) {

@@ -64,6 +64,11 @@ class LoadedBody {
   std::int64_t settle_contacts(double direction);
   // Places where terms have gone since; the displacements are those of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
+  // The same, and which of them may press.
+  void refresh_faces() {
+    update_faces();
+    bar_contacts_of_held_parts();
+  }
   void restore();        // system and ratios to the state, which the caller has changed
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
@@ -95,6 +100,7 @@ class LoadedBody {
 
  private:
   void apply_load();
+  void bar_contacts_of_held_parts();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
 
   coupling::EquilibriumSystem& system_;
@@ -107,6 +113,7 @@ class LoadedBody {
   std::vector<int> loaded_nodes_;
   BodyState& state_;
   double seconds_search_ = 0;
+  std::size_t springs_that_bar_ = 0;  // as many as there were when places were barred
 };
 
 }  // namespace bempd::fracture

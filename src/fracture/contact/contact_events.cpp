@@ -4,7 +4,7 @@ namespace bempd::fracture {
 
 std::optional<double> ContactEvents::switch_before(double load_factor) {
   if (body_.faces().are_none()) return std::nullopt;
-  body_.update_faces();
+  body_.refresh_faces();
   const BodyState& state = body_.state();
   return next_switch(body_.faces().places(), state.displacement, state.load_factor, load_factor);
 }
