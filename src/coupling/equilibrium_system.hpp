@@ -149,6 +149,9 @@ class EquilibriumSystem {
   // present load; softest_motion() tells.
   bool resists_all_motions(std::span<const int> broken);
 
+  // How all nodes answer to a pull on a spring: where nothing else resists, they move with it.
+  Eigen::VectorXd response_to(const HoldingSpring& spring);
+
   // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
   SoftMotion softest_motion();
 

@@ -153,16 +153,18 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   if (!missing.empty() && !supported) ++found.fragments;
 }
 
-std::vector<char> FreedPartFinder::held_nodes() const {
-  std::vector<char> held(system_.node_count(), 0);
-  for (const HoldingSpring& s : system_.springs()) held[s.node] = 1;
+FreedPartFinder::Held FreedPartFinder::held_parts() const {
+  Held held{std::vector<char>(system_.node_count(), 0), {}};
+  std::vector<char> has_spring(system_.node_count(), 0);
+  for (const HoldingSpring& s : system_.springs()) has_spring[s.node] = 1;
   for (const std::vector<int>& nodes : connectivity_.pieces()) {
     const auto is_supported = [&](int n) { return system_.is_prescribed(2 * n) || system_.is_prescribed(2 * n + 1); };
-    const auto is_held = [&](int n) { return held[n] != 0; };
-    if (std::none_of(nodes.begin(), nodes.end(), is_held)) continue;
+    if (std::none_of(nodes.begin(), nodes.end(), [&](int n) { return has_spring[n] != 0; })) continue;
     if (std::any_of(nodes.begin(), nodes.end(), is_supported)) continue;
-    for (const int node : nodes) held[node] = 1;
+    for (const int node : nodes) held.nodes[node] = 1;
   }
+  for (const HoldingSpring& s : system_.springs())
+    if (!held.nodes[s.node]) held.others.push_back(s);
   return held;
 }
 

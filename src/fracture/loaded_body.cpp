@@ -125,7 +125,10 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
     solve();  // what moves freely without cracks is the host's mistake
   }
   const bool had_contact = system_.contacts().closed_count() > 0;
-  result.switches = settle_contacts(0);
+  const Settled settled = settle_contacts(0);
+  result.switches = settled.switched;
+  result.fragments += settled.fragments;
+  result.held.insert(result.held.end(), settled.held.begin(), settled.held.end());
   state_.springs = system_.springs();
   update_ratios();
   result.work = absorb(state_.load_factor);

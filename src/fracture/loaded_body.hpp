@@ -60,8 +60,13 @@ class LoadedBody {
   void solve();          // the displacements of the present system
   void update_ratios();  // to these displacements
   // Opens and closes places of faces, with a solution after each round, until all are as the present load factor asks
-  // for; where a gap is zero, as a way on in this direction does. Returns how many have been switched.
-  std::int64_t settle_contacts(double direction);
+  // for; where a gap is zero, as a way on in this direction does. What nothing but closed faces held is held by springs
+  // when they open.
+  struct Settled {
+    std::int64_t switched = 0, fragments = 0;  // places; parts that loads push
+    std::vector<int> held;                     // nodes of parts that could move freely
+  };
+  Settled settle_contacts(double direction);
   // Places where terms have gone since; the displacements are those of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
   // The same, and which of them may press.

@@ -28,7 +28,9 @@ const Event* ContactEvents::next(double target, const SteppingOptions& /*options
 Outcome ContactEvents::perform() {
   Outcome outcome;
   outcome.work_before = body_.move_to(event_.load_factor);
-  outcome.switches = body_.settle_contacts(direction_);
+  const LoadedBody::Settled settled = body_.settle_contacts(direction_);
+  outcome.switches = settled.switched;
+  outcome.fragments = settled.fragments;
   body_.update_ratios();
   return outcome;
 }

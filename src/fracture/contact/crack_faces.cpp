@@ -205,8 +205,10 @@ std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> 
         if (all[known->second].until == 0) continue;  // barred
         all[known->second].until = since;
       }
+      // A new normal counts only if the place does not overlap for it before the break.
+      const int from = known != latest.end() ? std::max(since - 1, 0) : since;
       latest[term] = all.size();
-      all.push_back({std::move(*contact), false, since, end});
+      all.push_back({std::move(*contact), false, from, end});
     }
   };
   follow(gone_, 0);

@@ -34,7 +34,7 @@ bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double r
 
 int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
                                     const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
-  const int last = static_cast<int>(kept.size()) - 1;
+  int last = static_cast<int>(kept.size()) - 1;
   if (is_idle()) return last;
   const coupling::Affine& prescribed = system.prescribed();
   std::vector<int> row(static_cast<std::size_t>(prescribed.rows()), -1);
@@ -43,9 +43,13 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
   std::vector<const WatchedPlace*> inside;
   for (const WatchedPlace& place : places_) {
     const auto known = [&](const coupling::TermEntry& e) { return is_known(2 * e.node) && is_known(2 * e.node + 1); };
-    if (std::all_of(place.contact.pull.begin(), place.contact.pull.end(), known)) inside.push_back(&place);
+    if (std::all_of(place.contact.pull.begin(), place.contact.pull.end(), known)) {
+      inside.push_back(&place);
+    } else if (place.since < place.until && place.since > 0) {
+      last = std::min(last, place.since - 1);
+    }
   }
-  for (int state = 1; state <= last; ++state) {
+  for (int state = 0; state <= last; ++state) {
     const coupling::Affine& u = kept[state];
     const std::array<double, 2> largest{u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
     const auto part = [&](int column) {
@@ -53,9 +57,9 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
     };
     const std::function<double(int)> constant = part(0), proportional = part(1);
     for (const WatchedPlace* place : inside)
-      if (!holds(*place, state, constant, proportional, largest)) return state - 1;
+      if (!holds(*place, state, constant, proportional, largest)) return std::max(state - 1, 0);
     for (const OutsideGaps::Gap& gap : outside.gaps())
-      if (!holds(places_[gap.place], state, gap.at(u, 0), gap.at(u, 1), largest)) return state - 1;
+      if (!holds(places_[gap.place], state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
   }
   return last;
 }

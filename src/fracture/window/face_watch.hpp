@@ -24,7 +24,7 @@ class FaceWatch {
   bool is_idle() const { return places_.empty(); }
 
   // How many of the events come before places open or close whose points are all among the degrees of freedom kept or
-  // prescribed, or whose gaps are known as functions of those.
+  // prescribed, or whose gaps are known as functions of those; and before one that makes a place with other points.
   int events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
                            const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const;
 
