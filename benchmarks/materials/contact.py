@@ -90,8 +90,8 @@ def hoop_strain_angle(half_length: float, distance: float, ratio: float = 1 / 3)
 
 def wing(rule: str, m: int, options: dict[str, str], breaks: int, half_length: float = 20.5, cells: int = 120
          ) -> list[str]:
-    """Directions from the tip to what breaks between neighbours, 1 to 3, 3 to 6 and 6 to 9 spacings away, of a crack along
-    the rows that is pressed at 45 degrees to them."""
+    """Directions from the tips to what breaks between neighbours, 1 to 3, 3 to 6 and 6 to 9 spacings away, of a crack
+    along the rows that is pressed at 45 degrees to them."""
     model, region = squeezed(rule, m, (-0.5, -0.5, -0.5), along_rows(half_length, cells), cells, energy=1e-6,
                              options=options)
     model.prepare()
@@ -102,8 +102,9 @@ def wing(rule: str, m: int, options: dict[str, str], breaks: int, half_length: f
         pass
     broken = (model.bonds(region).states != 0) & ~before & neighbours
     middles = 0.5 * (x[bonds.points[broken, 0]] + x[bonds.points[broken, 1]])
-    away = middles - np.array(along_rows(half_length, cells)[1])
-    away = away[np.hypot(*away.T) < 10]
+    away = middles - cells / 2 - np.array((0, 0.5))
+    away *= np.where(away[:, :1] < 0, -1, 1)  # both ends are alike, turned by half a turn
+    away -= np.array((half_length, 0))
     angles, distances = np.degrees(np.arctan2(away[:, 1], away[:, 0])), np.hypot(*away.T)
     cells_of = []
     for low, high in ((1, 3), (3, 6), (6, 9)):

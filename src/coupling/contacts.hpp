@@ -45,6 +45,11 @@ class Contacts {
     closed_[i] = closed ? 1 : 0;
   }
 
+  // Places that may not press: on parts that would only be pushed away.
+  bool is_barred(std::size_t i) const { return i < barred_.size() && barred_[i] != 0; }
+  std::size_t barred_count() const { return barred_.size(); }  // of those that are known to be barred or not
+  void bar(std::vector<char> barred) { barred_ = std::move(barred); }
+
   // visit(contact) for those that are closed.
   template <class Visit>
   void for_each_closed(const Visit& visit) const {
@@ -75,7 +80,7 @@ class Contacts {
 
  private:
   std::vector<Contact> places_;
-  std::vector<char> closed_;
+  std::vector<char> closed_, barred_;
   std::size_t closed_count_ = 0;
 };
 

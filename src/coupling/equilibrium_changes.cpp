@@ -182,6 +182,15 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   return true;
 }
 
+Eigen::VectorXd EquilibriumSystem::response_to(const HoldingSpring& spring) {
+  condense();
+  factorize();
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
+  pull.segment<2>(2 * spring.node) = Eigen::Vector2d(spring.cosine, spring.sine);
+  ties_.collect(pull);
+  return displacement_of(solve_column(pull(unknowns_.dof_of)));
+}
+
 SoftMotion EquilibriumSystem::softest_motion() {
   condense();
   double resistance = 0;

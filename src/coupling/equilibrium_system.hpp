@@ -113,6 +113,7 @@ class EquilibriumSystem {
   const Contacts& contacts() const { return contacts_; }
   void add_contact(Contact contact) { contacts_.add(std::move(contact)); }
   void replace_open_contact(std::size_t place, Contact contact) { contacts_.replace(place, std::move(contact)); }
+  void bar_contacts(std::vector<char> barred) { contacts_.bar(std::move(barred)); }
   // Closes those that are open and opens those that are closed: rank-one changes of the factor.
   void switch_contacts(std::span<const int> places);
   // All of them at once; the next solve factorizes afresh if that changes the matrix.
@@ -147,6 +148,9 @@ class EquilibriumSystem {
   // False if some motion may have lost its resistance with these terms, without showing in their elongations under the
   // present load; softest_motion() tells.
   bool resists_all_motions(std::span<const int> broken);
+
+  // How all nodes answer to a pull on a spring: where nothing else resists, they move with it.
+  Eigen::VectorXd response_to(const HoldingSpring& spring);
 
   // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
   SoftMotion softest_motion();

@@ -153,6 +153,21 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   if (!missing.empty() && !supported) ++found.fragments;
 }
 
+FreedPartFinder::Held FreedPartFinder::held_parts() const {
+  Held held{std::vector<char>(system_.node_count(), 0), {}};
+  std::vector<char> has_spring(system_.node_count(), 0);
+  for (const HoldingSpring& s : system_.springs()) has_spring[s.node] = 1;
+  for (const std::vector<int>& nodes : connectivity_.pieces()) {
+    const auto is_supported = [&](int n) { return system_.is_prescribed(2 * n) || system_.is_prescribed(2 * n + 1); };
+    if (std::none_of(nodes.begin(), nodes.end(), [&](int n) { return has_spring[n] != 0; })) continue;
+    if (std::any_of(nodes.begin(), nodes.end(), is_supported)) continue;
+    for (const int node : nodes) held.nodes[node] = 1;
+  }
+  for (const HoldingSpring& s : system_.springs())
+    if (!held.nodes[s.node]) held.others.push_back(s);
+  return held;
+}
+
 HoldingSpring FreedPartFinder::against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const {
   int largest = -1;
   for (int dof = 0; dof < motion.size(); ++dof) {

@@ -33,6 +33,13 @@ class FreedPartFinder {
   // True if after_break() would find nothing; mostly without a look at the whole body.
   bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
+  // Nodes of pieces that springs hold and no support does; and springs that hold a part of another piece.
+  struct Held {
+    std::vector<char> nodes;
+    std::vector<coupling::HoldingSpring> others;
+  };
+  Held held_parts() const;
+
   // A spring against the largest component of a motion that met no resistance.
   coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 

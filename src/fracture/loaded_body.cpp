@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
-#include "cancellation.hpp"
-#include "error.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
@@ -19,9 +16,6 @@ namespace {
 constexpr double suspicious_residual = 1e-8;
 // What solving leaves of forces that nearly cancel, relative to them.
 constexpr double rounding_of_parts = 1e-12;
-
-// Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
-constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 
 std::vector<int> nodes_with_force(const coupling::Affine& force) {
   std::vector<int> nodes;
@@ -152,7 +146,10 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
     solve();  // what moves freely without cracks is the host's mistake
   }
   const bool had_contact = system_.contacts().closed_count() > 0;
-  result.switches = settle_contacts(0);
+  const Settled settled = settle_contacts(0);
+  result.switches = settled.switched;
+  result.fragments += settled.fragments;
+  result.held.insert(result.held.end(), settled.held.begin(), settled.held.end());
   state_.springs = system_.springs();
   update_ratios();
   result.work = absorb(state_.load_factor);
@@ -174,28 +171,6 @@ bool LoadedBody::is_balanced() const {
   const double parts = system_.internal_force(state_.displacement.col(0)).lpNorm<Eigen::Infinity>() +
                        std::abs(f) * system_.internal_force(state_.displacement.col(1)).lpNorm<Eigen::Infinity>();
   return residual * largest <= rounding_of_parts * parts;
-}
-
-std::int64_t LoadedBody::settle_contacts(double direction) {
-  // Newton's method, as the energy is convex and once differentiable; where it comes back to the same places, one at a
-  // time by the least number, which ends (Murty 1974).
-  std::int64_t switched = 0;
-  std::set<std::vector<char>> met;
-  bool one_by_one = false;
-  const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(system_.contacts().size());
-  for (std::int64_t round = 0;; ++round) {
-    std::vector<int> wrong = wrong_places(system_.contacts(), state_.displacement, state_.load_factor, direction);
-    if (wrong.empty()) break;
-    check_cancelled();
-    if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
-    one_by_one = one_by_one || !met.insert(system_.contacts().closed()).second;
-    if (one_by_one) wrong.resize(1);
-    system_.switch_contacts(wrong);
-    switched += static_cast<std::int64_t>(wrong.size());
-    solve();
-  }
-  state_.faces.closed = system_.contacts().closed();
-  return switched;
 }
 
 void LoadedBody::solve() { state_.displacement = system_.solve(); }

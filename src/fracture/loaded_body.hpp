@@ -68,10 +68,20 @@ class LoadedBody {
   void solve();          // the displacements of the present system
   void update_ratios();  // to these displacements
   // Opens and closes places of faces, with a solution after each round, until all are as the present load factor asks
-  // for; where a gap is zero, as a way on in this direction does. Returns how many have been switched.
-  std::int64_t settle_contacts(double direction);
+  // for; where a gap is zero, as a way on in this direction does. What nothing but closed faces held is held by springs
+  // when they open.
+  struct Settled {
+    std::int64_t switched = 0, fragments = 0;  // places; parts that loads push
+    std::vector<int> held;                     // nodes of parts that could move freely
+  };
+  Settled settle_contacts(double direction);
   // Places where terms have gone since; the displacements are those of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
+  // The same, and which of them may press.
+  void refresh_faces() {
+    update_faces();
+    bar_contacts_of_held_parts();
+  }
   void restore();        // system and ratios to the state, which the caller has changed
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
@@ -103,6 +113,7 @@ class LoadedBody {
 
  private:
   void apply_load();
+  void bar_contacts_of_held_parts();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
   // What is left of them, and the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
@@ -119,6 +130,7 @@ class LoadedBody {
   std::vector<int> loaded_nodes_;
   BodyState& state_;
   double seconds_search_ = 0;
+  std::size_t springs_that_bar_ = 0;  // as many as there were when places were barred
 };
 
 }  // namespace bempd::fracture

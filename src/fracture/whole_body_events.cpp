@@ -164,8 +164,10 @@ Outcome WholeBodyEvents::perform() {
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
   const HeldMotions held = solve_and_hold(body_, system_.gone_with(changes), before, [&] { return runs_away(); });
   outcome.fragments += held.fragments;
-  outcome.switches = body_.settle_contacts(0);
-  const bool loads_lost = held.loads_lost || !freed.nodes_with_lost_loads.empty();
+  const LoadedBody::Settled settled = body_.settle_contacts(0);
+  outcome.switches = settled.switched;
+  outcome.fragments += settled.fragments;
+  const bool loads_lost = held.loads_lost || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
   // All of that force is there while the points give way, of which nodal forces before and after show the half.

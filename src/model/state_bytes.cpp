@@ -189,11 +189,11 @@ void visit_members(State& state, Visit& visit) {
   visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.resistance.present), visit(e.resistance.peak), visit(e.resistance.stiffness);
-  visit(e.work_out_of_balance);
+  visit(e.work_out_of_balance), visit(e.contact_switches);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions);
-  visit(e.faces.grown), visit(e.faces.closed), visit(e.contact_switches);
+  visit(e.faces.grown), visit(e.faces.closed);
   visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
   visit(state.scene.loads), visit(state.said);
 }

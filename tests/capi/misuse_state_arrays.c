@@ -1,13 +1,13 @@
 /* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
 #include "scenes.h"
 
-/* The layout of format version 5: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 8: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
   offset_in_equilibrium = offset_load_factor + 8,
   offset_events = offset_in_equilibrium + 2,
-  offset_arrays = offset_events + 3 * 8 + 12 * 8
+  offset_arrays = offset_events + 3 * 8 + 13 * 8
 };
 enum {
   displacement,
@@ -20,9 +20,11 @@ enum {
   history,
   reactions,
   extensions,
+  grown_faces,
+  closed_faces,
   array_count
 };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 96, 8, 89};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 96, 8, 89, 20, 1};
 
 typedef struct bytes {
   uint8_t* data;
@@ -168,6 +170,11 @@ static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved)
   int64_t k;
   put_byte(model, saved, saved->begin[stages] + 8, 2, "a stage after a bond's last one");
   put_byte(model, saved, saved->begin[unloaded] + 8, 255, "a node's flag");
+  CHECK(saved->count[grown_faces] > 0 && saved->count[closed_faces] > saved->count[grown_faces]);
+  put_byte(model, saved, saved->begin[closed_faces] + 8, 2, "whether faces press on each other");
+  put_count(model, saved, saved->begin[grown_faces] + 8, -1, "the bond of a grown face");
+  put_double(model, saved, saved->begin[grown_faces] + 8 + 4, NAN, "the normal of a grown face");
+  put_double(model, saved, saved->begin[grown_faces] + 8 + 4, 3.0, "the normal of a grown face");
   put_byte(model, saved, offset_in_equilibrium, 2, "in_equilibrium");
   put_byte(model, saved, offset_in_equilibrium + 1, 17, "separated");
   for (k = 0; k < 3; ++k) put_count(model, saved, offset_events + 8 * k, -1, "a negative count");

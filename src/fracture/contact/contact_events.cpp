@@ -4,7 +4,7 @@ namespace bempd::fracture {
 
 std::optional<double> ContactEvents::switch_before(double load_factor) {
   if (body_.faces().are_none()) return std::nullopt;
-  body_.update_faces();
+  body_.refresh_faces();
   const BodyState& state = body_.state();
   return next_switch(body_.faces().places(), state.displacement, state.load_factor, load_factor);
 }
@@ -28,7 +28,9 @@ const Event* ContactEvents::next(double target, const SteppingOptions& /*options
 Outcome ContactEvents::perform() {
   Outcome outcome;
   outcome.work_before = body_.move_to(event_.load_factor);
-  outcome.switches = body_.settle_contacts(direction_);
+  const LoadedBody::Settled settled = body_.settle_contacts(direction_);
+  outcome.switches = settled.switched;
+  outcome.fragments = settled.fragments;
   body_.update_ratios();
   return outcome;
 }

@@ -46,7 +46,8 @@ std::vector<int> wrong_places(const coupling::Contacts& places, const coupling::
   std::vector<int> wrong;
   if (places.size() == 0) return wrong;
   for_each_line(places, displacement, load_factor, [&](std::size_t i, const GapLine& line) {
-    if (line.is_wrong(places.is_closed(i), direction)) wrong.push_back(static_cast<int>(i));
+    const bool closed = places.is_closed(i);
+    if (places.is_barred(i) ? closed : line.is_wrong(closed, direction)) wrong.push_back(static_cast<int>(i));
   });
   return wrong;
 }
@@ -57,6 +58,7 @@ std::optional<double> next_switch(const coupling::Contacts& places, const coupli
   const double direction = to > from ? 1 : -1, farthest = (to - from) * direction;
   std::optional<double> least;
   for_each_line(places, displacement, from, [&](std::size_t i, const GapLine& line) {
+    if (places.is_barred(i)) return;
     const bool closed = places.is_closed(i);
     double distance = 0;
     if (!line.is_wrong(closed, direction)) {

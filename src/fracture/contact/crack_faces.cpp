@@ -187,7 +187,8 @@ void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
 std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> next) {
   constexpr int end = std::numeric_limits<int>::max();
   std::vector<WatchedPlace> all;
-  for (std::size_t i = 0; i < places().size(); ++i) all.push_back({places()[i], places().is_closed(i), 0, end});
+  for (std::size_t i = 0; i < places().size(); ++i)
+    all.push_back({places()[i], places().is_closed(i), 0, places().is_barred(i) ? 0 : end});
   std::unordered_map<int, std::size_t> latest;
   for (const auto& [term, number] : grown_) latest[term] = initial_count_ + number;
   std::vector<int> entered;
@@ -200,9 +201,14 @@ std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> 
       if (known != latest.end() && all[known->second].closed) continue;
       std::optional<Contact> contact = contact_at(term, normal_at(term, near(term)));
       if (!contact) continue;
-      if (known != latest.end()) all[known->second].until = since;
+      if (known != latest.end()) {
+        if (all[known->second].until == 0) continue;  // barred
+        all[known->second].until = since;
+      }
+      // A new normal counts only if the place does not overlap for it before the break.
+      const int from = known != latest.end() ? std::max(since - 1, 0) : since;
       latest[term] = all.size();
-      all.push_back({std::move(*contact), false, since, end});
+      all.push_back({std::move(*contact), false, from, end});
     }
   };
   follow(gone_, 0);

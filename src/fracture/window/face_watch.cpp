@@ -1,6 +1,7 @@
 #include "fracture/window/face_watch.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "fracture/window/lookahead.hpp"
 
@@ -20,24 +21,45 @@ FaceWatch::FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events
   }
 }
 
+bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double rate,
+                      const std::array<double, 2>& largest) const {
+  if (state < place.since || state >= place.until) return true;
+  for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
+    const double zero = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
+    const double here = gap + load_factor * rate;
+    if (place.closed ? here > zero : here < -zero) return false;
+  }
+  return true;
+}
+
 int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
-                                    int dof_count) const {
-  const int last = static_cast<int>(kept.size()) - 1;
+                                    const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
+  int last = static_cast<int>(kept.size()) - 1;
   if (is_idle()) return last;
-  std::vector<int> row(static_cast<std::size_t>(dof_count), -1);
+  const coupling::Affine& prescribed = system.prescribed();
+  std::vector<int> row(static_cast<std::size_t>(prescribed.rows()), -1);
   for (std::size_t i = 0; i < dofs.size(); ++i) row[dofs[i]] = static_cast<int>(i);
+  const auto is_known = [&](int dof) { return row[dof] >= 0 || system.is_prescribed(dof); };
   std::vector<const WatchedPlace*> inside;
   for (const WatchedPlace& place : places_) {
-    const auto is_kept = [&](const coupling::TermEntry& e) { return row[2 * e.node] >= 0 && row[2 * e.node + 1] >= 0; };
-    if (std::all_of(place.contact.pull.begin(), place.contact.pull.end(), is_kept)) inside.push_back(&place);
+    const auto known = [&](const coupling::TermEntry& e) { return is_known(2 * e.node) && is_known(2 * e.node + 1); };
+    if (std::all_of(place.contact.pull.begin(), place.contact.pull.end(), known)) {
+      inside.push_back(&place);
+    } else if (place.since < place.until && place.since > 0) {
+      last = std::min(last, place.since - 1);
+    }
   }
-  for (int state = 1; state <= last; ++state) {
+  for (int state = 0; state <= last; ++state) {
     const coupling::Affine& u = kept[state];
     const std::array<double, 2> largest{u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
-    for (const WatchedPlace* place : inside) {
-      const auto part = [&](int column) { return [&u, &row, column](int dof) { return u(row[dof], column); }; };
-      if (!holds(*place, state, part(0), part(1), largest)) return state - 1;
-    }
+    const auto part = [&](int column) {
+      return [&, column](int dof) { return row[dof] >= 0 ? u(row[dof], column) : prescribed(dof, column); };
+    };
+    const std::function<double(int)> constant = part(0), proportional = part(1);
+    for (const WatchedPlace* place : inside)
+      if (!holds(*place, state, constant, proportional, largest)) return std::max(state - 1, 0);
+    for (const OutsideGaps::Gap& gap : outside.gaps())
+      if (!holds(places_[gap.place], state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
   }
   return last;
 }

@@ -6,6 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "fracture/contact/crack_faces.hpp"
+#include "fracture/window/outside_gaps.hpp"
 
 namespace bempd::fracture {
 
@@ -22,8 +23,10 @@ class FaceWatch {
 
   bool is_idle() const { return places_.empty(); }
 
-  // How many of the events come before places open or close whose points are among the degrees of freedom kept.
-  int events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs, int dof_count) const;
+  // How many of the events come before places open or close whose points are all among the degrees of freedom kept or
+  // prescribed, or whose gaps are known as functions of those; and before one that makes a place with other points.
+  int events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
+                           const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const;
 
   // Whether all places are in a state as they were at first, at the load factors from the event that led there to the
   // one that follows; `constant(dof)` and `proportional(dof)` are its displacements, the largest of which are given.
@@ -44,13 +47,10 @@ class FaceWatch {
       gap += e.x * constant(2 * e.node) + e.y * constant(2 * e.node + 1);
       rate += e.x * proportional(2 * e.node) + e.y * proportional(2 * e.node + 1);
     }
-    for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
-      const double zero = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
-      const double here = gap + load_factor * rate;
-      if (place.closed ? here > zero : here < -zero) return false;
-    }
-    return true;
+    return holds(place, state, gap, rate, largest);
   }
+  bool holds(const WatchedPlace& place, int state, double gap, double rate,
+             const std::array<double, 2>& largest) const;
 
   std::vector<WatchedPlace> places_;
   std::vector<std::array<double, 2>> load_factors_;  // of every state

@@ -33,7 +33,7 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   options_ = options;
   if (!has_window_form(system_) || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
   try {
-    build_window(state);
+    build_window(state, load_factor);
   } catch (...) {
     close();
     throw;
@@ -41,7 +41,7 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   return true;
 }
 
-void Lookahead::build_window(const BodyState& state) {
+void Lookahead::build_window(const BodyState& state, double load_factor) {
   const Phase phase("window around what breaks", 3);
   has_ended_ = needs_whole_body_ = faces_move_ = system_has_changed_ = false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
@@ -53,6 +53,7 @@ void Lookahead::build_window(const BodyState& state) {
   phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
   certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+  outside_gaps_ = OutsideGaps(system_, *condensation_, state.displacement, load_factor);
   whole_ = state.displacement;
   any_displacement_ = state.total_displacement;
   position_ = 0;
@@ -240,7 +241,7 @@ void Lookahead::certify(double from) {
   if (events_.empty()) return;
   // Their bonds are gone while the events computed are not taken back.
   const FaceWatch watch(faces_, events_, from, proportional_);
-  const int unchanged = watch.events_before_change(states_, condensation_->dofs(), 2 * system_.node_count());
+  const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
   faces_move_ = unchanged < static_cast<int>(events_.size());
   keep_first(unchanged);
   if (events_.empty()) return;

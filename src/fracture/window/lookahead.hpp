@@ -78,7 +78,7 @@ class Lookahead {
   double residual() const { return residual_; }
 
  private:
-  void build_window(const BodyState& state);
+  void build_window(const BodyState& state, double load_factor);
   bool foresee(double from, const BodyState& start);
   std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
@@ -102,6 +102,7 @@ class Lookahead {
   std::unique_ptr<coupling::Condensation> condensation_;
   std::unique_ptr<ActiveWindow> window_;
   std::unique_ptr<WindowCertificate> certificate_;
+  OutsideGaps outside_gaps_;
   Eigen::VectorXd any_displacement_;
   coupling::Affine whole_;  // displacements of the whole body in the last state
   bool proportional_ = false;

@@ -1,0 +1,78 @@
+// Which faces of a body's cracks press on each other at its load factor.
+#include <algorithm>
+#include <set>
+
+#include "cancellation.hpp"
+#include "error.hpp"
+#include "fracture/free_motions.hpp"
+#include "fracture/loaded_body.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
+constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
+
+// A node that a held motion takes along by less than this share of its largest displacement stays where it is.
+constexpr double taken_along = 1e-6;
+
+}  // namespace
+
+// What springs hold where it is would be pushed away.
+void LoadedBody::bar_contacts_of_held_parts() {
+  const std::size_t count = system_.contacts().size(), springs = system_.springs().size();
+  if (count == 0 || springs == 0) return system_.bar_contacts({});
+  if (system_.contacts().barred_count() == count && springs_that_bar_ == springs) return;
+  springs_that_bar_ = springs;
+  FreedPartFinder::Held held = freed_parts_.held_parts();
+  for (const coupling::HoldingSpring& spring : held.others) {
+    const Eigen::VectorXd motion = system_.response_to(spring);
+    const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
+    for (int node = 0; node < system_.node_count(); ++node)
+      if (motion.segment<2>(2 * node).norm() > limit) held.nodes[node] = 1;
+  }
+  std::vector<char> barred;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<coupling::TermEntry>& pull = system_.contacts()[i].pull;
+    const auto is_held = [&](const coupling::TermEntry& e) { return held.nodes[e.node] != 0; };
+    barred.push_back(std::any_of(pull.begin(), pull.end(), is_held) ? 1 : 0);
+  }
+  system_.bar_contacts(std::move(barred));
+}
+
+LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
+  // Newton's method, as the energy is convex and once differentiable; where it comes back to the same places, one at a
+  // time by the least number, which ends (Murty 1974).
+  Settled result;
+  std::set<std::vector<char>> met;
+  bool one_by_one = false;
+  const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(system_.contacts().size());
+  for (std::int64_t round = 0;; ++round) {
+    bar_contacts_of_held_parts();
+    const coupling::Contacts& contacts = system_.contacts();
+    std::vector<int> wrong = wrong_places(contacts, state_.displacement, state_.load_factor, direction);
+    if (wrong.empty()) break;
+    check_cancelled();
+    if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
+    one_by_one = one_by_one || !met.insert(contacts.closed()).second;
+    if (one_by_one) wrong.resize(1);
+    const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) { return contacts.is_closed(i); });
+    system_.switch_contacts(wrong);
+    result.switched += static_cast<std::int64_t>(wrong.size());
+    if (!some_open) {
+      solve();
+      continue;
+    }
+    // A part that nothing but closed faces held.
+    const Eigen::VectorXd before = state_.total_displacement;
+    HeldMotions held = solve_and_hold(*this, {}, before, [&] { return !is_balanced(); });
+    result.held.insert(result.held.end(), held.nodes.begin(), held.nodes.end());
+    result.fragments += held.fragments;
+  }
+  state_.faces.closed = system_.contacts().closed();
+  state_.springs = system_.springs();
+  return result;
+}
+
+}  // namespace bempd::fracture
