@@ -178,15 +178,19 @@ Outcome WholeBodyEvents::perform() {
   const double released = released_energy() + released_by_contacts(before) + by_fluid;
   outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released;
   outcome.bond_energy = released / (event_.ratio * event_.ratio);
-  outcome.critical_stored_energy = body_.stored_energy_at(event_.critical_load_factor);
   state.stages = system_.stages();
   state.springs = system_.springs();
+  tell_of_body(outcome);
+  return outcome;
+}
+
+void WholeBodyEvents::tell_of_body(Outcome& outcome) {
+  outcome.critical_stored_energy = body_.stored_energy_at(event_.critical_load_factor);
   outcome.unit_energy = body_.unit_energy();
   outcome.residual = body_.residual();
   outcome.energy_scale = energy_scale_of_supports(system_, event_.load_factor);
   outcome.reactions = body_.reactions();
   outcome.resistance = body_.resistance(outcome.reactions);
-  return outcome;
 }
 
 }  // namespace bempd::fracture

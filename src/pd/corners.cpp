@@ -111,7 +111,7 @@ linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const
 template <class Map>
 bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Map& map) {
   for (int i = 0; i < lattice.point_count(); ++i) {
-    const Vector2i p = lattice.point(i);
+    const Vector2i& p = lattice.point(i);
     if (lattice.find_point(map(p)) < 0) return false;
     // A cell is named by the mean of two opposite corners.
     const Vector2i a = map(p), b = map(p + Vector2i(1, 1));

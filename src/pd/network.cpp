@@ -85,7 +85,8 @@ DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const 
   for (int i = 0; i < lattice.point_count(); ++i) {
     check_cancelled();
     if (i % 1024 == 0) phase.reach(i);
-    const Vector2i p = lattice.point(i), deep(2 * m, 2 * m), near(m - 1, m - 1);
+    const Vector2i& p = lattice.point(i);
+    const Vector2i deep(2 * m, 2 * m), near(m - 1, m - 1);
     const bool bulk = cells.filled(p - deep, p + deep);
     bonds.start.push_back(static_cast<int>(bonds.first.size()));
     const bool clear = bulk || cells.filled(p - near, p + near);
