@@ -234,6 +234,7 @@ void CrackEvolution::synchronize() {
   sources_.refresh();
   sources_.bring_up_to_date();
   sources_.forget();
+  body_.update_faces();
   system_.forget_factor();
 }
 

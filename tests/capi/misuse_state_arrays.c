@@ -170,7 +170,7 @@ static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved)
   int64_t k;
   put_byte(model, saved, saved->begin[stages] + 8, 2, "a stage after a bond's last one");
   put_byte(model, saved, saved->begin[unloaded] + 8, 255, "a node's flag");
-  CHECK(saved->count[grown_faces] > 0 && saved->count[closed_faces] > saved->count[grown_faces]);
+  CHECK(saved->count[grown_faces] > 0);
   put_byte(model, saved, saved->begin[closed_faces] + 8, 2, "whether faces press on each other");
   put_count(model, saved, saved->begin[grown_faces] + 8, -1, "the bond of a grown face");
   put_double(model, saved, saved->begin[grown_faces] + 8 + 4, NAN, "the normal of a grown face");
@@ -234,11 +234,12 @@ static bempd_model* torn_block(void) {
   const double cuts[] = {7.5, 0.0, 7.5, 8.0};
   const double notch[] = {3.5, 0.0, 3.5, 3.5};
   const double pull = 1.0;
+  int k;
   CHECK_OK(model, bempd_add_crack(model, 2, cuts, NULL));
   CHECK_OK(model, bempd_add_crack(model, 2, notch, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_prescribe_edge(model, 1, 1, 0.6, 0.7, BEMPD_X, 1, NULL, &pull, NULL));
-  CHECK_OK(model, bempd_step_to_next_event(model, 100.0, NULL));
+  for (k = 0; k < 6; ++k) CHECK_OK(model, bempd_step_to_next_event(model, 100.0, NULL));
   return model;
 }
 

@@ -2,8 +2,11 @@
 // do that are whole, open, or taken back to where they were.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdio>
+#include <numbers>
 #include <random>
 
 #include "contact_bodies.hpp"
@@ -148,6 +151,83 @@ TEST(Contact, a_state_saved_among_closed_places_goes_on_alike) {
   EXPECT_EQ(a.faces.closed, b.faces.closed);
   EXPECT_EQ(a.total_displacement, b.total_displacement);
   EXPECT_LE(a.worst_energy_balance_error, 1e-10);
+}
+
+// The largest hoop strain a horizon away from the tip of a closed crack without friction, in degrees from its direction:
+// a uniform stress without the shear on the faces, which is Westergaard's field (Tada, Paris and Irwin, The Stress
+// Analysis of Cracks Handbook, part 1).
+double angle_of_largest_hoop_strain(double half_length, double distance) {
+  double best = -1e300, found = 0;
+  for (int k = 0; k < 1800; ++k) {
+    const double t = k * std::numbers::pi / 1800, c = std::cos(t), s = std::sin(t);
+    const std::complex<double> z(half_length + distance * c, distance * s);
+    const std::complex<double> root = std::sqrt(z - half_length) * std::sqrt(z + half_length);
+    const std::complex<double> f = 0.5 * z / root, df = 0.5 * (1.0 / root - z * z / (root * root * root));
+    const double xx = -0.5 - 2 * f.imag() - z.imag() * df.real(), yy = -0.5 + z.imag() * df.real();
+    const double xy = -f.real() + z.imag() * df.imag();
+    const double hoop = xx * s * s - 2 * xy * s * c + yy * c * c, radial = xx * c * c + 2 * xy * s * c + yy * s * s;
+    if (hoop - radial / 3 > best) best = hoop - radial / 3, found = k / 10.0;
+  }
+  return found;
+}
+
+TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
+  const int cells = 60;
+  const double half = 10.5, level = 30.5;
+  const auto model = plate({cells, 4}, {{{30 - half, level}, {30 + half, level}}}, "faces", 1e-3);
+  // Moved as under a pressure of 1e-3 at 45 degrees.
+  for (int edge = 1; edge <= 4; ++edge) {
+    model->editable_scene().add_support(
+        {std::make_shared<const regions::EdgePart>(1, edge, 0, 1), 3, scene::BoundaryFunction([](const Point& p) {
+           const double direct = -0.5e-3 * (1 - 1.0 / 3), shear = -0.5e-3 * (1 + 1.0 / 3);
+           const Point away = p - Point(30, 30);
+           const Point moved(direct * away.x() + shear * away.y(), shear * away.x() + direct * away.y());
+           return scene::BoundaryValue{Point(0, 0), moved};
+         })});
+  }
+  std::int64_t broken = 0;
+  while (broken < 260) broken += model->advance(1e9, fracture::Goal::next_event).broken_bonds;
+  const model::PreparedScene& p = model->prepared();
+  const coupling::Terms& terms = p.system->terms();
+  double sum = 0;
+  int count = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const bool was_cut = std::binary_search(p.cut_bonds.begin(), p.cut_bonds.end(), static_cast<int>(t));
+    if (p.system->intact()[t] || was_cut || terms.length[t] > 1.01) continue;
+    const Point middle = 0.5 * (p.discretization.positions[terms.first[t]] + p.discretization.positions[terms.second[t]]);
+    const Point side = (middle.x() < 30 ? -1 : 1) * (middle - Point(30, level));
+    const Point away = side - Point(half, 0);
+    if (away.norm() < 1 || away.norm() > 6) continue;
+    sum += std::atan2(away.y(), away.x()) * 180 / std::numbers::pi;
+    ++count;
+  }
+  const double reference = angle_of_largest_hoop_strain(half, 4);
+  std::printf("%lld bonds, %d neighbours parted beside the tips, %zu places closed: %.1f degrees (reference: exact field of the "
+              "closed crack, %.1f)\n",
+              static_cast<long long>(broken), count, p.system->contacts().closed_count(), sum / count, reference);
+  ASSERT_GE(count, 4);
+  EXPECT_NEAR(sum / count, reference, 8);
+}
+
+TEST(Contact, windows_and_whole_bodies_break_the_same_bonds) {
+  const auto run = [](const char* solver) {
+    auto model = plate({30, 3}, {{{8.3, 12.3}, {21.7, 17.6}}}, "faces", 1e-3);
+    model->options().set_text("stepping.solver", solver);
+    move_ends(*model, 0, -30e-3, 1.1);
+    for (int k = 0; k < 60; ++k) model->advance(10, fracture::Goal::next_event);
+    return model;
+  };
+  const auto plain = run("plain"), window = run("window");
+  const fracture::EvolutionState &a = plain->prepared().evolution->state(), &b = window->prepared().evolution->state();
+  std::printf("%lld events, %lld bonds, %zu of %zu places closed, %lld switches and %lld in windows\n",
+              static_cast<long long>(a.events), static_cast<long long>(a.broken_bonds),
+              plain->prepared().system->contacts().closed_count(), plain->prepared().system->contacts().size(),
+              static_cast<long long>(a.contact_switches), static_cast<long long>(b.contact_switches));
+  EXPECT_EQ(a.stages, b.stages);
+  EXPECT_EQ(plain->prepared().system->contacts().closed_count(), window->prepared().system->contacts().closed_count());
+  EXPECT_GT(plain->prepared().system->contacts().closed_count(), 5U);
+  EXPECT_LE(difference(a.total_displacement, b.total_displacement), 1e-9);
+  EXPECT_LE(b.worst_energy_balance_error, 1e-9);
 }
 
 // --- What is said

@@ -121,7 +121,7 @@ std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) con
 }
 
 void CrackFaces::note_gone(std::span<const int> terms) {
-  if (!are_none()) gone_.insert(gone_.end(), terms.begin(), terms.end());
+  if (!are_none()) gone_.emplace_back(terms.begin(), terms.end());
 }
 
 std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
@@ -171,9 +171,12 @@ std::vector<int> CrackFaces::around(std::span<const int> terms) const {
 }
 
 void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
-  if (gone_.empty()) return;
-  const std::vector<int> terms = fresh(gone_);
+  for (const std::vector<int>& terms : gone_) follow(terms, displacement, state);
   gone_.clear();
+}
+
+void CrackFaces::follow(std::span<const int> gone, const Eigen::VectorXd& displacement, FaceState& state) {
+  const std::vector<int> terms = fresh(gone);
   for (const int term : terms) enter(term);
   for (const int term : around(terms)) {
     if (grown_.contains(term)) {
@@ -188,7 +191,7 @@ std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> 
   constexpr int end = std::numeric_limits<int>::max();
   std::vector<WatchedPlace> all;
   for (std::size_t i = 0; i < places().size(); ++i)
-    all.push_back({places()[i], places().is_closed(i), 0, places().is_barred(i) ? 0 : end});
+    all.push_back({places()[i], places().is_closed(i), true, 0, places().is_barred(i) ? 0 : end});
   std::unordered_map<int, std::size_t> latest;
   for (const auto& [term, number] : grown_) latest[term] = initial_count_ + number;
   std::vector<int> entered;
@@ -208,10 +211,10 @@ std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> 
       // A new normal counts only if the place does not overlap for it before the break.
       const int from = known != latest.end() ? std::max(since - 1, 0) : since;
       latest[term] = all.size();
-      all.push_back({std::move(*contact), false, from, end});
+      all.push_back({std::move(*contact), false, false, from, end});
     }
   };
-  follow(gone_, 0);
+  for (const std::vector<int>& terms : gone_) follow(terms, 0);
   for (std::size_t e = 0; e < next.size(); ++e) follow(next[e], static_cast<int>(e) + 1);
   for (const int term : entered) leave(term);
   return all;
@@ -236,8 +239,9 @@ void CrackFaces::restore(const FaceState& state) {
   for (std::size_t i = 0; i < std::min(contacts.size(), state.closed.size()); ++i)
     contacts.set_closed(i, state.closed[i] != 0);
   system_.set_contacts(std::move(contacts));
+  std::vector<int>& gone = gone_.emplace_back();
   for (std::size_t t = 0; t < system_.terms().size(); ++t)
-    if (!system_.intact()[t]) gone_.push_back(static_cast<int>(t));
+    if (!system_.intact()[t]) gone.push_back(static_cast<int>(t));
 }
 
 }  // namespace bempd::fracture

@@ -27,6 +27,7 @@ struct ContactPlan {
 struct WatchedPlace {
   coupling::Contact contact;
   bool closed;
+  bool known;  // from the beginning
   int since, until;
 };
 
@@ -62,6 +63,7 @@ class CrackFaces {
   void enter(int term);
   void leave(int term);
   std::vector<int> around(std::span<const int> terms) const;
+  void follow(std::span<const int> gone, const Eigen::VectorXd& displacement, FaceState& state);
   void renew(int term, const Eigen::VectorXd& displacement, FaceState& state);
   void add(int term, FaceState& state);
   Point middle(int term) const;
@@ -80,7 +82,7 @@ class CrackFaces {
   std::unordered_map<std::uint64_t, std::vector<int>> parted_;   // neighbours, by where their middles are
   std::unordered_set<int> entered_;                              // the same as a set
   std::unordered_map<int, std::size_t> grown_;                   // term -> its place among the grown ones
-  std::vector<int> gone_;                                        // since the last update
+  std::vector<std::vector<int>> gone_;  // since the last update, together what went together
 };
 
 // Places that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction counts: 1

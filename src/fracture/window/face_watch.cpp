@@ -45,8 +45,8 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
     const auto known = [&](const coupling::TermEntry& e) { return is_known(2 * e.node) && is_known(2 * e.node + 1); };
     if (std::all_of(place.contact.pull.begin(), place.contact.pull.end(), known)) {
       inside.push_back(&place);
-    } else if (place.since < place.until && place.since > 0) {
-      last = std::min(last, place.since - 1);
+    } else if (!place.known && place.since < place.until) {
+      last = std::min(last, std::max(place.since - 1, 0));
     }
   }
   for (int state = 0; state <= last; ++state) {
