@@ -488,9 +488,10 @@ BEMPD_API bempd_status bempd_add_body_force(bempd_model* model, int32_t region, 
 /** @brief Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would
  * lengthen by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
  *
- * Bonds break by what they are stretched beyond that. Temperatures of a region add up; they are a part of the prepared
- * model, so that they change with the load factor but take no new values, and with one there are no windows
- * (stepping.solver): every event is found in the whole body.
+ * Bonds break by what they are stretched beyond that. Temperatures of a region add up. With one there are no windows
+ * (stepping.solver): every event is found in the whole body. That of a PD region takes new values by
+ * bempd_set_load_values(), bempd_step_to_values() goes to them on a straight line, and it may have a column in a load
+ * program; that of a BEM region is a part of the prepared model, which changes with the load factor only.
  * @param[in] model the model @param[in] region id of a region @param[in] constant constant part [K]
  * @param[in] proportional part multiplied by the load factor [K] @param[out] load its id; may be NULL
  * @return status @since 0.3 */
@@ -845,8 +846,9 @@ typedef enum bempd_program_column {
  * @param[in] factors shape [row_count][column_count], or [row_count] without columns [-]
  * @param[in] until a bempd_until; values are those of the last row
  * @param[in,out] report struct_size in, the rest out, of all rows together; stop_reason is BEMPD_STOP_LOAD_FACTOR where
- * the last row was reached; may be NULL @return status; temperatures have no column, and the option
- * stepping.control = "path" does not go on in time: argument errors @since 0.3 */
+ * the last row was reached; may be NULL @return status; a column for a temperature of a BEM
+ * region, which takes the time, and the option stepping.control = "path", which does not go on in time, are argument
+ * errors @since 0.3 */
 BEMPD_API bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const double* times,
                                          int64_t column_count, const int32_t* kinds, const int32_t* ids,
                                          const double* factors, int32_t until, bempd_step_report* report);

@@ -80,16 +80,30 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
       operators_have_rest_[part] = operators_have_rest_[part] || !op.rest.col(part).isZero(0);
     }
   }
-  for (int part = 0; part < 2; ++part) {
-    for (const double rest : terms_.rest_elongation[part])
-      rest_motion_[part] = std::max(rest_motion_[part], std::abs(rest));
-    for (const DenseOperator& op : operators)
-      rest_motion_[part] = std::max(rest_motion_[part], op.rest.col(part).lpNorm<Eigen::Infinity>());
+  for (const DenseOperator& op : operators) {
+    for (int part = 0; part < 2; ++part) {
+      double& largest = rest_motion_of_operators_[part];
+      largest = std::max(largest, op.rest.col(part).lpNorm<Eigen::Infinity>());
+    }
   }
+  collect_rest_motions();
   const StiffnessRange range = stiffness_range(node_count, operators, terms_);
   largest_stiffness_ = range.largest;
   stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;
   pending_ = std::move(operators);
+}
+
+void EquilibriumSystem::collect_rest_motions() noexcept {
+  for (int part = 0; part < 2; ++part) {
+    rest_motion_[part] = rest_motion_of_operators_[part];
+    for (const double rest : terms_.rest_elongation[part])
+      rest_motion_[part] = std::max(rest_motion_[part], std::abs(rest));
+  }
+}
+
+void EquilibriumSystem::exchange_rests(Rests& others) noexcept {
+  terms_.rest_elongation.swap(others);
+  collect_rest_motions();
 }
 
 void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operators) {

@@ -60,6 +60,16 @@ class CrackEvolution {
   Loads loads() const { return {body_.acting_loads(), work_within_}; }
   void act_again(Loads loads) noexcept;
 
+  // Other rest elongations of terms, as heat makes them. What they do to the stored energy where nothing moves is work;
+  // after that the body has to find equilibrium. Returns what cool_down() takes to undo it.
+  struct Heat {
+    coupling::EquilibriumSystem::Rests rests;
+    Eigen::VectorXd total_force;
+    double work;
+  };
+  Heat heat(coupling::EquilibriumSystem::Rests rests);
+  void cool_down(Heat heat) noexcept;
+
   // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
                      const std::function<void(const EvolutionState&)>& on_event);

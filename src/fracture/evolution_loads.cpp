@@ -28,6 +28,35 @@ void CrackEvolution::act_again(Loads loads) noexcept {
   sources_.abandon();
 }
 
+CrackEvolution::Heat CrackEvolution::heat(coupling::EquilibriumSystem::Rests rests) {
+  sources_.refresh();
+  sources_.settle();
+  system_.condense();
+  const Eigen::VectorXd& u = state_.total_displacement;
+  const double f = state_.load_factor, before = system_.energy(u, f);
+  system_.exchange_rests(rests);
+  Eigen::VectorXd force;
+  double work = 0;
+  try {
+    force = system_.internal_force(u, f);
+    work = in_range(system_.energy(u, f) - before);
+  } catch (...) {
+    system_.exchange_rests(rests);
+    throw;
+  }
+  state_.total_force.swap(force);
+  state_.work += work;
+  state_.in_equilibrium = false;
+  state_.first_unit_energy = -1;
+  return {std::move(rests), std::move(force), work};
+}
+
+void CrackEvolution::cool_down(Heat heat) noexcept {
+  system_.exchange_rests(heat.rests);
+  state_.total_force.swap(heat.total_force);
+  state_.work -= heat.work;
+}
+
 double CrackEvolution::within(double load_factor) const {
   const Eigen::Vector2d loads(1, load_factor);
   return 0.5 * loads.dot(work_within_ * loads);

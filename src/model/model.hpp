@@ -219,11 +219,15 @@ class Model {
     regions::DofConditions conditions;
     fracture::CrackEvolution::Loads run;
     Acting acting;
+    std::optional<fracture::CrackEvolution::Heat> heat;
   };
   LoadsBefore replace_loads(regions::DofConditions conditions, Acting acting);
   void go_back_to(LoadsBefore before) noexcept;
   void act_as_said();
   regions::DofConditions conditions_under(scene::SceneValues values);
+  // Once prepared; throws Error (argument) for a temperature of boundary elements.
+  void require_replaceable(int load) const;
+  std::optional<fracture::CrackEvolution::Heat> heat_lattices(const regions::DofConditions& conditions);
   void values_were_set();
   void arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept;
   void ensure_equilibrium();

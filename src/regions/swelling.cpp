@@ -6,20 +6,37 @@
 
 namespace bempd::regions {
 
+namespace {
+
+Swelling swelling_of(const SwellingOfRegions& swelling, int region) {
+  const auto found = swelling.find(region);
+  if (found == swelling.end()) return [](const Point&) { return Eigen::Vector2d(0, 0); };
+  return [parts = found->second](const Point& place) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const Swelling& part : parts) sum += part(place);
+    return sum;
+  };
+}
+
+}  // namespace
+
 void swell(Discretization& d, const SwellingOfRegions& swelling) {
   if (swelling.empty()) return;
-  const auto of = [&](int region) -> Swelling {
-    const auto found = swelling.find(region);
-    if (found == swelling.end()) return [](const Point&) { return Eigen::Vector2d(0, 0); };
-    return [parts = found->second](const Point& place) {
-      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-      for (const Swelling& part : parts) sum += part(place);
-      return sum;
-    };
-  };
   LatticeSwelling lattices(d.positions);
-  for (const auto& region : d.regions) region->swell(of(region->id()), lattices);
+  for (const auto& region : d.regions) region->swell(swelling_of(swelling, region->id()), lattices);
   for (const auto& region : d.regions) region->set_rests(lattices, d.bonds);
+}
+
+std::array<std::vector<double>, 2> swell_lattices(Discretization& d, const SwellingOfRegions& swelling,
+                                                  const coupling::Terms& terms) {
+  LatticeSwelling lattices(d.positions);
+  coupling::Terms rests;  // what lattices need of them to say how long they want to be
+  rests.length = terms.length;
+  for (const auto& region : d.regions)
+    if (region->bonds()) region->swell(swelling_of(swelling, region->id()), lattices);
+  for (const auto& region : d.regions)
+    if (region->bonds()) region->set_rests(lattices, rests);
+  return std::move(rests.rest_elongation);
 }
 
 }  // namespace bempd::regions

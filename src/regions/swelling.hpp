@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -14,5 +15,10 @@ using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
 // Gives bonds, squares of cells and boundary elements the lengths that they have without stress; before operators are
 // asked for. Throws Error (argument) for a boundary element region that cannot swell like that.
 void swell(Discretization& discretization, const SwellingOfRegions& swelling);
+
+// The same for lattices whose operators have been asked for: rest elongations of all terms, constant and proportional
+// parts, which `terms` then have to be given. Other regions stay as they are.
+std::array<std::vector<double>, 2> swell_lattices(Discretization& discretization, const SwellingOfRegions& swelling,
+                                                  const coupling::Terms& terms);
 
 }  // namespace bempd::regions

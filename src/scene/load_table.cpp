@@ -27,11 +27,6 @@ Values at_factor(const Values& values, double factor) {
   });
 }
 
-void require_moves(const Condition& load, int id) {
-  require(!load.place->is_built_in(), "load ", id,
-          " is a temperature, which follows the time of a program only; give the table columns for what else it moves");
-}
-
 }  // namespace
 
 void LoadTable::check(const Scene& scene) const {
@@ -51,14 +46,10 @@ void LoadTable::check(const Scene& scene) const {
             ", which does not exist; there are ", conditions.size());
     const Condition& condition = conditions[static_cast<std::size_t>(id - 1)];
     require(!condition.removed(), "column ", c, " is of ", what, id, ", which was removed");
-    if (!is_support) require_moves(condition, id);
     const bool is_second = std::find(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(c), columns[c]) !=
                            columns.begin() + static_cast<std::ptrdiff_t>(c);
     require(!is_second, "column ", c, " is of ", what, id, ", which has a column before; give it one");
   }
-  if (!columns.empty()) return;
-  for (std::size_t i = 0; i < scene.loads().size(); ++i)
-    if (!scene.loads()[i].removed()) require_moves(scene.loads()[i], static_cast<int>(i) + 1);
 }
 
 SceneValues LoadTable::at(std::size_t row, const SceneValues& given) const {

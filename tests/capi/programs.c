@@ -199,8 +199,8 @@ static void tables_that_cannot_be_meant_are_refused(void) {
   bempd_model_free(plate.model);
 }
 
-static void temperatures_take_the_time_only(void) {
-  bempd_model* model = pd_block();
+static void temperatures_of_boundary_elements_take_the_time(void) {
+  bempd_model* model = bem_block();
   const double times[] = {1.0}, factors[] = {0.1}, unit = 1e-4;
   const int32_t load[] = {BEMPD_COLUMN_LOAD}, first[] = {1}, second[] = {2};
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
@@ -211,6 +211,30 @@ static void temperatures_take_the_time_only(void) {
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "temperature",
               bempd_run_program(model, 1, times, 1, load, first, factors, BEMPD_UNTIL_VALUES, NULL));
   CHECK_OK(model, bempd_run_program(model, 1, times, 1, load, second, factors, BEMPD_UNTIL_VALUES, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "temperature", bempd_set_load_values(model, 1, 1, &unit, NULL));
+  bempd_model_free(model);
+}
+
+static void pressures_that_no_crack_has_are_refused(void) {
+  static const double wrong[] = {NAN, INFINITY, -INFINITY};
+  const double crack[] = {0.0, 3.5, 4.0, 3.5}, many[] = {1.0, 2.0};
+  bempd_model* model = pd_block();
+  int32_t load = 0;
+  size_t k;
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 1", bempd_add_crack_pressure(model, 1, 0.0, 1.0, NULL));
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  for (k = 0; k < sizeof wrong / sizeof wrong[0]; ++k) {
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite", bempd_add_crack_pressure(model, 1, wrong[k], 0.0, NULL));
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite", bempd_add_crack_pressure(model, 1, 0.0, wrong[k], NULL));
+  }
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 0", bempd_add_crack_pressure(model, 0, 0.0, 1.0, NULL));
+  CHECK_FAILS(NULL, BEMPD_ERROR_ARGUMENT, "model", bempd_add_crack_pressure(NULL, 1, 0.0, 1.0, NULL));
+  CHECK_OK(model, bempd_add_crack_pressure(model, 1, 0.0, 1e-6, &load));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack 1", bempd_remove_crack(model, 1));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 2, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "2", bempd_set_load_values(model, load, 2, many, NULL));
+  CHECK_OK(model, bempd_set_load_values(model, load, 1, many, NULL));
   bempd_model_free(model);
 }
 
@@ -222,6 +246,7 @@ int main(void) {
   columns_move_what_they_are_of();
   a_cancelled_program_has_not_begun();
   tables_that_cannot_be_meant_are_refused();
-  temperatures_take_the_time_only();
+  temperatures_of_boundary_elements_take_the_time();
+  pressures_that_no_crack_has_are_refused();
   return check_finish();
 }

@@ -41,7 +41,7 @@ void require_same(const char* call, const Marks& before, const Marks& after) {
 }
 
 void Scene::advance() {
-  const int way = bytes_.pick(6);
+  const int way = bytes_.pick(7);
   const double target = bytes_.pick(3) == 0 ? bytes_.number() : 3.0;
   bempd_step_report report;
   good("bempd_step_report_init", nullptr, bempd_step_report_init(&report, sizeof report));
@@ -51,7 +51,13 @@ void Scene::advance() {
   if (way == 0) done = FUZZ_CALL(bempd_prepare, model_);
   if (way == 1) call = "bempd_step", done = FUZZ_CALL(bempd_step, model_, target, &report);
   if (way == 2) call = "bempd_run_to_separation", done = FUZZ_CALL(bempd_run_to_separation, model_, target, &report);
-  if (way == 5) {
+  if (way == 6) {
+    const std::array times = {bytes_.number(), target, bytes_.number()}, factors = {bytes_.number(), 0.0, target};
+    const int until = bytes_.pick(4), rows = bytes_.pick(4);
+    call = "bempd_run_program";
+    done =
+        FUZZ_CALL(bempd_run_program, model_, rows, times.data(), 0, nullptr, nullptr, factors.data(), until, &report);
+  } else if (way == 5) {
     const int until = bytes_.pick(4);
     call = "bempd_step_to_values", done = FUZZ_CALL(bempd_step_to_values, model_, target, until, &report);
   } else if (way > 2)

@@ -1,6 +1,7 @@
 if(TARGET bempd)
   bempd_add_host_test(heat_test heat_test.cpp)
   bempd_add_host_test(crack_pressure_test crack_pressure_test.cpp)
+  bempd_add_host_test(changing_heat_test changing_heat_test.cpp)
   bempd_add_host_test(compression_test compression_test.cpp)
   bempd_add_host_test(fracture_increments_test fracture_increments_test.cpp)
   bempd_add_host_test(fracture_centre_crack_test fracture_centre_crack_test.cpp)

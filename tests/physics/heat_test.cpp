@@ -216,9 +216,9 @@ TEST(Heat, of_boundary_elements_has_to_be_linear) {
   EXPECT_NE(std::string(bempd_last_error(model.get())).find("linear in x and y"), std::string::npos);
 }
 
-TEST(Heat, takes_no_new_values_once_it_is_prepared) {
+TEST(Heat, of_boundary_elements_takes_no_new_values_once_it_is_prepared) {
   Model model;
-  const int32_t body = model.pd(model.add(hot(0.3, BEMPD_PLANE_STRESS)), rectangle(0, 0, 4, 4), 1, 3);
+  const int32_t body = model.bem(model.add(hot(0.3, BEMPD_PLANE_STRESS)), rectangle(0, 0, 4, 4), 1);
   heat(model, body, 1, 2);
   model.fix(body, 4, BEMPD_BOTH);
   const double three = 3;
