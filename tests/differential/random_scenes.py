@@ -22,7 +22,9 @@ import bempd
 MOST_RESIDUAL, MOST_IMBALANCE = 1e-8, 1e-8
 # In which windows and plain solutions may differ, relative to the largest value.
 LOADS, ENERGIES, REACTIONS = 1e-7, 1e-6, 1e-6
-MOST_GROWTH = 1e5  # of the load factor over that of the first event: as many digits of the stretches are lost
+# Of the load factor over that of the first event, or over 10, as loads are such that bonds break at about 1: as many digits
+# of the stretches are lost.
+MOST_GROWTH, FIRST = 1e5, 10
 EVENTS = 40
 POISSON_RATIO = 1 / 3
 
@@ -157,7 +159,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
     natural = math.sqrt(largest_energy)
     size = max((np.abs(r).max() for r in plain.reactions), default=0) + natural + 1e-300
     for number, (a, b) in enumerate(zip(plain.reports, window.reports), 1):
-        if a.load_factor > MOST_GROWTH * plain.reports[0].load_factor:
+        if a.load_factor > MOST_GROWTH * min(plain.reports[0].load_factor, FIRST):
             return None  # what breaks there hardly feels the load: its stretch has lost as many digits
         if a.total_broken_bonds != b.total_broken_bonds or a.stop_reason != b.stop_reason:
             return (f"event {number}: {a.total_broken_bonds} bonds, {a.stop_reason.name}; with windows "

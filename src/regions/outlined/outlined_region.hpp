@@ -27,6 +27,8 @@ class OutlinedRegion final : public BondedRegion {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
 
   std::optional<LatticeGrid> lattice_grid() const override;
+  void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
+           std::vector<std::string>& warnings) const override;
 
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(body_.cells.size()); }
   Cells cells() const override;
