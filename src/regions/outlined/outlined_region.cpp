@@ -174,7 +174,8 @@ std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
   return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing(), choice_.angle};
 }
 
-// A crack that begins at a corner, or where two pieces of a round edge meet, has a point there: it passes by on the right.
+// A crack that begins at a corner, or where two pieces of a round edge meet, has a point there: it passes by on the
+// right.
 void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                          std::vector<std::string>& warnings) const {
   constexpr double on_point = 1e-8, aside = 1e-3;  // in spacings
