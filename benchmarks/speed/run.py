@@ -2,7 +2,7 @@
 
     benchmarks/run.sh speed [--full] [--repeats N] [--only PART,...] [--with-peers]
 
-Parts: paper, sequences, plate, cracks, elastic, stages, profile, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and,
+Parts: paper, sequences, plate, cracks, outlines, elastic, stages, profile, boundary, memory, peers. Prints Markdown, writes out/speed/*.csv and,
 once there are plate and peers, docs/speed.png. One core, one process a row."""
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import plates
 import plot
 from rows import OUT, Table, measure
 
-PARTS = ("paper", "sequences", "plate", "cracks", "elastic", "stages", "profile", "boundary", "memory", "peers")
+PARTS = ("paper", "sequences", "plate", "cracks", "outlines", "elastic", "stages", "profile", "boundary", "memory", "peers")
 COLUMNS = ["scene", "way", "seconds", "elastic solve [s]", "ratio", "events", "bonds", "peak force", "memory [MB]",
            "residual"]
 
@@ -57,6 +57,15 @@ def cracks(arguments: argparse.Namespace) -> None:
             table.add(row_of(f"{n} x {n}, {kind}", "window, band 0.1 %", result))
 
 
+def outlines(arguments: argparse.Namespace) -> None:
+    table = Table("outlines", "Crack past a hole, to separation: lattice rows and points on the outline", COLUMNS)
+    for n in (50, 100) if arguments.full else (50,):
+        for way, degrees in (("square hole on rows", None), ("round hole", 0), ("round hole, turned by 17 degrees", 17)):
+            result = measure("holed_plate", {"n": n, "degrees": degrees}, {}, "separation", arguments.repeats)
+            result.pop("peak_force", None)
+            table.add(row_of(f"{n} x {n}", way, result))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--full", action="store_true")
@@ -79,6 +88,8 @@ def main() -> None:
         own = plates.plate(arguments, COLUMNS, row_of)
     if "cracks" in wanted:
         cracks(arguments)
+    if "outlines" in wanted:
+        outlines(arguments)
     if "elastic" in wanted:
         plates.elastic(arguments)
     if "stages" in wanted:

@@ -65,6 +65,30 @@ def plate(model: bempd.Model, n: int, cracks: str = "central") -> None:
         model.prescribe_edge(region, edge, "y", 0.0)
 
 
+def holed_plate(model: bempd.Model, n: int, degrees: float | None) -> None:
+    """An edge crack that points past a hole of radius 0.1 n; the lattice's rows at an angle to the edges, points on the
+    outline, or, without an angle, a square hole on lattice rows."""
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    half = 0.5 * (n - 1)
+    c, s = math.cos(math.radians(degrees or 0)), math.sin(math.radians(degrees or 0))
+
+    def turned(*points: tuple[float, float]) -> list[tuple[float, float]]:
+        return [(c * x - s * y, s * x + c * y) for x, y in points]
+
+    region = model.add_pd_region(material, turned((-half, -half), (half, -half), (half, half), (-half, half)), 1, 4)
+    if degrees is None:
+        side, middle = n // 10, half - math.floor(half)
+        corners = ((-side, -side), (-side, side), (side, side), (side, -side))
+        model.add_hole(region, [(x + middle, y + middle) for x, y in corners])
+    else:
+        model.add_circular_hole(region, (0, 0), 0.1 * n)
+    row = math.floor(0.05 * n) + (0.5 if n % 2 else 0)
+    model.add_crack(turned((-half, row + 1e-6), (-half + math.floor(0.2 * n) + 0.5, row + 1e-6)))
+    for edge, pull in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(region, edge, "x", -s * pull)
+        model.prescribe_edge(region, edge, "y", c * pull)
+
+
 def paper_crack(model: bempd.Model, scheme: str = "symmetric") -> None:
     """The plate of examples/centre_crack: boundary elements left and right, a strip of lattice between."""
     mm = 1e-3
@@ -130,6 +154,6 @@ def clamped_error(model: bempd.Model, name: str, element_length: float) -> float
     return float(scene.error(model, scene.knobs | {"element_length": element_length}))
 
 
-SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "paper_crack": paper_crack,
+SCENES: dict[str, Callable[..., Any]] = {"plate": plate, "holed_plate": holed_plate, "paper_crack": paper_crack,
                                           "paper_slanted_crack": paper_slanted_crack,
                                           "paper_edge_cracks": paper_edge_cracks, "square": square, "clamped": clamped}

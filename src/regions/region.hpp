@@ -88,10 +88,11 @@ struct CrackPicture {
   std::vector<Point> places, openings, displacements;
 };
 
-// Places of material points: origin + spacing * (i, j).
+// Places of material points: origin + spacing * (i, j), turned about the origin by the angle.
 struct LatticeGrid {
   Point origin;
   double spacing, horizon;  // [m]
+  double angle = 0;         // [rad]
 };
 
 struct RegionOperator {

@@ -170,10 +170,29 @@ void OutlinedRegion::build(const Preparation& preparation, Contributions& contri
   add_own_bonds(preparation, contributions);
 }
 
-// Tips are looked for along rows that are parallel to the axes.
 std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
-  if (choice_.angle != 0) return std::nullopt;
-  return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing()};
+  return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing(), choice_.angle};
+}
+
+// A crack that begins at a corner, or where two pieces of a round edge meet, has a point there: it passes by on the
+// right.
+void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
+                         std::vector<std::string>& warnings) const {
+  constexpr double on_point = 1e-8, aside = 1e-3;  // in spacings
+  scene::Crack beside = crack;
+  const auto pass_by = [&](Point& end, const Point& next) {
+    const Point inward = (next - end).normalized(), place = to_grid(end);
+    for (int i = 0; i < body_.chords.count(); ++i) {
+      if ((body_.points[i] - place).norm() > on_point) continue;
+      end += aside * spacing() * (Point(inward.y(), -inward.x()) - inward);
+      return;
+    }
+  };
+  if (crack.points.size() > 1) {
+    pass_by(beside.points.front(), crack.points[1]);
+    pass_by(beside.points.back(), crack.points[crack.points.size() - 2]);
+  }
+  BondedRegion::cut(beside, number, bonds, warnings);
 }
 
 double OutlinedRegion::fraction(const pd::Chord& chord, double part) const {

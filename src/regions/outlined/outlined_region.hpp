@@ -27,6 +27,8 @@ class OutlinedRegion final : public BondedRegion {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
 
   std::optional<LatticeGrid> lattice_grid() const override;
+  void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
+           std::vector<std::string>& warnings) const override;
   std::optional<pd::FaceLattice> face_lattice() const override {
     return pd::FaceLattice{from_grid(body_.place.origin), spacing(), choice_.angle};
   }

@@ -118,9 +118,11 @@ Eigen::VectorXd TipRings::face_forces(const CrackTipField& dual, const Point& ce
   if (faces_.empty()) return own;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(body_.discretization.positions.size()));
   for (const FacePart& face : faces_) {
-    const Point along = face.span.geometry.direction().normalized();
-    const Point normal = axes_.into(Point(along.y(), -along.x()));
+    const Edge& edge = face.span.geometry;
     const auto traction = [&](const Point& place) {
+      const Point along =
+          edge.straight() ? Point(edge.direction().normalized()) : edge.tangent(closest_fraction(edge, place));
+      const Point normal = axes_.into(Point(along.y(), -along.x()));
       const Eigen::Vector3d s = dual.stress(polar(place, centre));
       return axes_.out_of({s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y()});
     };

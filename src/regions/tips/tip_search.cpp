@@ -1,6 +1,7 @@
 #include "regions/tips/tip_search.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,7 +21,7 @@ using Cell = std::pair<int, int>;
 // The cells of a lattice and the bonds of nearest neighbours between them that are gone.
 class BrokenFaces {
  public:
-  BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid) {
+  BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid), turn_(Eigen::Rotation2Dd(grid.angle)) {
     const std::vector<Point>& positions = body.discretization.positions;
     std::vector<char> is_cut(body.bonds.size(), 0);
     for (const int bond : body.cut) is_cut[bond] = 1;
@@ -37,11 +38,11 @@ class BrokenFaces {
 
   const std::vector<Point>& middles() const { return middles_; }
   Cell cell_at(const Point& p) const {
-    const Point at = (p - grid_.origin) / grid_.spacing;
+    const Point at = turn_.transpose() * (p - grid_.origin) / grid_.spacing;
     return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
   }
   Point middle_of(const Cell& cell) const {
-    return grid_.origin + grid_.spacing * Point(cell.first + 0.5, cell.second + 0.5);
+    return grid_.origin + grid_.spacing * (turn_ * Point(cell.first + 0.5, cell.second + 0.5));
   }
 
   struct Way {
@@ -83,6 +84,7 @@ class BrokenFaces {
   }
 
   LatticeGrid grid_;
+  Eigen::Matrix2d turn_;
   std::vector<Point> middles_;
   std::set<Cell> broken_;  // cells with a side that has broken
 };
