@@ -31,15 +31,18 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
   const regions::Discretization& d = prepared_->discretization;
   const fracture::EvolutionState& state = prepared_->evolution->state();
   const coupling::EquilibriumSystem& system = *prepared_->system;
-  std::set<int> terms;
+  std::vector<int> terms;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(state.total_displacement.size());
   for (const int id : body) {
     const std::vector<int> own = d.region(id).terms();
-    terms.insert(own.begin(), own.end());
+    terms.insert(terms.end(), own.begin(), own.end());
     force += system.force_of_operator(d.region(id).nodes(), state.total_displacement, state.load_factor);
   }
-  const std::vector<int> each_once(terms.begin(), terms.end());
-  force += system.force_of_terms(each_once, state.total_displacement, state.load_factor);
+  if (body.size() > 1) {  // which share terms
+    std::sort(terms.begin(), terms.end());
+    terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  }
+  force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
   scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
   const coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
   return force - coupling::evaluate(loads, state.load_factor);
@@ -49,6 +52,7 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
 // share of what then is missing or left.
 std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = prepared_->discretization;
+  if (!regions::is_in_contact(d, region_id, edge)) return {};
   const std::vector<int> body = regions::regions_of_body(d, region_id);
   const std::vector<int> wanted = regions::interface_nodes(scene_, d, body, region_id, edge);
   if (wanted.empty()) return {};
