@@ -13,6 +13,16 @@ namespace {
 
 using EdgeWithNumber = std::pair<int, int>;  // id of the region, number
 
+std::vector<char> nodes_of_bonded_regions_before(const regions::Discretization& d, const std::vector<int>& body) {
+  std::vector<char> found(d.positions.size(), 0);
+  for (const auto& region : d.regions) {
+    if (region->id() >= body.front()) break;
+    if (!region->bonds()) continue;
+    for (const int node : region->nodes()) found[static_cast<std::size_t>(node)] = 1;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<regions::EdgeNode> Model::edge_nodes(int region, int edge) {
@@ -44,7 +54,21 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
   }
   force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
   scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
-  const coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
+  coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
+  // Loads that pieces which came free have lost, and a fluid that has reached bonds, which is nobody's load by name.
+  coupling::Affine given = prepared_->conditions.force;
+  system.ties().collect(given);
+  const coupling::Affine beside = system.force() - given;
+  const std::vector<char> others = nodes_of_bonded_regions_before(d, body);
+  const bool has_fluid = d.region(body.front()).bonds() && !prepared_->conditions.crack_pressures.empty();
+  for (Eigen::Index node = 0; 2 * node < loads.rows(); ++node) {
+    const auto place = static_cast<std::size_t>(node);
+    if (state.unloaded[place]) {
+      loads.middleRows<2>(2 * node).setZero();
+    } else if (has_fluid && !others[place]) {
+      loads.middleRows<2>(2 * node) += beside.middleRows<2>(2 * node);
+    }
+  }
   return force - coupling::evaluate(loads, state.load_factor);
 }
 
