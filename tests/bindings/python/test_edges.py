@@ -58,6 +58,24 @@ def test_interfaces_balance_where_loads_come_and_go(pressed):
         assert report.fragments == 1 and abs(one).max() < 1e-12
 
 
+def test_interfaces_balance_where_a_step_has_stopped_on_its_way():
+    """Loads are those of the way there, not those that the host has set for its end."""
+    strip = make_strip()
+    model = strip.model
+    load = model.add_traction(strip.middle, 3, "y", constant=0)
+    model.set_load_values(load, constant=-2e5)
+    model.set_support_values(strip.pulled, constant=2e-4)
+    report = model.step_to_values(1.0, until="event")
+    assert report.stop_reason == bempd.StopReason.EVENT and 0.1 < report.load_factor < 0.9
+    scale = abs(model.reaction(strip.pulled)[0])
+    total = 0.005 * 0.02 * -2e5 * report.load_factor
+    for region, own, other in ((strip.left, 2, 4), (strip.right, 4, 2)):
+        one, middle = model.edge_forces(region, own), model.edge_forces(strip.middle, other)
+        np.testing.assert_allclose(one, -middle[::-1], atol=1e-11 * scale)
+        total += middle.sum(axis=0)[1]
+    assert abs(total) < 1e-11 * scale
+
+
 def test_nodes_lie_in_order_with_their_weights(strip):
     model = strip.model
     for region, edge in ((strip.left, 3), (strip.middle, 1), (strip.right, 2)):
