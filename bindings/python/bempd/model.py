@@ -224,8 +224,8 @@ class Model(Scene, Edges, Results):
         if (factors is None) == (not given):
             raise ArgumentError("run_program: give factors for all supports and loads, or supports and loads with factors of "
                                 "their own")
-        columns = [real_array("run_program: factors", values) for values in ([factors] if not given else
-                                                                             [values for _, _, values in given])]
+        of_columns = [values for _, _, values in given] if factors is None else [factors]
+        columns = [real_array("run_program: factors", values) for values in of_columns]
         for column in columns:
             if column.shape != at.shape:
                 raise ArgumentError(f"run_program: factors have the shape {column.shape} and times {at.shape}; give a factor "

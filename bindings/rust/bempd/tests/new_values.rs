@@ -2,8 +2,8 @@
 
 mod common;
 
-use bempd::{ProgramColumn, StopReason, Until, Values};
-use common::{plate, Plate};
+use bempd::{Component, Model, ProgramColumn, StopReason, Until, Values};
+use common::{brittle, plate, rectangle, Plate};
 
 const GOAL: f64 = 1.2;
 
@@ -72,4 +72,17 @@ fn columns_of_a_program_are_of_supports() {
     expected.model.step(0.02).unwrap();
     let wanted = expected.model.reaction(expected.pulled_right).unwrap();
     assert!((force[0] - wanted[0]).abs() < 1e-9 * wanted[0].abs());
+}
+
+#[test]
+fn a_pressure_acts_along_the_cut_that_it_is_in() {
+    let mut model = Model::new().unwrap();
+    let solid = model.add_material(&brittle()).unwrap();
+    let body = model.add_pd_region(solid, &rectangle(0.0, 0.0, 8.0, 10.0), 1.0, 3).unwrap();
+    let crack = model.add_crack(&[[0.0, 5.5], [8.0, 5.5]]).unwrap();
+    model.add_crack_pressure(crack, 0.0, 0.1).unwrap();
+    let top = model.fix_edge(body, 3, Component::Both).unwrap();
+    model.fix_edge(body, 1, Component::Both).unwrap();
+    model.step(1.0).unwrap();
+    assert!((model.reaction(top).unwrap()[1] + 0.8).abs() < 1e-9);
 }
