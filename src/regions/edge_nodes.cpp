@@ -41,6 +41,7 @@ std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization
   const std::vector<PlacedNode> placed = nodes_in_order(d, region_id, span);
   const std::map<int, int> entries = entries_of(region, placed);
   std::vector<EdgeNode> all;
+  all.reserve(placed.size());
   for (const PlacedNode& n : placed)
     all.push_back({n.node, entries.at(n.node), n.fraction, force[2 * n.node] / region.elasticity().thickness});
   return all;
