@@ -1014,7 +1014,8 @@ BEMPD_API bempd_status bempd_copy_edge_elements(bempd_model* model, int32_t regi
  *
  * The forces do work on the displacements of the nodes and on nothing else: those of an edge that a support holds sum
  * to bempd_edge_reaction(), those on both sides of an interface to zero, and all that act on a region, with its loads,
- * balance, each to rounding. The ends that edges share are divided as there. Regions whose bonds cross where they touch
+ * balance, each to rounding (regions do not in scheme "paper", which has no forces on the peridynamic side of an
+ * interface). The ends that edges share are divided as there. Regions whose bonds cross where they touch
  * are one body in this: between them there are no forces of an edge.
  * @param[in] model the model @param[in] region id of a region
  * @param[in] edge number of an edge that a support holds or that is an interface

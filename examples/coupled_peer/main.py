@@ -3,7 +3,7 @@ repeated until both agree.
 
 usage: main.py [--peer numpy|dolfinx|both] [--short] [FOLDER]
     --peer    the program that has the block; both runs both and compares them
-    --short   a coarse lattice and no picture, as a test
+    --short   a coarse lattice, trials until 1e-6 and no picture, as a test
     FOLDER    for the picture; out/coupled_peer without it
 """
 
@@ -71,7 +71,8 @@ class QuasiNewton:
         return displacement + change + (answers @ weights).reshape(change.shape)
 
 
-def agree(specimen: Specimen, peer, temperature: np.ndarray, guess: np.ndarray, hours: float, torn: bool = False):
+def agree(specimen: Specimen, peer, temperature: np.ndarray, guess: np.ndarray, hours: float, torn: bool = False,
+          precision: float = 1e-9):
     """The fixed point of one step; None if the step breaks too much. `torn`: the specimen breaks however short the step
     is, so that trials go on from each other: what has broken while the block gave way stays broken."""
     start = specimen.model.save()
@@ -83,7 +84,7 @@ def agree(specimen: Specimen, peer, temperature: np.ndarray, guess: np.ndarray, 
         if report.broken_bonds > MOST_BONDS and not report.separated and not torn:
             break
         change = peer.displacement(temperature, forces) - displacement
-        if np.abs(change).max() <= 1e-9 * np.abs(displacement).max() + 1e-15:
+        if np.abs(change).max() <= precision * np.abs(displacement).max() + 1e-15:
             return displacement, forces, report, trial
         if torn and report.broken_bonds:
             newton = QuasiNewton()  # it is another body now
@@ -94,7 +95,7 @@ def agree(specimen: Specimen, peer, temperature: np.ndarray, guess: np.ndarray, 
     return None
 
 
-def run(peer, specimen: Specimen) -> list[dict]:
+def run(peer, specimen: Specimen, precision: float) -> list[dict]:
     specimen.couple(peer.points)
     specimen.model.prepare()
     temperature, displacement, hours, step = peer.start, np.zeros_like(peer.points), 0.0, STEP
@@ -104,7 +105,7 @@ def run(peer, specimen: Specimen) -> list[dict]:
             raise SystemExit("not so: the specimen tears within 100 steps")
         trial = peer.cooled(temperature, max(COLDEST, -COOLING * (hours + step)), step)
         torn = step < STEP / 500
-        found = agree(specimen, peer, trial, displacement, hours + step, torn)
+        found = agree(specimen, peer, trial, displacement, hours + step, torn, precision)
         if found is None:
             step /= 2
             continue
@@ -151,7 +152,7 @@ def compare(one: list[dict], other: list[dict]) -> str:
     if len(one) != len(other) or any(a["bonds"] != b["bonds"] for a, b in zip(one, other)):
         raise SystemExit("not so: both programs break the same bonds in the same steps")
     apart = max(abs(a["force"] - b["force"]) for a, b in zip(one, other)) / max(a["force"] for a in one)
-    if apart > 1e-6:
+    if apart > 1e-8:
         raise SystemExit(f"not so: both programs find the same forces; they differ by {apart:.1e}")
     return f"the same bonds in the same {len(one)} steps; forces {apart:.1e} of the largest apart"
 
@@ -163,11 +164,11 @@ def main() -> None:
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=pathlib.Path("out/coupled_peer"))
     arguments = parser.parse_args()
     modules = {"numpy": ["block"], "dolfinx": ["block_dolfinx"], "both": ["block", "block_dolfinx"]}[arguments.peer]
-    spacing = 0.001 if arguments.short else 0.0005
+    spacing, precision = (0.001, 1e-6) if arguments.short else (0.0005, 1e-9)
     results = []
     for module in modules:
         peer, specimen = importlib.import_module(module).Peer(Block()), Specimen(spacing)
-        rows = run(peer, specimen)
+        rows = run(peer, specimen, precision)
         print(f"block in {peer.name}\n{table(rows)}")
         if rows[-1]["bonds"] == 0 or rows[-1]["force"] > 0.05 * max(row["force"] for row in rows):
             raise SystemExit("not so: the specimen tears")

@@ -13,6 +13,16 @@ namespace {
 
 using EdgeWithNumber = std::pair<int, int>;  // id of the region, number
 
+std::vector<char> nodes_of_bonded_regions_before(const regions::Discretization& d, const std::vector<int>& body) {
+  std::vector<char> found(d.positions.size(), 0);
+  for (const auto& region : d.regions) {
+    if (region->id() >= body.front()) break;
+    if (!region->bonds()) continue;
+    for (const int node : region->nodes()) found[static_cast<std::size_t>(node)] = 1;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<regions::EdgeNode> Model::edge_nodes(int region, int edge) {
@@ -31,17 +41,34 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
   const regions::Discretization& d = prepared_->discretization;
   const fracture::EvolutionState& state = prepared_->evolution->state();
   const coupling::EquilibriumSystem& system = *prepared_->system;
-  std::set<int> terms;
+  std::vector<int> terms;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(state.total_displacement.size());
   for (const int id : body) {
     const std::vector<int> own = d.region(id).terms();
-    terms.insert(own.begin(), own.end());
+    terms.insert(terms.end(), own.begin(), own.end());
     force += system.force_of_operator(d.region(id).nodes(), state.total_displacement, state.load_factor);
   }
-  const std::vector<int> each_once(terms.begin(), terms.end());
-  force += system.force_of_terms(each_once, state.total_displacement, state.load_factor);
+  if (body.size() > 1) {  // which share terms
+    std::sort(terms.begin(), terms.end());
+    terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  }
+  force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
   scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
-  const coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
+  coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
+  // Loads that pieces which came free have lost, and a fluid that has reached bonds, which is nobody's load by name.
+  coupling::Affine given = prepared_->conditions.force;
+  system.ties().collect(given);
+  const coupling::Affine beside = system.force() - given;
+  const std::vector<char> others = nodes_of_bonded_regions_before(d, body);
+  const bool has_fluid = d.region(body.front()).bonds() && !prepared_->conditions.crack_pressures.empty();
+  for (Eigen::Index node = 0; 2 * node < loads.rows(); ++node) {
+    const auto place = static_cast<std::size_t>(node);
+    if (state.unloaded[place]) {
+      loads.middleRows<2>(2 * node).setZero();
+    } else if (has_fluid && !others[place]) {
+      loads.middleRows<2>(2 * node) += beside.middleRows<2>(2 * node);
+    }
+  }
   return force - coupling::evaluate(loads, state.load_factor);
 }
 
@@ -49,9 +76,14 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
 // share of what then is missing or left.
 std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = prepared_->discretization;
+  if (!regions::is_in_contact(d, region_id, edge)) return {};
   const std::vector<int> body = regions::regions_of_body(d, region_id);
   const std::vector<int> wanted = regions::interface_nodes(scene_, d, body, region_id, edge);
   if (wanted.empty()) return {};
+  require(!d.region(region_id).bonds() || options_.text_value("scheme") != "paper", "edge ", edge, " of region ",
+          region_id,
+          " is an interface, and in scheme paper the points along it are none of its nodes; ask for the edge "
+          "of the boundary element region there");
   Eigen::VectorXd force = forces_from_outside(body);
   std::set<EdgeWithNumber> held;
   for (const scene::Condition& support : scene_.supports()) {

@@ -13,10 +13,13 @@ namespace {
 
 bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
 
-std::map<int, int> entries_by_node(const Region& region) {
-  const std::vector<int> entries = region.entries_of_nodes();
+// Of some nodes of a region, which may have many more.
+std::map<int, int> entries_of(const Region& region, const std::vector<PlacedNode>& placed) {
   std::map<int, int> of_node;
-  for (std::size_t i = 0; i < entries.size(); ++i) of_node.emplace(region.nodes()[i], entries[i]);
+  for (const PlacedNode& n : placed) of_node.emplace(n.node, -1);
+  const std::vector<int> entries = region.entries_of_nodes();
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (const auto wanted = of_node.find(region.nodes()[i]); wanted != of_node.end()) wanted->second = entries[i];
   return of_node;
 }
 
@@ -35,9 +38,11 @@ std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(d.positions.size()));
   region.add_traction(
       span, [](const Point&) { return Point(1, 0); }, force);
-  const std::map<int, int> entries = entries_by_node(region);
+  const std::vector<PlacedNode> placed = nodes_in_order(d, region_id, span);
+  const std::map<int, int> entries = entries_of(region, placed);
   std::vector<EdgeNode> all;
-  for (const PlacedNode& n : nodes_in_order(d, region_id, span))
+  all.reserve(placed.size());
+  for (const PlacedNode& n : placed)
     all.push_back({n.node, entries.at(n.node), n.fraction, force[2 * n.node] / region.elasticity().thickness});
   return all;
 }
@@ -66,11 +71,18 @@ std::vector<int> edge_cells(const Discretization& d, int region, const std::vect
 
 std::vector<int> regions_of_body(const Discretization& d, int region) {
   const int count = static_cast<int>(d.regions.size());
+  const auto has_bonds = [](const auto& r) { return r->bonds().has_value(); };
+  if (!d.region(region).bonds() || std::count_if(d.regions.begin(), d.regions.end(), has_bonds) == 1) return {region};
   linalg::DisjointSets bodies(count);
-  std::map<int, int> first_with;  // by terms
-  for (int r = 0; r < count; ++r)
-    for (const int term : d.regions[static_cast<std::size_t>(r)]->terms())
-      bodies.join(first_with.emplace(term, r).first->second, r);
+  std::vector<int> first_with;  // by terms
+  for (int r = 0; r < count; ++r) {
+    for (const int term : d.regions[static_cast<std::size_t>(r)]->terms()) {
+      const auto place = static_cast<std::size_t>(term);
+      if (first_with.size() <= place) first_with.resize(std::max(place + 1, 2 * first_with.size()), -1);
+      if (first_with[place] < 0) first_with[place] = r;
+      bodies.join(first_with[place], r);
+    }
+  }
   const auto wanted =
       std::find_if(d.regions.begin(), d.regions.end(), [&](const auto& r) { return r->id() == region; });
   const int body = bodies.find(static_cast<int>(wanted - d.regions.begin()));
@@ -96,6 +108,11 @@ coupling::Affine loads_on(const scene::Scene& scene, const Discretization& d, co
     if (!load.removed() && acts(*load.place)) load.place->add_load(scene, d, static_cast<int>(l), c);
   }
   return c.force;
+}
+
+bool is_in_contact(const Discretization& d, int region, int edge) {
+  return std::any_of(d.arrangement.contacts.begin(), d.arrangement.contacts.end(),
+                     [&](const Contact& contact) { return contact.region == region - 1 && contact.edge == edge - 1; });
 }
 
 std::vector<int> interface_nodes(const scene::Scene& scene, const Discretization& d, const std::vector<int>& body,

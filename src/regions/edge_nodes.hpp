@@ -30,6 +30,9 @@ std::vector<int> regions_of_body(const Discretization& discretization, int regio
 coupling::Affine loads_on(const scene::Scene& scene, const Discretization& discretization,
                           const std::vector<int>& regions);
 
+// Whether an edge has a part in common with another region.
+bool is_in_contact(const Discretization& discretization, int region, int edge);
+
 // Nodes that an edge shares with regions outside its body, where it is an interface.
 std::vector<int> interface_nodes(const scene::Scene& scene, const Discretization& discretization,
                                  const std::vector<int>& body, int region, int edge);

@@ -270,6 +270,30 @@ static void regions_that_act_as_one_have_no_forces_between_them(void) {
   bempd_model_free(model);
 }
 
+/** Points of the scheme "paper" lie inside their cells: the other side of the interface has its forces. */
+static void the_scheme_paper_has_forces_on_one_side(void) {
+  bempd_model* model = new_model();
+  const int32_t material = add_sound_material(model);
+  const double pull[1] = {0.01};
+  int32_t pulled = 0;
+  double forces[2 * MOST], reaction[2];
+  static edge_of_region edge;
+  if (bempd_set_option_text(model, "scheme", "paper") != BEMPD_OK) { /* the library was built without it */
+    bempd_model_free(model);
+    return;
+  }
+  add_bem_rectangle(model, material, 0.0, 0.0, 10.0, 8.0, 1.0);
+  add_pd_rectangle(model, material, 10.0, 0.0, 20.0, 8.0, 1.0);
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_prescribe_edge(model, 2, 2, 0.0, 1.0, BEMPD_X, 1, pull, NULL, &pulled));
+  look(model, 1, 2, &edge);
+  CHECK_OK(model, bempd_reaction(model, pulled, reaction));
+  CHECK(close_to(sum_of(edge.forces, edge.count, 0, 2), reaction[0], reaction[0], 1e-10));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "scheme paper", bempd_copy_edge_forces(model, 2, 4, MOST, forces));
+  CHECK_OK(model, bempd_copy_edge_forces(model, 2, 2, MOST, forces));
+  bempd_model_free(model);
+}
+
 int main(void) {
   forces_of_a_held_edge_sum_to_its_reaction();
   constant_stress_gives_forces_by_the_weights();
@@ -279,5 +303,6 @@ int main(void) {
   regions_balance_where_edges_share_a_node();
   edges_without_forces_are_refused();
   regions_that_act_as_one_have_no_forces_between_them();
+  the_scheme_paper_has_forces_on_one_side();
   return check_finish();
 }

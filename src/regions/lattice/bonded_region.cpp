@@ -25,6 +25,7 @@ double BondedRegion::critical_stretch(const Preparation& preparation) const {
 
 std::vector<int> BondedRegion::terms() const {
   std::vector<int> all;
+  all.reserve(network()->bonds.size());
   for (std::size_t bond = 0; bond < network()->bonds.size(); ++bond) all.push_back(static_cast<int>(scene_bond(bond)));
   const auto of_a_cell = static_cast<int>(bonds_.squares.empty() ? 0 : pd::cell_squares(elasticity()).size());
   for (const int first : bonds_.squares)

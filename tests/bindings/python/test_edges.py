@@ -31,6 +31,51 @@ def test_forces_on_both_sides_of_an_interface_balance(strip):
     np.testing.assert_allclose(one.sum(axis=0), -model.reaction(strip.held), atol=1e-10 * abs(one).sum())
 
 
+@pytest.mark.parametrize("pressed", ["crack", "torn edge"])
+def test_interfaces_balance_where_loads_come_and_go(pressed):
+    """A fluid in a crack beside the interface pushes its nodes; a piece that is torn off has lost its load."""
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=1000, poisson_ratio=1 / 4, fracture_energy=1)
+    left = model.add_bem_region(glass, bempd.rectangle(0, 0, 10, 8), element_length=2)
+    strip = model.add_pd_region(glass, bempd.rectangle(10, 0, 20, 8), spacing=1, horizon_ratio=3)
+    held = model.fix_edge(left, 4)
+    if pressed == "crack":
+        crack = model.add_crack([(10.5, 0), (10.5, 5.5)])
+        model.add_crack_pressure(crack, 0.5)
+        model.fix_edge(strip, 2)
+    else:
+        model.remove_support(held)
+        model.fix_edge(strip, 2)
+        model.add_crack([(10.5, 0), (10.5, 8)])
+        model.add_traction(left, 3, "x", 0.1)
+    report = model.step(1)
+    one, other = model.edge_forces(left, 2), model.edge_forces(strip, 4)
+    np.testing.assert_allclose(one, -other[::-1], atol=1e-12)
+    if pressed == "crack":
+        np.testing.assert_allclose(one.sum(axis=0), -model.reaction(held), atol=1e-12)
+        assert abs(one).max() > 0.1
+    else:
+        assert report.fragments == 1 and abs(one).max() < 1e-12
+
+
+def test_interfaces_balance_where_a_step_has_stopped_on_its_way():
+    """Loads are those of the way there, not those that the host has set for its end."""
+    strip = make_strip()
+    model = strip.model
+    load = model.add_traction(strip.middle, 3, "y", constant=0)
+    model.set_load_values(load, constant=-2e5)
+    model.set_support_values(strip.pulled, constant=2e-4)
+    report = model.step_to_values(1.0, until="event")
+    assert report.stop_reason == bempd.StopReason.EVENT and 0.1 < report.load_factor < 0.9
+    scale = abs(model.reaction(strip.pulled)[0])
+    total = 0.005 * 0.02 * -2e5 * report.load_factor
+    for region, own, other in ((strip.left, 2, 4), (strip.right, 4, 2)):
+        one, middle = model.edge_forces(region, own), model.edge_forces(strip.middle, other)
+        np.testing.assert_allclose(one, -middle[::-1], atol=1e-11 * scale)
+        total += middle.sum(axis=0)[1]
+    assert abs(total) < 1e-11 * scale
+
+
 def test_nodes_lie_in_order_with_their_weights(strip):
     model = strip.model
     for region, edge in ((strip.left, 3), (strip.middle, 1), (strip.right, 2)):
