@@ -14,9 +14,9 @@
 
 #include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
-#include "coupling/rigid_motion.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "fracture/interface_bonds.hpp"
+#include "model/answers.hpp"
 #include "model/fingerprint.hpp"
 #include "model/host_listener.hpp"
 #include "model/saved_state.hpp"
@@ -35,15 +35,6 @@
 
 namespace bempd::model {
 
-struct StepResult {
-  fracture::StopReason reason;
-  std::int64_t events = 0;
-  std::int64_t broken_bonds = 0;
-  std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
-  std::int64_t face_switches = 0;   // places where faces have closed or opened
-  double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
-};
-
 // Everything that is built from a finished scene.
 struct PreparedScene {
   SceneFingerprint fingerprint;
@@ -58,28 +49,7 @@ struct PreparedScene {
   std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
 
-struct GrowthResult {
-  int tips = 0;   // that have grown
-  int ended = 0;  // of them at an edge, a hole or another crack
-  double load_factor = 0;
-  double length = 0;  // of all extensions
-  double released_energy = 0;
-};
-
 struct Growing;
-
-// Sets of nodes that bonds and boundary elements join.
-struct Pieces {
-  std::vector<std::vector<int>> nodes;
-  std::vector<int> of_node;  // numbers from 1
-};
-
-struct PieceState {
-  std::int64_t nodes = 0;
-  int supports = 0, loads = 0;  // that hold and load it
-  int free_motions = 0;         // rigid ones that supports leave it
-  coupling::RigidFit motion;
-};
 
 // A scene, its state, and what can be asked of them.
 class Model {
