@@ -142,8 +142,8 @@ void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const 
 
 void EquilibriumSystem::add_pressing_supports(const Affine& support, Affine& load) const {
   contacts_.for_each_closed([&](const Contact& contact) {
-    const Eigen::RowVector2d tension = contact.stiffness * Eigen::RowVector2d(contact.gap(support.col(0).data()),
-                                                                              contact.gap(support.col(1).data()));
+    const Eigen::RowVector2d tension =
+        contact.stiffness * Eigen::RowVector2d(contact.gap(support.col(0).data()), contact.gap(support.col(1).data()));
     for (const TermEntry& e : contact.pull) {
       load.row(2 * e.node) -= e.x * tension;
       load.row(2 * e.node + 1) -= e.y * tension;

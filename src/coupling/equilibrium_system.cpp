@@ -187,8 +187,8 @@ void EquilibriumSystem::condense_load() {
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
   const auto make = [&](const Contacts& with_room) {
-    assembly_ = std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(),
-                                                    with_room);
+    assembly_ =
+        std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(), with_room);
   };
   // Faces that never touch leave the pattern as it is.
   if (!assembly_) make({});

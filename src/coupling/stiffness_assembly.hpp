@@ -32,8 +32,8 @@ class StiffnessAssembly {
   StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                     const std::vector<CondensedOperator>& operators, bool symmetric, const Contacts& contacts = {});
 
-  // A term that is gone has the stiffness 0; its entries stay, so that the pattern does not change. Closed contacts have
-  // room.
+  // A term that is gone has the stiffness 0; its entries stay, so that the pattern does not change. Closed contacts
+  // have room.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
                                          const std::vector<HoldingSpring>& springs, const Contacts& contacts = {});
   bool has_room_for(const Contacts& contacts) const;  // the closed ones

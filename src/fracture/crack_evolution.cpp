@@ -13,8 +13,7 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
                                std::vector<double> critical_stretch, const std::vector<int>& cut,
                                std::vector<std::vector<int>> reaction_dofs, ContactPlan contact)
     : system_(system),
-      body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), std::move(contact),
-            state_),
+      body_(system, positions, std::move(critical_stretch), cut, std::move(reaction_dofs), std::move(contact), state_),
       sources_(body_, cut) {
   state_.work = body_.energy_at_rest();
 }

@@ -37,8 +37,8 @@ struct Event {
 struct Outcome {
   std::int64_t broken = 0;    // terms that are gone
   std::int64_t switches = 0;  // places of faces that have closed or opened
-  double work_before = 0;   // of the loads on the way to the event
-  double work = 0;          // of the event itself
+  double work_before = 0;     // of the loads on the way to the event
+  double work = 0;            // of the event itself
   double released_energy = 0;
   double bond_energy = 0;             // of it, what the terms take where they just reach their critical values
   double stored_energy = 0;           // after it

@@ -81,7 +81,7 @@ struct Sums {
   double residual = 0;  // at the last line of the history
   Resistance resistance;
   std::int64_t contact_switches = 0;  // places of faces that have closed or opened
-  double work_out_of_balance = 0;  // of loads since equilibrium was lost, as far as it is stored
+  double work_out_of_balance = 0;     // of loads since equilibrium was lost, as far as it is stored
 };
 
 // Everything that a run changes. Copying it saves the run; the factorization is rebuilt from it.

@@ -82,7 +82,7 @@ class LoadedBody {
     update_faces();
     bar_contacts_of_held_parts();
   }
-  void restore();        // system and ratios to the state, which the caller has changed
+  void restore();  // system and ratios to the state, which the caller has changed
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
   double energy_at_rest() const;

@@ -151,7 +151,7 @@ void CrackFaces::renew(int term, const Eigen::VectorXd& displacement, FaceState&
   GrownFace& face = state.grown[number];
   if (normal == Point(face.normal_x, face.normal_y)) return;
   std::optional<Contact> contact = contact_at(term, normal);
-  if (!contact || !(contact->gap(displacement.data()) > 0)) return;
+  if (!contact || contact->gap(displacement.data()) < -gap_rounding(displacement.lpNorm<Eigen::Infinity>())) return;
   face.normal_x = normal.x(), face.normal_y = normal.y();
   system_.replace_open_contact(place, std::move(*contact));
 }

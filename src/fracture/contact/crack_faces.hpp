@@ -78,11 +78,11 @@ class CrackFaces {
   ContactPlan plan_;
   std::vector<int> cut_;  // ascending
   std::size_t initial_count_ = 0;
-  double reach_ = 1;                                             // of what tells a normal [m]
-  std::unordered_map<std::uint64_t, std::vector<int>> parted_;   // neighbours, by where their middles are
-  std::unordered_set<int> entered_;                              // the same as a set
-  std::unordered_map<int, std::size_t> grown_;                   // term -> its place among the grown ones
-  std::vector<std::vector<int>> gone_;  // since the last update, together what went together
+  double reach_ = 1;                                            // of what tells a normal [m]
+  std::unordered_map<std::uint64_t, std::vector<int>> parted_;  // neighbours, by where their middles are
+  std::unordered_set<int> entered_;                             // the same as a set
+  std::unordered_map<int, std::size_t> grown_;                  // term -> its place among the grown ones
+  std::vector<std::vector<int>> gone_;                          // since the last update, together what went together
 };
 
 // Places that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction counts: 1

@@ -42,8 +42,7 @@ class Lookahead {
   };
 
   Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
-            const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs,
-            CrackFaces& faces);
+            const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs, CrackFaces& faces);
 
   // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
   void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }

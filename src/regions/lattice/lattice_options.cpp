@@ -46,7 +46,8 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "bond | line", "bond")),
       scene::shaping(scene::text_option(
           "pd.contact",
-          "What faces of cracks in peridynamic regions of scheme symmetric do where they meet: faces, they press on each "
+          "What faces of cracks in peridynamic regions of scheme symmetric do where they meet: faces, they press on "
+          "each "
           "other without friction; rough, every broken bond presses along itself, so that closed faces hardly slide; "
           "none, they pass through each other.",
           "faces | rough | none", "faces"))};
