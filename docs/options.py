@@ -59,8 +59,10 @@ def page() -> str:
         family = option.name.split(".")[0] if "." in option.name else ""
         groups.setdefault(titles.get(family, family.capitalize() if family else "General"), []).append(row(option))
     text = HEAD
-    for title, rows in groups.items():
-        text += f"\n## {title}\n\n| name | default | legal | what it does |\n|---|---|---|---|\n" + "\n".join(rows) + "\n"
+    # The library's own order is that of its files, which is not the same in every build.
+    order = ["General", *titles.values()]
+    for title, rows in sorted(groups.items(), key=lambda group: (order.index(group[0]) if group[0] in order else len(order), group[0])):
+        text += f"\n## {title}\n\n| name | default | legal | what it does |\n|---|---|---|---|\n" + "\n".join(sorted(rows)) + "\n"
     return text
 
 

@@ -133,19 +133,19 @@ class Lattice {
 
   std::vector<double> ratios(const Criterion& criterion, const Eigen::VectorXd& u) const {
     const coupling::Terms& terms = system_->terms();
-    std::vector<double> stretch(terms.size()), result(terms.size(), 0.0);
-    for (std::size_t b = 0; b < terms.size(); ++b) stretch[b] = terms.elongation(b, u.data()) / terms.length[b];
+    const std::vector<double> none(terms.size(), 0.0);
+    std::vector<double> stretch(terms.size()), scale(terms.size()), result(terms.size(), 0.0);
+    for (std::size_t b = 0; b < terms.size(); ++b) {
+      scale[b] = 1 / terms.length[b];
+      stretch[b] = terms.elongation(b, u.data()) * scale[b];
+    }
+    fracture::AffineRelief relief;
+    across_.relieve(none, stretch, scale, system_->intact(), relief);
     for (std::size_t b = 0; b < terms.size(); ++b) {
       if (!system_->intact()[b]) continue;
-      double sum = 0;
-      int count = 0;
-      for (const int other : across_.of(b)) {
-        if (!system_->intact()[static_cast<std::size_t>(other)]) continue;
-        sum += stretch[static_cast<std::size_t>(other)];
-        ++count;
-      }
-      // Without a bond across nothing is known of what lies there: as if it were free to follow.
-      result[b] = criterion.ratio(stretch[b], count > 0 ? sum / count : -nu * stretch[b]);
+      // What the library takes off is -nu / (1 - nu^2) (across + nu own).
+      const double across = -(1 - nu * nu) / nu * relief.proportional[b] - nu * stretch[b];
+      result[b] = criterion.ratio(stretch[b], across);
     }
     return result;
   }

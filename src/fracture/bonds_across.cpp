@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+
+#include "linalg/adjacency.hpp"
 
 namespace bempd::fracture {
 
@@ -10,6 +13,9 @@ namespace {
 
 // Up to which directions are at right angles and lengths equal.
 constexpr double same = 1e-9;
+
+// Sum of the squares of the weights of two bonds from which on they say too little of what lies across.
+constexpr double most_weight = 16;
 
 }  // namespace
 
@@ -27,21 +33,55 @@ BondsAcross::BondsAcross(const coupling::Terms& terms) {
       add(terms.second[t], static_cast<int>(t));
     }
   });
-  const auto is_across = [&](std::size_t bond, int other) {
-    const auto o = static_cast<std::size_t>(other);
-    const double cosine = terms.cosine[bond] * terms.cosine[o] + terms.sine[bond] * terms.sine[o];
-    return std::abs(cosine) < same && std::abs(terms.length[o] - terms.length[bond]) < same * terms.length[bond];
-  };
-  across_.offset.assign(1, 0);
   for (std::size_t t = 0; t < count; ++t) {
     if (contraction_[t] > 0) {
-      for (const int node : {terms.first[t], terms.second[t]}) {
-        for (const int other : bonds_of.of(node))
-          if (is_across(t, other)) across_.value.push_back(other);
-      }
+      const int ends[] = {terms.first[t], terms.second[t]};
+      for (const int node : ends) add_at_right_angles(terms, t, bonds_of.of(node));
+      if (estimates_.size() == start_.back())
+        for (const int node : ends) add_by_two(terms, t, bonds_of.of(node));
     }
-    across_.offset.push_back(static_cast<int>(across_.value.size()));
+    start_.push_back(estimates_.size());
   }
+}
+
+void BondsAcross::add_at_right_angles(const coupling::Terms& terms, std::size_t bond, std::span<const int> at_node) {
+  for (const int other : at_node) {
+    const auto o = static_cast<std::size_t>(other);
+    const double cosine = terms.cosine[bond] * terms.cosine[o] + terms.sine[bond] * terms.sine[o];
+    if (std::abs(cosine) < same && std::abs(terms.length[o] - terms.length[bond]) < same * terms.length[bond])
+      estimates_.push_back({{other, other}, 0, {0.5, 0.5}});
+  }
+}
+
+// Of all pairs the one with the least weights. A bond at the angle f to this one has the stretch
+// a cos^2 f + b sin^2 f + g sin f cos f, from which two eliminate the shear g.
+void BondsAcross::add_by_two(const coupling::Terms& terms, std::size_t bond, std::span<const int> at_node) {
+  std::optional<Estimate> best;
+  double least = most_weight;
+  const auto angle = [&](int other) {
+    const auto o = static_cast<std::size_t>(other);
+    return std::pair(terms.cosine[bond] * terms.cosine[o] + terms.sine[bond] * terms.sine[o],
+                     terms.cosine[bond] * terms.sine[o] - terms.sine[bond] * terms.cosine[o]);
+  };
+  for (const int one : at_node) {
+    for (const int other : at_node) {
+      if (other <= one) continue;
+      const auto [c, s] = angle(one);
+      const auto [d, t] = angle(other);
+      const double area = s * t * (s * d - t * c);  // of sin^2 and sin cos of both
+      if (!(std::abs(area) > same)) continue;
+      const double first = t * d / area, second = -s * c / area;
+      const double weights = first * first + second * second;
+      if (weights >= least) continue;
+      least = weights;
+      const double own = -(first * c * c + second * d * d);
+      best = Estimate{{one, other},
+                      own,
+                      {first * terms.length[bond] / terms.length[static_cast<std::size_t>(one)],
+                       second * terms.length[bond] / terms.length[static_cast<std::size_t>(other)]}};
+    }
+  }
+  if (best) estimates_.push_back(*best);
 }
 
 BondsAcross BondsAcross::chosen(std::span<const int> number, const std::function<int(int)>& place_of,
@@ -49,17 +89,19 @@ BondsAcross BondsAcross::chosen(std::span<const int> number, const std::function
   BondsAcross result;
   if (empty()) return result;
   for (const int bond : number) {
-    const auto begin = static_cast<std::ptrdiff_t>(result.across_.value.size());
     bool known = is_known(static_cast<std::size_t>(bond));
-    for (const int other : of(static_cast<std::size_t>(bond))) {
-      if (!counts(other)) continue;
-      result.across_.value.push_back(place_of(other));
-      known = known && result.across_.value.back() >= 0;
+    for (Estimate estimate : of(static_cast<std::size_t>(bond))) {
+      if (!counts(estimate.bonds[0]) || !counts(estimate.bonds[1])) continue;
+      for (int& other : estimate.bonds) {
+        other = place_of(other);
+        known = known && other >= 0;
+      }
+      result.estimates_.push_back(estimate);
     }
-    if (!known) result.across_.value.erase(result.across_.value.begin() + begin, result.across_.value.end());
+    if (!known) result.estimates_.resize(result.start_.back());
     result.contraction_.push_back(contraction_[static_cast<std::size_t>(bond)]);
     result.known_.push_back(known ? 1 : 0);
-    result.across_.offset.push_back(static_cast<int>(result.across_.value.size()));
+    result.start_.push_back(result.estimates_.size());
   }
   return result;
 }
@@ -73,12 +115,13 @@ void BondsAcross::relieve(const std::vector<double>& constant, const std::vector
     double sum[2] = {0, 0};
     int count = 0;
     if (!present[b]) continue;
-    for (const int other : of(b)) {
-      const auto o = static_cast<std::size_t>(other);
-      if (!present[o] || scale[o] == 0) continue;
-      const double to_own = scale[b] / scale[o];
-      sum[0] += constant[o] * to_own;
-      sum[1] += proportional[o] * to_own;
+    for (const Estimate& estimate : of(b)) {
+      const auto first = static_cast<std::size_t>(estimate.bonds[0]),
+                 second = static_cast<std::size_t>(estimate.bonds[1]);
+      if (!present[first] || !present[second] || scale[first] == 0 || scale[second] == 0) continue;
+      const double one = estimate.of[0] * scale[b] / scale[first], other = estimate.of[1] * scale[b] / scale[second];
+      sum[0] += estimate.own * constant[b] + one * constant[first] + other * constant[second];
+      sum[1] += estimate.own * proportional[b] + one * proportional[first] + other * proportional[second];
       ++count;
     }
     if (count == 0) continue;

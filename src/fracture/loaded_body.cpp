@@ -116,6 +116,11 @@ void LoadedBody::apply_load() {
   system_.set_load(std::move(force), prescribed_);
 }
 
+Eigen::RowVector2d LoadedBody::pressure_in(int crack) const {
+  const auto found = pressures_.find(crack);
+  return found == pressures_.end() ? Eigen::RowVector2d::Zero() : found->second;
+}
+
 Eigen::VectorXd LoadedBody::let_flow() {
   const Eigen::VectorXd before = evaluate(system_.force(), state_.load_factor);
   apply_load();

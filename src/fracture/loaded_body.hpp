@@ -46,6 +46,8 @@ class LoadedBody {
   // Before the first loads.
   void let_in(CrackFluid fluid) { fluid_ = std::move(fluid); }
   bool has_fluid() const { return !fluid_.empty(); }
+  // Constant and proportional part of what the host has said of a crack.
+  Eigen::RowVector2d pressure_in(int crack) const;
   // Lets it follow what has broken: force [N] that it adds by that at the present load factor.
   Eigen::VectorXd let_flow();
 

@@ -9,6 +9,7 @@ struct TipLaw {
   double thickness = 1;  // [m]
   double modulus = 0;    // E, in plane strain E / (1 - nu^2) [Pa]
   double toughness = 0;  // [Pa m^(1/2)]; infinite for a material that does not break
+  int crack = 0;         // id of the one whose tip it is
 };
 
 }  // namespace bempd::pd

@@ -98,8 +98,10 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const Discretization
     for (const auto& [end, before] : {std::pair(points.front(), points[1]), std::pair(points.back(), points.end()[-2])})
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), end, d.tolerance) != Location::inside) continue;
-        if (const std::optional<pd::TipLaw> law = region->tip_law(options))
+        if (std::optional<pd::TipLaw> law = region->tip_law(options)) {
+          law->crack = static_cast<int>(c) + 1;
           tips.push_back({end, (end - before).normalized(), *law});
+        }
       }
   }
   return tips;

@@ -52,6 +52,17 @@ TEST(Compression, without_it_a_sound_block_bears_any_pressure) {
     EXPECT_TRUE(std::isinf(strength(block, "opening", 1e4))) << block.nu;
 }
 
+// With points on the outline, whatever the direction of the lattice's rows.
+TEST(Compression, without_it_blocks_on_any_lattice_bear_any_pressure) {
+  for (const double angle : {0.0, 0.4}) {
+    Model model;
+    model.set_text("pd.outline_points", "always");
+    model.set("pd.lattice_angle", angle);
+    build(model, {}, "opening");
+    EXPECT_NE(model.next_event(1e4 * 20 * critical).stop_reason, BEMPD_STOP_EVENT) << angle;
+  }
+}
+
 TEST(Compression, between_rough_plates_more_is_borne) {
   const Block rough{1.0 / 3, BEMPD_PLANE_STRESS, false, true};
   const double before = strength(rough, "stretch", 1e4), now = strength(rough, "opening", 1e4);

@@ -60,7 +60,7 @@ std::optional<LineEvents::Step> LineEvents::step_of(std::size_t number) const {
   const BodyState& state = body_.state();
   const GrowingTip& tip = state.tips[number];
   const pd::TipLaw& law = laws_[static_cast<std::size_t>(tip.law)];
-  const TipIntensity intensity = stress_.at(tip, law, state.displacement);
+  const TipIntensity intensity = stress_.at(tip, law, state.displacement, body_.pressure_in(law.crack));
   Step step{number, tip.direction, 0, state.load_factor, 0, 0, {}};
   // Without constant loads the kink does not depend on the load factor.
   const bool proportional = intensity.near.one[0] == 0 && intensity.near.two[0] == 0;

@@ -93,7 +93,8 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
   return sum / (law.spacing * law.spacing * law.thickness);
 }
 
-TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement) const {
+TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                           const Eigen::RowVector2d& pressure) const {
   Eigen::RowVector2d opening(0, 0), shear(0, 0);
   double total = 0;
   Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
@@ -102,7 +103,8 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm(), ahead = step.dot(tip.direction);
     if (r >= outer_reach || ahead < fitted_cosine * r || bonds_at_.of(static_cast<int>(node)).empty()) continue;
-    const Stress s = stress(static_cast<int>(node), tip.direction, law, displacement);
+    Stress s = stress(static_cast<int>(node), tip.direction, law, displacement);
+    s.topRows<2>().rowwise() += pressure;
     if (r < near_reach && ahead >= near_cosine * r) {
       const double bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
       opening += weight * s.row(1);

@@ -28,7 +28,10 @@ class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement) const;
+  // `pressure`: in its crack, constant and proportional part. The body is looked at under that on all sides besides, by
+  // which the crack's faces are free.
+  TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                  const Eigen::RowVector2d& pressure) const;
 
   // Bonds that are left at a node.
   template <class Visit>
