@@ -52,8 +52,12 @@ static void a_loop_without_a_break_returns_its_work(void) {
   const coupled_plate plate = coupled_plate_create();
   const double top[] = {1.0}, up[] = {0.05};
   const double times[] = {2.0, 3.5, 4.0, 5.0}, loop[] = {0.02, -0.05, -0.05, 0.0};
-  bempd_step_report report = run(&plate, 1, top, up, BEMPD_UNTIL_VALUES);
-  const double force = force_of(&plate), work = report.work;
+  bempd_step_report report;
+  double force, work;
+  CHECK_OK(plate.model, bempd_set_option_text(plate.model, "pd.contact", "none")); /* the same both ways */
+  report = run(&plate, 1, top, up, BEMPD_UNTIL_VALUES);
+  force = force_of(&plate);
+  work = report.work;
   CHECK(report.events == 0 && force > 0.0 && work > 0.0);
   report = run(&plate, 3, times, loop, BEMPD_UNTIL_VALUES);
   CHECK_CLOSE(report.work, work, 1e-12 * work);
