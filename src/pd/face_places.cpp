@@ -18,6 +18,9 @@ constexpr double nearest_side = 0.5, next_side = 0.1, farthest_side = 1.6;
 
 constexpr double no_weight = 1e-9;
 
+// A piece of a crack that comes so close to a column ends on it [spacings].
+constexpr double on_a_line = 1e-9;
+
 Eigen::Vector2i rounded(const Point& p) { return p.array().round().cast<int>().matrix(); }
 
 bool row_before(const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
@@ -116,16 +119,19 @@ std::optional<FacePlace> FacePlaces::at(int lattice, const Point& place, const P
   return found;
 }
 
-FacePlaces::Crossings FacePlaces::crossings(int lattice, const Point& start, const Point& end) const {
+std::vector<FacePlaces::Crossing> FacePlaces::crossings(int lattice, const Point& start, const Point& end) const {
   const Lattice& one = lattices_[static_cast<std::size_t>(lattice)];
   const Point from = one.to_rows(start), way = one.to_rows(end) - from;
   const int axis = std::abs(way.x()) >= std::abs(way.y()) ? 0 : 1;
-  Crossings result{{}, way.norm() / std::abs(way[axis])};
   const double low = std::min(from[axis], from[axis] + way[axis]), high = std::max(from[axis], from[axis] + way[axis]);
-  // Of the two pieces that meet on a column the one has it that ends there from below.
-  for (auto line = std::floor(low) + 1; line <= high; ++line)
-    result.places.push_back(one.from_rows(from + (line - from[axis]) / way[axis] * way));
-  return result;
+  const double whole = way.norm() / std::abs(way[axis]);
+  std::vector<Crossing> found;
+  for (double line = std::ceil(low - on_a_line); line <= high + on_a_line; ++line) {
+    const bool is_end = line - low <= on_a_line || high - line <= on_a_line;
+    const double fraction = std::clamp((line - from[axis]) / way[axis], 0.0, 1.0);
+    found.push_back({one.from_rows(from + fraction * way), is_end ? 0.5 * whole : whole});
+  }
+  return found;
 }
 
 }  // namespace bempd::pd

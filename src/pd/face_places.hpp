@@ -54,12 +54,12 @@ class FacePlaces {
                               const Reaches& reaches = {}) const;
 
   // Where a straight piece of a crack crosses the columns of a lattice, or its rows if it crosses more of those, and
-  // how many spacings of the crack each stands for.
-  struct Crossings {
-    std::vector<Point> places;
-    double length = 0;
+  // how many spacings of the crack it stands for there: half as many where the piece ends on one.
+  struct Crossing {
+    Point place;
+    double length;
   };
-  Crossings crossings(int lattice, const Point& start, const Point& end) const;
+  std::vector<Crossing> crossings(int lattice, const Point& start, const Point& end) const;
 
  private:
   struct Numbered {

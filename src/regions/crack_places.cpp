@@ -56,9 +56,8 @@ std::vector<pd::FacePlace> places_on_cracks(const scene::Scene& scene, const Dis
       check_cancelled();
       const Point along = (points[k + 1] - points[k]).normalized(), normal(-along.y(), along.x());
       for (int lattice = 0; lattice < static_cast<int>(lattices.lattice_count()); ++lattice) {
-        const pd::FacePlaces::Crossings crossings = lattices.crossings(lattice, points[k], points[k + 1]);
-        for (const Point& place : crossings.places) {
-          auto one = lattices.at(lattice, place, normal, crossings.length, reaches);
+        for (const auto& [place, length] : lattices.crossings(lattice, points[k], points[k + 1])) {
+          auto one = lattices.at(lattice, place, normal, length, reaches);
           if (one) found.push_back(std::move(*one));
         }
       }
