@@ -180,7 +180,7 @@ TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
   for (int edge = 1; edge <= 4; ++edge) {
     model->editable_scene().add_support(
         {std::make_shared<const regions::EdgePart>(1, edge, 0, 1), 3,
-         scene::BoundaryFunction([middle_x](const Point& p) {
+         scene::BoundaryFunction([middle_x](const Point& p, double) {
            const double direct = -0.5e-3 * (1 - 1.0 / 3), shear = -0.5e-3 * (1 + 1.0 / 3);
            const Point away = p - Point(middle_x, middle_x);
            const Point moved(direct * away.x() + shear * away.y(), shear * away.x() + direct * away.y());
