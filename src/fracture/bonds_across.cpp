@@ -28,7 +28,7 @@ BondsAcross::BondsAcross(const coupling::Terms& terms) {
   for (std::size_t t = 0; t < count; ++t) nodes = std::max({nodes, terms.first[t] + 1, terms.second[t] + 1});
   const linalg::Adjacency bonds_of = linalg::make_adjacency(static_cast<std::size_t>(nodes), [&](const auto& add) {
     for (std::size_t t = 0; t < count; ++t) {
-      if (terms.is_wide(t)) continue;
+      if (terms.is_wide(t) || contraction_[t] == 0) continue;  // what is no bond of such a lattice
       add(terms.first[t], static_cast<int>(t));
       add(terms.second[t], static_cast<int>(t));
     }
