@@ -32,13 +32,13 @@ void SparseMinimumNorm::factorize(const Sparse& b) {
   }
 }
 
-SparseMinimumNorm::Step SparseMinimumNorm::solve(VectorXd r, double rounding) const {
+SparseMinimumNorm::Step SparseMinimumNorm::solve(VectorXd r, double least_residual) const {
   Step s{VectorXd::Zero(b_.rows()), VectorXd::Zero(b_.cols())};
   VectorXd z = precondition(r), p = z;
   double rz = r.dot(z);
   // One round need not be exact: the next one starts from the residual recomputed from the values. Nor can it be
   // more exact than that is.
-  const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * rounding);
+  const double goal = std::max(1e-5 * r.lpNorm<Eigen::Infinity>(), 0.5 * least_residual);
   for (int step = 0; step < 100 && rz > 0; ++step) {
     check_cancelled();
     const VectorXd q = bt_ * p;

@@ -21,8 +21,8 @@ class SparseMinimumNorm {
   struct Step {
     Eigen::VectorXd lambda, change;  // change = B^T lambda
   };
-  // To a share of 1e-5 of r, or `rounding`.
-  Step solve(Eigen::VectorXd r, double rounding) const;
+  // To a share of 1e-5 of r, or half of `least_residual`.
+  Step solve(Eigen::VectorXd r, double least_residual) const;
 
  private:
   Eigen::VectorXd precondition(const Eigen::VectorXd& r) const;
