@@ -60,7 +60,8 @@ struct TipValues {
   double stress_along;          // T [Pa]
   double error;                 // of the factors [Pa m^(1/2)]
   double kink_angle;            // from the direction, counter-clockwise [rad]
-  double critical_load_factor;  // at which the energy release rate is the fracture energy; the largest double if it never is
+  double critical_load_factor;  // at which the energy release rate is the fracture energy; the largest double if it
+                                // never is
   // Of a tip with elements, which grows by lengths.
   Point constant_factors = {0, 0}, proportional_factors = {0, 0};  // what the loads' parts make of K_I, K_II
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]

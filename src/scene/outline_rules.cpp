@@ -54,9 +54,10 @@ std::string describe(const OutlineCheck& check, const Outline& outline) {
       return text("edge ", b, " of the outline runs back over edge ", a, " at ", place_of(check.where),
                   "; remove the spike");
     case OutlineDefect::self_crossing:
-      return text("edges ", a, " and ", b, " of the outline cross or touch at ", place_of(check.where),
-                  "; an outline must not cross itself (where edges are meant to be arcs, give their bulges together with "
-                  "the vertices)");
+      return text(
+          "edges ", a, " and ", b, " of the outline cross or touch at ", place_of(check.where),
+          "; an outline must not cross itself (where edges are meant to be arcs, give their bulges together with "
+          "the vertices)");
     case OutlineDefect::wrong_orientation:
       if (arcs_turn_round(outline, check.loop)) {
         return "an arc bulges across the outline to its other side; give a place on the arc that is closer to the edge";

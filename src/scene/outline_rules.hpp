@@ -20,8 +20,8 @@ void require_sound(const Outline& outline);
 void require_circle(const Point& centre, double radius);
 
 // A loop of edges that are straight where bulges are not given or 0, else arcs: a bulge is the tangent of a quarter of
-// the angle that the arc turns, counter-clockwise positive (as in DXF files). Throws Error (argument) for bulges that are
-// not finite.
+// the angle that the arc turns, counter-clockwise positive (as in DXF files). Throws Error (argument) for bulges that
+// are not finite.
 void append_loop(Outline& outline, const std::vector<Point>& vertices, const std::vector<double>& bulges);
 
 // A loop of four quarter circles, of which the first begins at the place with the largest x.

@@ -16,8 +16,8 @@ struct PointChoice {
 // axes, else with points on its outline.
 class OutlinedDescription final : public LatticeDescription {
  public:
-  OutlinedDescription(int material_id, const scene::Material& material, const Outline& outline,
-                      double spacing, int horizon_ratio, const PointChoice& choice);
+  OutlinedDescription(int material_id, const scene::Material& material, const Outline& outline, double spacing,
+                      int horizon_ratio, const PointChoice& choice);
 
   const PointChoice& choice() const { return choice_; }
 
