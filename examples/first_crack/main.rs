@@ -7,11 +7,7 @@ fn main() -> bempd::Result<()> {
     let right = [[0.04, 0.0], [0.06, 0.0], [0.06, 0.02], [0.04, 0.02]];
 
     let mut model = Model::new()?;
-    let acrylic = model.add_material(
-        &Material::new(3e9, 1.0 / 3.0)
-            .thickness(0.005)
-            .fracture_energy(300.0),
-    )?;
+    let acrylic = model.add_material(&Material::new(3e9, 1.0 / 3.0).thickness(0.005).fracture_energy(300.0))?;
     let left = model.add_bem_region(acrylic, &left, 0.005)?; // elements of 5 mm
     model.add_pd_region(acrylic, &middle, 0.001, 4)?; // spacing 1 mm, horizon 4 mm
     let right = model.add_bem_region(acrylic, &right, 0.005)?;
