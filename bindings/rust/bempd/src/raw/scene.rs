@@ -70,16 +70,7 @@ impl Handle {
         let bulges = of_edges(vertices, bulges)?;
         let (count, vertices) = points(vertices);
         self.output(|model, region| unsafe {
-            sys::bempd_add_pd_region_with_arcs(
-                model,
-                material,
-                count,
-                vertices,
-                bulges,
-                spacing,
-                horizon_ratio,
-                region,
-            )
+            sys::bempd_add_pd_region_with_arcs(model, material, count, vertices, bulges, spacing, horizon_ratio, region)
         })
     }
 
