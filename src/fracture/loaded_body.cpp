@@ -48,6 +48,7 @@ LoadedBody::LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Po
   system_.commit_break(cut, {});
   state_.stages = system_.stages();
   state_.springs = system_.springs();
+  state_.faces.closed.assign(faces_.initial_count(), 0);
   ratios_.enter(state_.stages);
   if (!system_.has_offsets()) return;
   system_.condense();

@@ -158,7 +158,7 @@ Outcome WholeBodyEvents::perform() {
     freed = body_.freed_parts().after_break(gone, before);
   }
   system_.commit(changes, freed.springs);
-  body_.faces().note_gone(system_.gone_with(changes));
+  body_.faces().note_gone(system_.gone_with(changes), state.faces);
   body_.update_faces();
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);

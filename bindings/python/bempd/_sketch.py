@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import html
 import math
-from typing import Optional, Sequence
+from typing import Iterable, Optional, Sequence
 
 Place = tuple[float, float]
 FACES = {"BEM": "#e3e5e8", "PD": "#fff1c9"}
@@ -66,7 +66,7 @@ class Region:
             before -= len(loop)
         return None
 
-    def bend(self, first: int, bulges: Optional[Sequence[float]]) -> None:
+    def bend(self, first: int, bulges: Optional[Iterable[float]]) -> None:
         """Make arcs of a loop's edges, of which the first one is given."""
         for edge, bulge in enumerate(() if bulges is None else bulges, first):
             ends = self.ends(edge)

@@ -120,8 +120,10 @@ std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) con
   return place ? std::optional(contact_of(*place)) : std::nullopt;
 }
 
-void CrackFaces::note_gone(std::span<const int> terms) {
-  if (!are_none()) gone_.emplace_back(terms.begin(), terms.end());
+void CrackFaces::note_gone(std::span<const int> terms, FaceState& state) {
+  if (are_none()) return;
+  gone_.emplace_back(terms.begin(), terms.end());
+  state.pending.push_back(gone_.back());
 }
 
 std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
@@ -173,6 +175,7 @@ std::vector<int> CrackFaces::around(std::span<const int> terms) const {
 void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
   for (const std::vector<int>& terms : gone_) follow(terms, displacement, state);
   gone_.clear();
+  state.pending.clear();
 }
 
 void CrackFaces::follow(std::span<const int> gone, const Eigen::VectorXd& displacement, FaceState& state) {
@@ -239,9 +242,13 @@ void CrackFaces::restore(const FaceState& state) {
   for (std::size_t i = 0; i < std::min(contacts.size(), state.closed.size()); ++i)
     contacts.set_closed(i, state.closed[i] != 0);
   system_.set_contacts(std::move(contacts));
-  std::vector<int>& gone = gone_.emplace_back();
-  for (std::size_t t = 0; t < system_.terms().size(); ++t)
-    if (!system_.intact()[t]) gone.push_back(static_cast<int>(t));
+  gone_ = state.pending;
+  std::unordered_set<int> pending;
+  for (const std::vector<int>& terms : gone_) pending.insert(terms.begin(), terms.end());
+  for (std::size_t t = 0; t < system_.terms().size(); ++t) {
+    const int term = static_cast<int>(t);
+    if (!system_.intact()[t] && !pending.contains(term) && can_be_a_place(term)) enter(term);
+  }
 }
 
 }  // namespace bempd::fracture

@@ -48,13 +48,13 @@ class CrackFaces {
   bool can_have(const GrownFace& face) const;
 
   // Terms that have gone; their places follow with the next update().
-  void note_gone(std::span<const int> terms);
+  void note_gone(std::span<const int> terms, FaceState& state);
   // New places, and normals of open ones near them where they do not overlap for it at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
   // All places, and those that the terms noted and others that go in this order make; they are gone.
   std::vector<WatchedPlace> watched(std::span<const std::vector<int>> next);
 
-  // Makes the system's places those of a state, whose stages it has; terms that are gone without one are noted.
+  // Makes the system's places those of a state, whose stages it has; what is pending there stays so.
   void restore(const FaceState& state);
 
  private:

@@ -110,7 +110,7 @@ Outcome WindowEvents::perform() {
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
   for (const coupling::StageChange& c : event.changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   lookahead_.take();
-  body_.faces().note_gone(body_.system().gone_with(event.changes));
+  body_.faces().note_gone(body_.system().gone_with(event.changes), state.faces);
   is_behind_ = true;
   ++events_performed_;
   return outcome;

@@ -164,7 +164,7 @@ def test_options_are_a_mapping(plate):
     assert set(options) == set(bempd.describe_options()) and len(options) == len(list(options))
     info = options.describe("stepping.tie_band")
     assert (info.default, info.minimum, info.maximum, info.choices, info.unit) == (0.001, 0, 0.5, (), "-")
-    assert options.describe("critical_stretch").choices == ("exact", "printed") and info.summary
+    assert options.describe("critical_stretch").choices == ("exact", "running", "printed") and info.summary
     assert bempd.Model(options={"threads": 1}).options["threads"] == 1
 
 
@@ -219,7 +219,7 @@ def test_curved_edges():
     with pytest.raises(bempd.ArgumentError, match=r"add_bem_region: bulges has the shape \(3,\); give one number for each"):
         about.add_bem_region(material, spiral, 0.2, bulges=[0, 1, 0])
     turned = about.add_bem_region(material, spiral, 0.2, bulges=[0, np.tan(3 * np.pi / 8), 0, 0])
-    edge = about.add_hole(turned, [(7.2, 2), (7.5, 2), (7.8, 2)], bulges=[0, 0, 1])
+    edge = about.add_hole(turned, [(7.2, 2), (7.5, 2), (7.8, 2)], bulges=[0, 0, -1])
     about.fix_edge(turned, 1)
     on_edges = about.field(turned, "position")
     assert edge == 5 and np.hypot(*(on_edges - (7.5, 1.5)).T).max() == pytest.approx(np.hypot(1.5, 1.5))

@@ -174,7 +174,10 @@ fn arcs_are_given_by_centre_and_radius() {
     let hole = [[6.8, 1.6], [7.1, 2.2], [7.4, 1.6]];
     assert_eq!(model.add_hole_with_arcs(turned, &hole, &[0.0, 0.0, 0.2]).unwrap(), 5);
     let square_with_arc = rectangle(10.0, 0.0, 18.0, 8.0);
-    model.add_pd_region_with_arcs(material, &square_with_arc, &[0.0, 0.4, 0.0, 0.0], 1.0, 3).unwrap();
+    let of_bonds = model.add_material(&Material::new(1.0, 1.0 / 3.0)).unwrap();
+    let lattice = model.add_pd_region_with_arcs(of_bonds, &square_with_arc, &[0.0, 0.4, 0.0, 0.0], 1.0, 3).unwrap();
+    model.fix_edge(lattice, 4, Component::Both).unwrap();
+    model.fix_edge(turned, 1, Component::Both).unwrap();
     model.fix_edge(square, 4, Component::Both).unwrap();
     model.fix_edge(disc, 1, Component::Both).unwrap();
     let view = model.view(disc, Field::Position).unwrap();
