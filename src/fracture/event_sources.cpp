@@ -35,6 +35,7 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     if (window_.events_performed() > 0) {
       patience_ = 1;
       if (window_.needs_whole_body()) whole_body_events_ = 1;
+      if (window_.ended_at_faces()) whole_body_events_ = WindowSettings::events_beside_faces;
     } else {
       be_patient();
     }

@@ -67,6 +67,7 @@ class Lookahead {
   // True if the window has come to its end before an event that no window can perform, or after which faces of cracks
   // open or close.
   bool needs_whole_body() const { return needs_whole_body_ || faces_move_; }
+  bool ended_at_faces() const { return faces_move_; }
 
   // States since the events were computed last, 0 first; only these can be asked for and returned to.
   int position() const { return position_; }

@@ -34,6 +34,8 @@ class WindowEvents final : public EventSource {
   std::int64_t events_performed() const { return events_performed_; }  // since the window was opened
   // True if the window has come to its end before an event that no window can perform.
   bool needs_whole_body() const { return lookahead_.needs_whole_body(); }
+  // Because faces of cracks close or open after the events that it knew.
+  bool ended_at_faces() const { return lookahead_.ended_at_faces(); }
 
   void bring_up_to_date();
 

@@ -50,6 +50,9 @@ struct WindowSettings {
   static constexpr int first_events = 16, growth_of_events = 4, most_events_at_once = 1024;
   // Events in the whole body after which a window is tried again at the latest.
   static constexpr int most_patience = 64;
+  // Events of the whole body after a window that ended because faces of cracks move: such come one after the other, and
+  // each window would cost a factorization.
+  static constexpr int events_beside_faces = 16;
 
   // Below this pivot a term was the last resistance to some motion, or nearly so; and so it was if displacements grow
   // by this factor.
