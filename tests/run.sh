@@ -13,7 +13,7 @@ cd "$root"
 case "${1:-all}" in
   all) stages=(ci ci-eigen fetch-sanitize) ;;
   quick) stages=(ci) ;;
-  long) stages=(ci site scenes backends memory ci-symmetric ci-eigen fetch-sanitize sanitize tsan clang fuzz) ;;
+  long) stages=(ci site scenes backends memory ci-symmetric eigen fetch-sanitize sanitize tsan clang fuzz) ;;
   *) echo "usage: tests/run.sh [quick | long]" >&2; exit 2 ;;
 esac
 

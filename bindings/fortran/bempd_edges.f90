@@ -35,6 +35,23 @@ contains
       "give as many of both, or leave one out", stat, errmsg)
   end function are_pairs
 
+  !> The same with a column for each fraction.
+  logical function are_pairs_at(self, procedure_name, fractions, constant, proportional, parts, stat, errmsg)
+    class(bempd_model), intent(inout) :: self
+    character(*), intent(in) :: procedure_name
+    real(c_double), intent(in) :: fractions(:)
+    real(c_double), intent(in), optional :: constant(:, :), proportional(:, :)
+    type(value_parts), intent(out) :: parts
+    integer, intent(out), optional :: stat
+    character(*), intent(inout), optional :: errmsg
+
+    are_pairs_at = are_pairs(self, procedure_name, constant, proportional, parts, stat, errmsg)
+    if (.not. are_pairs_at) return
+    are_pairs_at = parts%count == 2 * size(fractions)
+    if (.not. are_pairs_at) call refuse(self, procedure_name // ": there are values for another number of places than " // &
+      "fractions; give a column of values for each fraction", stat, errmsg)
+  end function are_pairs_at
+
   module procedure add_edge_forces
     integer(c_int32_t), target :: new
 
@@ -63,12 +80,7 @@ contains
   module procedure set_support_values_at
     type(value_parts), target :: parts
 
-    if (.not. are_pairs(self, "bempd_set_support_values_at", constant, proportional, parts, stat, errmsg)) return
-    if (parts%count /= 2 * size(fractions)) then
-      call refuse(self, "bempd_set_support_values_at: there are values for another number of places than fractions; give a " // &
-        "column of values for each fraction", stat, errmsg)
-      return
-    end if
+    if (.not. are_pairs_at(self, "bempd_set_support_values_at", fractions, constant, proportional, parts, stat, errmsg)) return
     call finish(self, bempd_set_support_values_at(self%handle, support, size(fractions, kind=c_int64_t), fractions, &
       c_loc(parts%constant), c_loc(parts%proportional)), stat, errmsg)
   end procedure set_support_values_at
@@ -76,12 +88,7 @@ contains
   module procedure set_load_values_at
     type(value_parts), target :: parts
 
-    if (.not. are_pairs(self, "bempd_set_load_values_at", constant, proportional, parts, stat, errmsg)) return
-    if (parts%count /= 2 * size(fractions)) then
-      call refuse(self, "bempd_set_load_values_at: there are values for another number of places than fractions; give a " // &
-        "column of values for each fraction", stat, errmsg)
-      return
-    end if
+    if (.not. are_pairs_at(self, "bempd_set_load_values_at", fractions, constant, proportional, parts, stat, errmsg)) return
     call finish(self, bempd_set_load_values_at(self%handle, load, size(fractions, kind=c_int64_t), fractions, &
       c_loc(parts%constant), c_loc(parts%proportional)), stat, errmsg)
   end procedure set_load_values_at

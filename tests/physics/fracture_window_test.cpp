@@ -246,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(
 // Lattices with squares of cells, which go with their bonds.
 std::vector<Case> of_any_ratio() {
   std::vector<Case> cases;
-  for (const double ratio : {0.0, 0.2, 0.45}) {
+  for (const double ratio : {0.2, 0.45}) {
     for (const Case& c :
          {Case{"centre_crack", centre_crack, 1e-3, 400}, Case{"inclined_crack", inclined_crack, 1e-3, 300},
           Case{"debonding_grips", debonding_grips, 1e-3, 120},
