@@ -53,8 +53,8 @@ def eight_cracks(n: int) -> list[Crack]:
 CRACKS = {"central": central_crack, "two": two_edge_cracks, "eight": eight_cracks}
 
 
-def plate(model: bempd.Model, n: int, cracks: str = "central") -> None:
-    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+def plate(model: bempd.Model, n: int, cracks: str = "central", ratio: float = 1 / 3) -> None:
+    material = model.add_material(young_modulus=1, poisson_ratio=ratio, critical_stretch=1e-3)
     side = n - 1
     region = model.add_pd_region(material, bempd.rectangle(0, 0, side, side), 1, 4)
     for x, low, high in CRACKS[cracks](n):

@@ -37,6 +37,12 @@ SCENES = {
     "two edge cracks, 50 x 50": ["plate", {"n": 50, "cracks": "two"}],
     "the paper's crack": ["paper_crack", {}],
 }
+# What acts in lattices with squares of cells, which follow their bonds, and where faces of cracks meet.
+BESIDES = ("hot_in_present", "opening_all_around", "reach_of_followers", "events_beside_faces", "gap_at_risk")
+SCENES_BESIDES = {
+    "plate of 50 x 50, Poisson's ratio 0.45": ["plate", {"n": 50, "ratio": 0.45}],
+    "plate of 100 x 100, whose faces meet": ["plate", {"n": 100}],
+}
 REPEATS = 5
 
 VARIED = """
@@ -110,18 +116,18 @@ def build(compiled: dict[str, float]) -> None:
                    stdout=subprocess.DEVNULL)
 
 
-def measure(scenes: list[str], varied: str) -> list[dict[str, Any]]:
+def measure(scenes: dict[str, Any], varied: str) -> list[dict[str, Any]]:
     """Of each scene processor seconds of some runs and a digest of which bonds broke."""
     environment = os.environ | {"BEMPD_LIBRARY": str(BUILD / "src/capi/libbempd.so"), "OMP_NUM_THREADS": "1",
                                 "OPENBLAS_NUM_THREADS": "1", "BEMPD_VARIED": varied}
-    command = [sys.executable, str(HERE / "worker.py"), json.dumps([SCENES[scene] for scene in scenes]), str(REPEATS)]
+    command = [sys.executable, str(HERE / "worker.py"), json.dumps(list(scenes.values())), str(REPEATS)]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     if done.returncode:
         raise SystemExit(f"{varied}: {done.stderr}")
     return list(json.loads(done.stdout))
 
 
-def ratios(scenes: list[str], varied: str) -> list[str]:
+def ratios(scenes: dict[str, Any], varied: str) -> list[str]:
     """Least seconds with a setting over least seconds without, which are measured before and after it."""
     before, changed, after = (measure(scenes, words) for words in ("", varied, ""))
     result = []
@@ -132,7 +138,9 @@ def ratios(scenes: list[str], varied: str) -> list[str]:
     return result
 
 
-def table(chosen: list[Setting], scenes: list[str]) -> list[str]:
+def table(chosen: list[Setting], scenes: dict[str, Any]) -> list[str]:
+    if not chosen:
+        return []
     if any(setting.name not in COMPILED for setting in chosen):
         build({})
     lines = ["| setting | its value | with | " + " | ".join(scenes) + " |", "|---|---|---|" + "---|" * len(scenes)]
@@ -148,17 +156,26 @@ def table(chosen: list[Setting], scenes: list[str]) -> list[str]:
             varied = f"{setting.name}={value:.17g}"
             add(setting.name, f"{setting.value:g}", f"{value:g}",
                 ratios_of_compiled(scenes, setting.name, value) if setting.name in COMPILED else ratios(scenes, varied))
-    (OUT / "settings.md").write_text("\n".join(lines) + "\n")
     return lines
 
 
-def ratios_of_compiled(scenes: list[str], name: str, value: float) -> list[str]:
+def ratios_of_compiled(scenes: dict[str, Any], name: str, value: float) -> list[str]:
     build({})
     plain = measure(scenes, "")
     build({name: value})
     changed = measure(scenes, "")
     return [f"{min(one['seconds']) / min(first['seconds']):.2f}" +
             ("" if one["digest"] == first["digest"] else " OTHER BONDS") for one, first in zip(changed, plain)]
+
+
+def write(name: str, lines: list[str], into_document: bool) -> None:
+    if not lines:
+        return
+    (OUT / f"{name}.md").write_text("\n".join(lines) + "\n")
+    if into_document:
+        before, rest = DOCUMENT.read_text().split(f"<!-- table: {name} -->\n", 1)
+        after = rest.split("<!-- end of table -->", 1)[1]
+        DOCUMENT.write_text(f"{before}<!-- table: {name} -->\n" + "\n".join(lines) + "\n<!-- end of table -->" + after)
 
 
 def main() -> None:
@@ -170,13 +187,8 @@ def main() -> None:
     chosen = [s for s in settings() if s.name not in ROUNDING]
     if arguments.only:
         chosen = [s for s in chosen if s.name in arguments.only.split(",")]
-    lines = table(chosen, list(SCENES))
-    if arguments.write:
-        text = DOCUMENT.read_text()
-        before, rest = text.split("<!-- table: benchmarks/run.sh windows --write -->\n", 1)
-        after = rest.split("<!-- end of table -->", 1)[1]
-        DOCUMENT.write_text(before + "<!-- table: benchmarks/run.sh windows --write -->\n" + "\n".join(lines) +
-                            "\n<!-- end of table -->" + after)
+    write("windows", table([one for one in chosen if one.name not in BESIDES], SCENES), arguments.write)
+    write("besides", table([one for one in chosen if one.name in BESIDES], SCENES_BESIDES), arguments.write)
 
 
 if __name__ == "__main__":

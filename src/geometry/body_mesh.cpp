@@ -148,7 +148,8 @@ void BodyMesher::split_crowded() {
 }
 
 bool BodyMesher::split_crowded_by(const Point& place) {
-  const Point p = place;  // it may be one of those that splitting moves
+  // A copy: it may be one of those that splitting moves. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  const Point p = place;
   bool any = false;
   for (std::size_t k = 0, count = sides_.size(); k < count; ++k)
     if (in_circle_over(sides_[k], p)) any = split(k) || any;

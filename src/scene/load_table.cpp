@@ -55,6 +55,7 @@ void LoadTable::check(const Scene& scene) const {
 SceneValues LoadTable::at(std::size_t row, const SceneValues& given) const {
   const auto all = [](const std::vector<Values>& values, double factor) {
     std::vector<Values> still;
+    still.reserve(values.size());
     for (const Values& one : values) still.push_back(at_factor(one, factor));
     return still;
   };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "unit/pd_bodies.hpp"
 
@@ -44,9 +45,13 @@ TEST(PatchTest, constant_strain_is_exact_up_to_faces_and_corners) {
 
 // Bonds and squares of cells together, at every face without any correction.
 TEST(PatchTest, constant_strain_is_exact_for_any_poissons_ratio) {
+  const std::vector<double> ratios{-0.2, 0.0, 0.2, 0.3, 0.4, 0.45, 0.49};
   for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
-    for (const double ratio : {-0.2, 0.0, 0.2, 0.3, 0.4, 0.45, 0.49}) {
+    for (const double ratio : ratios) {
+      // Every horizon with the ratios at the ends, one of them with each between.
+      const bool is_between = ratio != ratios.front() && ratio != ratios.back();
       for (const int m : {2, 3, 4}) {
+        if (is_between && m != 2 + std::lround(100 * ratio) % 3) continue;
         double largest = 0;
         for (const Body& body : bodies())
           largest = std::max(largest, patch_error(body, m, {2.1e11, ratio, state, 0.01}));
