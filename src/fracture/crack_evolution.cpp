@@ -35,6 +35,8 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
   const Start start{state_, state_.history.size(), state_.reactions.size()};
   try {
     const StopReason reason = run(target, goal, options, on_event);
+    const bool changed = state_.events != start.sums.events || state_.contact_switches != start.sums.contact_switches;
+    if (options.leaves_fresh && changed) synchronize();
     sources_.drop_mark();
     return reason;
   } catch (...) {

@@ -34,6 +34,7 @@ struct SteppingOptions {
   double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
   Control control = Control::load;
   double separation_share = 0;  // of the largest resistance: what is left of the load's connection counts for nothing
+  bool leaves_fresh = false;    // a step that changes the system leaves no factor behind, as a saved state does
   const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
 };
 

@@ -44,6 +44,12 @@ const scene::OptionGroup stepping_group(scene::OptionPlace::stepping, [] {
                            "The body is separated once it bears less than this share of the largest force that it has "
                            "borne, and bonds that are left break under larger loads only; 0: once nothing is borne.",
                            0.02, 0, 0.5, false),
+      scene::text_option(
+          "stepping.factorization",
+          "What a call that breaks bonds leaves to the next one: kept, the changed factorization and what is computed "
+          "ahead; fresh, nothing, as a restored state does, so that saving a state alters no bit of what follows, for a "
+          "factorization more in each call that breaks bonds.",
+          "fresh | kept", "kept"),
       scene::number_option("tips.record",
                            "Tips of cracks are recorded at every event whose number this divides and at the ends of "
                            "steps, and shown in snapshots; 0 for never.",
@@ -67,6 +73,7 @@ fracture::SteppingOptions stepping_options(const scene::Options& options) {
   result.max_events = static_cast<std::int64_t>(options.number("stepping.max_events"));
   result.window = options.text_value("stepping.solver") == "window";
   result.separation_share = options.number("stepping.separation_share");
+  result.leaves_fresh = options.text_value("stepping.factorization") == "fresh";
   result.window_ahead = options.number("stepping.window_length");
   return result;
 }

@@ -212,6 +212,25 @@ def restarted(recorder: Recorder) -> Optional[str]:
     return None
 
 
+def saved(recorder: Recorder) -> Optional[str]:
+    """With stepping.factorization = fresh saving alters no bit of what follows."""
+    models = [say(recorder, Saying()) for _ in range(2)]
+    try:
+        for model in models:
+            model.options["stepping.factorization"] = "fresh"
+            model.prepare()
+        for event in range(1, EVENTS + 1):
+            reports = [model.step_to_next_event(1e9) for model in models]
+            if event % 3 == 1:
+                models[0].save()
+            if reports[0].stop_reason != bempd.StopReason.EVENT:
+                break
+    except bempd.Error:
+        return None
+    same = models[0].save().to_bytes() == models[1].save().to_bytes()
+    return None if same else "other state bytes without saves"
+
+
 SAYINGS: dict[str, Saying] = {"lengths x 1e-6": Units(1e-6, 1), "lengths x 1e5, moduli x 1e9": Units(1e5, 1e9),
                               "moduli x 1e-12": Units(1, 1e-12), "shift": Shift(), "turn": Turn(),
                               "renumbering": Renumbered()}
@@ -226,7 +245,7 @@ def main() -> int:
             one = run(say(recorder, Saying()), supports)
         except bempd.ArgumentError:  # of the scene, however it is said
             continue
-        findings = {"balance": imbalance(recorder, one), "restart": restarted(recorder)}
+        findings = {"balance": imbalance(recorder, one), "restart": restarted(recorder), "saves": saved(recorder)}
         for name, saying in SAYINGS.items():
             findings[name] = difference(one, run(say(recorder, saying), supports), saying)
         events, compared = events + len(one.reports), compared + 1
@@ -234,7 +253,7 @@ def main() -> int:
         for name, finding in findings.items():
             if finding or arguments.verbose:
                 print(f"scene {seed}, {name}: {finding or 'holds'}", flush=True)
-    print(f"{arguments.count} scenes, {compared} of them run, {events} events, {len(SAYINGS) + 2} properties each, "
+    print(f"{arguments.count} scenes, {compared} of them run, {events} events, {len(SAYINGS) + 3} properties each, "
           f"{failed} failed")
     return 1 if failed else 0
 
