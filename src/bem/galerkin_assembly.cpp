@@ -7,7 +7,6 @@
 #include "bem/pair_blocks.hpp"
 #include "cancellation.hpp"
 #include "error.hpp"
-#include "linalg/dense_parts.hpp"
 #include "parallel.hpp"
 #include "phase.hpp"
 
@@ -46,9 +45,9 @@ class Assembler {
       : elements_(elements),
         kept_(known ? &known->kept : nullptr),
         blocks_(elements, nu, options.quadrature_tolerance) {
-    matrices.single_layer = linalg::large_zero_matrix(2 * traction_nodes, 2 * traction_nodes);
-    matrices.hypersingular = linalg::large_zero_matrix(2 * nodes, 2 * nodes);
-    matrices.double_layer = linalg::large_zero_matrix(2 * nodes, 2 * traction_nodes);
+    matrices.single_layer.setZero(2 * traction_nodes, 2 * traction_nodes);
+    matrices.hypersingular.setZero(2 * nodes, 2 * nodes);
+    matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);
   }
 
   // All pairs whose outer element is given, in columns of it: `single_layer` and `hypersingular` are to be completed by

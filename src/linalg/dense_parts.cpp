@@ -1,11 +1,5 @@
 #include "linalg/dense_parts.hpp"
 
-#ifdef __linux__
-#include <sys/mman.h>
-
-#include <cstdint>
-#endif
-
 #include "phase.hpp"
 
 namespace bempd::linalg {
@@ -21,27 +15,7 @@ double operations(const Lower& lower, Eigen::Index vectors) {
   return static_cast<double>(lower.rows()) * static_cast<double>(lower.rows()) * static_cast<double>(vectors);
 }
 
-#ifdef __linux__
-// A wish only: what the system makes of it changes no number.
-void wish_for_large_pages(Eigen::MatrixXd& matrix) {
-  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-  const auto begin = reinterpret_cast<std::uintptr_t>(matrix.data());
-  const std::uintptr_t first = (begin + page - 1) / page * page;
-  const std::uintptr_t end = (begin + static_cast<std::size_t>(matrix.size()) * sizeof(double)) / page * page;
-  if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
-}
-#endif
-
 }  // namespace
-
-Eigen::MatrixXd large_zero_matrix(Eigen::Index rows, Eigen::Index columns) {
-  Eigen::MatrixXd matrix(rows, columns);
-#ifdef __linux__
-  wish_for_large_pages(matrix);
-#endif
-  matrix.setZero();
-  return matrix;
-}
 
 void solve_lower(const Lower& lower, Matrix x) {
   const Eigen::Index n = lower.rows();

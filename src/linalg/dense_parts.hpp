@@ -17,9 +17,6 @@ constexpr double operations_at_once = 5e8;
 
 inline bool is_long(double operations) { return operations > operations_at_once; }
 
-// In pages of 2 MB where the system has them (Linux): one half of a gigabyte in pages of 4 kB takes 50 ms to give back.
-Eigen::MatrixXd large_zero_matrix(Eigen::Index rows, Eigen::Index columns);
-
 // c += factor * a * b.
 template <class A, class B>
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, const A& a, const B& b, double factor = 1) {
