@@ -8,20 +8,27 @@ namespace bempd::fracture {
 
 namespace {
 
-// Gaps below this share of the largest displacement are zero, and so are their rates.
+// Solutions, iterated ones too, tell displacements to this share of the largest one: gaps below are zero, and so are
+// their rates.
 constexpr double rounding_of_gaps = 1e-12;
 
-// Gaps of one place as they follow the load factor, and what counts as zero of them.
+// A gap that is zero in exact numbers while its place is closed has that rounding. Once the place is open the same
+// rounding shows in the gap as many times larger as the place was stiffer than what is left, which nothing tells in
+// advance. So a gap that has passed zero by less than this share is still zero while it goes back. What is neglected of
+// the energy is the square of that.
+constexpr double rounding_of_passed_gaps = 1e-8;
+
+// Gaps of one place as they follow the load factor.
 struct GapLine {
   double gap, rate;
-  double zero_gap, zero_rate;
+  double largest_displacement, largest_rate;
 
-  bool is_zero() const { return std::abs(gap) <= zero_gap; }
   // How the gap goes on: negative while it closes.
-  double way(double direction) const { return std::abs(rate) <= zero_rate ? 0 : direction * rate; }
+  double way(double direction) const { return std::abs(rate) <= gap_rounding(largest_rate) ? 0 : direction * rate; }
   bool is_wrong(bool closed, double direction) const {
-    const double size = is_zero() ? way(direction) : gap;
-    return closed ? size > 0 : size < 0;
+    const double passed = closed ? gap : -gap, passes = closed ? way(direction) : -way(direction);
+    if (std::abs(gap) <= gap_rounding(largest_displacement)) return passes > 0;
+    return passed > (passes < 0 ? rounding_of_passed_gaps * largest_displacement : 0);
   }
 };
 
@@ -29,11 +36,10 @@ template <class Visit>
 void for_each_line(const coupling::Contacts& places, const coupling::Affine& u, double load_factor,
                    const Visit& visit) {
   const double largest[2] = {u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
-  const double zero_gap = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
-  const double zero_rate = gap_rounding(largest[1]);
+  const double largest_displacement = largest[0] + std::abs(load_factor) * largest[1];
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double constant = places[i].gap(u.col(0).data()), rate = places[i].gap(u.col(1).data());
-    visit(i, GapLine{constant + load_factor * rate, rate, zero_gap, zero_rate});
+    visit(i, GapLine{constant + load_factor * rate, rate, largest_displacement, largest[1]});
   }
 }
 
