@@ -15,6 +15,9 @@ namespace {
 // A term that lengthens by this factor when it goes was the last resistance to some motion.
 constexpr double runaway_elongation = 1e8;
 
+// What elongations may have of the displacements that they are differences of.
+constexpr double elongation_rounding = 1e-16;
+
 // An increment that has begun by less than this share of its size has not begun.
 constexpr double increment_rounding = 1e-9;
 
@@ -77,14 +80,14 @@ void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
 bool WholeBodyEvents::runs_away() {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  double largest = 0;
+  // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried none
+  // of them.
+  double largest = elongation_rounding * body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   for (const Changing& one : changing_) largest = std::max(largest, std::abs(one.elastic));
   for (std::size_t i = 0; i < changing_.size(); ++i) {
     const auto term = static_cast<std::size_t>(event_.changes[i].term);
     const double now = std::abs(system_.terms().elastic_elongation(term, after.data(), f));
-    // What follows may have had no elongation of its own.
-    const double then = system_.terms().follows(event_.changes[i].term) ? largest : std::abs(changing_[i].elastic);
-    if (!(now < runaway_elongation * then)) return true;
+    if (!(now < runaway_elongation * largest)) return true;
   }
   return false;
 }

@@ -49,6 +49,7 @@ class TipStress {
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
+  std::vector<double> share_;             // of a full point's area
 };
 
 }  // namespace bempd::fracture
