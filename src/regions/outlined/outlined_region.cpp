@@ -166,8 +166,10 @@ void OutlinedRegion::build(const Preparation& preparation, Contributions& contri
     nodes_.push_back(shared ? contributions.registry.add_shared(position(i), id())
                             : contributions.registry.add(position(i)));
   }
+  if (!pd::is_bond_based(elasticity())) stencils_ = pd::cell_stencils(body_);
   bonds_.network = std::make_shared<const pd::Network>(std::move(body_.network));
   add_own_bonds(preparation, contributions);
+  add_squares(contributions);
 }
 
 std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
