@@ -57,8 +57,8 @@ class OutlinedRegion final : public BondedRegion {
   void add_squares(const Contributions& contributions);
   void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                          const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
-  // Mean in a cell, over the elastic constants' unit [Pa].
-  Eigen::Vector3d stress_of_squares(const Solution& solution, std::size_t cell) const;
+  // Mean in a patch of cells [Pa].
+  Eigen::Vector3d stress_of_squares(const Solution& solution, std::size_t patch) const;
 
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   void divide_outline(const Preparation& preparation);

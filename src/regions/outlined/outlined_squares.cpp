@@ -11,7 +11,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Mean over the cell of the stress (xx, yy, xy) that a unit of force in the square makes, for spacing and thickness 1.
+// Mean over the patch of the stress (xx, yy, xy) that a unit of force in the square makes, for spacing and thickness 1.
 Eigen::Vector3d unit_stress_of(const pd::StencilSquare& square, std::span<const int> at, double area,
                                const std::vector<Point>& points) {
   Eigen::Matrix2d moment = Eigen::Matrix2d::Zero();
@@ -25,12 +25,12 @@ void OutlinedRegion::add_squares(const Contributions& contributions) {
   const auto first_bond = static_cast<int>(bonds_.first);
   std::vector<coupling::TermEntry> entries;
   std::vector<int> leaders;
-  for (std::size_t c = 0; c < stencils_.count(); ++c) {
-    const std::span<const int> at = stencils_.points(c);
+  for (std::size_t p = 0; p < stencils_.count(); ++p) {
+    const std::span<const int> at = stencils_.points(p);
     leaders.clear();
-    for (const int bond : stencils_.bonds(c)) leaders.push_back(first_bond + bond);
+    for (const int bond : stencils_.bonds(p)) leaders.push_back(first_bond + bond);
     bonds_.squares.push_back(static_cast<int>(contributions.bonds.size()));
-    for (const pd::StencilSquare& square : pd::squares_of(stencils_, c, elasticity())) {
+    for (const pd::StencilSquare& square : pd::squares_of(stencils_, p, elasticity())) {
       entries.clear();
       for (std::size_t k = 0; k < at.size(); ++k)
         entries.push_back({nodes_[at[k]], square.pull[k].x(), square.pull[k].y()});
@@ -41,14 +41,14 @@ void OutlinedRegion::add_squares(const Contributions& contributions) {
   }
 }
 
-Eigen::Vector3d OutlinedRegion::stress_of_squares(const Solution& solution, std::size_t cell) const {
+Eigen::Vector3d OutlinedRegion::stress_of_squares(const Solution& solution, std::size_t patch) const {
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();
-  auto term = static_cast<std::size_t>(bonds_.squares[cell]);
-  for (const pd::StencilSquare& square : pd::squares_of(stencils_, cell, elasticity())) {
+  auto term = static_cast<std::size_t>(bonds_.squares[patch]);
+  for (const pd::StencilSquare& square : pd::squares_of(stencils_, patch, elasticity())) {
     const double force = solution.bonds.tension(term, solution.bonds.stiffness[term], solution.displacement.data(),
                                                 solution.load_factor);
     stress += force / (spacing() * elasticity().thickness) *
-              unit_stress_of(square, stencils_.points(cell), stencils_.area[cell], points_);
+              unit_stress_of(square, stencils_.points(patch), stencils_.area[patch], points_);
     ++term;
   }
   return stress;
@@ -63,23 +63,21 @@ void OutlinedRegion::correct_at_losses(const Solution& solution, const std::vect
   for (std::size_t b = 0; b < states.share.size(); ++b) {
     if (states.share[b] < 1) lost[network()->bonds[b].first] = lost[network()->bonds[b].second] = 1;
   }
-  const auto corners = [&](std::size_t cell) {
-    return stencils_.points(cell).first(static_cast<std::size_t>(stencils_.corners[cell]));
-  };
-  for (std::size_t c = 0; c < stencils_.count(); ++c) {
-    if (solution.intact[bonds_.squares[c]]) continue;
-    for (const int corner : corners(c)) lost[corner] = 1;
+  for (std::size_t p = 0; p < stencils_.count(); ++p) {
+    if (solution.intact[bonds_.squares[p]]) continue;
+    const std::span<const int> at = stencils_.points(p);
+    for (std::size_t k = 0; k < at.size(); ++k) lost[at[k]] = lost[at[k]] || stencils_.shares(p)[k] > 0;
   }
   for (std::size_t i = 0; i < stresses.size(); ++i) {
     if (lost[i]) stresses[i] = pd::bond_stress(strains[i], elasticity());
   }
-  for (std::size_t c = 0; c < stencils_.count(); ++c) {
-    const std::span<const int> own = corners(c);
-    if (!solution.intact[bonds_.squares[c]] || std::none_of(own.begin(), own.end(), [&](int i) { return lost[i]; }))
+  for (std::size_t p = 0; p < stencils_.count(); ++p) {
+    const std::span<const int> at = stencils_.points(p);
+    if (!solution.intact[bonds_.squares[p]] || std::none_of(at.begin(), at.end(), [&](int i) { return lost[i]; }))
       continue;
-    const Eigen::Vector3d stress = stress_of_squares(solution, c);
-    for (const int corner : own)
-      if (lost[corner]) stresses[corner] += stencils_.area[c] / stencils_.corners[c] / body_.areas[corner] * stress;
+    const Eigen::Vector3d stress = stress_of_squares(solution, p);
+    for (std::size_t k = 0; k < at.size(); ++k)
+      if (lost[at[k]]) stresses[at[k]] += stencils_.shares(p)[k] / body_.areas[at[k]] * stress;
   }
 }
 
@@ -89,26 +87,26 @@ void OutlinedRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms&
   BondedRegion::set_rests(lattices, terms);
   const std::vector<Eigen::RowVector2d> strains =
       stencils_.empty() ? std::vector<Eigen::RowVector2d>{} : strains_of_points(lattices);
-  for (std::size_t c = 0; c < stencils_.count(); ++c) {
-    const std::span<const int> at = stencils_.points(c);
-    const auto corners = static_cast<Eigen::Index>(stencils_.corners[c]);
+  for (std::size_t p = 0; p < stencils_.count(); ++p) {
+    const std::span<const int> at = stencils_.points(p);
+    const auto count = static_cast<Eigen::Index>(at.size());
     Point middle = Point::Zero();
-    for (Eigen::Index k = 0; k < corners; ++k) middle += points_[at[k]] / static_cast<double>(corners);
-    Eigen::MatrixXd linear(corners, 3), given(corners, 2);
-    for (Eigen::Index k = 0; k < corners; ++k) {
+    for (const int i : at) middle += points_[i] / static_cast<double>(count);
+    Eigen::MatrixXd linear(count, 3), given(count, 2);
+    for (Eigen::Index k = 0; k < count; ++k) {
       linear.row(k) << 1, (points_[at[k]] - middle).transpose();
       given.row(k) = strains[at[k]];
     }
     if (given.isZero(0)) continue;
     const Eigen::MatrixXd strain = linear.colPivHouseholderQr().solve(given);
-    int term = bonds_.squares[c];
-    for (const pd::StencilSquare& square : pd::squares_of(stencils_, c, elasticity())) {
+    int term = bonds_.squares[p];
+    for (const pd::StencilSquare& square : pd::squares_of(stencils_, p, elasticity())) {
       Eigen::RowVector2d rest = Eigen::RowVector2d::Zero();
       for (std::size_t k = 0; k < at.size(); ++k) {
-        const Point p = points_[at[k]] - middle;
-        const double half = 0.5 * (p.x() * p.x() - p.y() * p.y()), product = p.x() * p.y();
+        const Point q = points_[at[k]] - middle;
+        const double half = 0.5 * (q.x() * q.x() - q.y() * q.y()), product = q.x() * q.y();
         Eigen::Matrix<double, 2, 3> displacement;
-        displacement << p.x(), half, product, p.y(), product, -half;
+        displacement << q.x(), half, product, q.y(), product, -half;
         rest += square.pull[k].transpose() * displacement * strain;
       }
       terms.set_rest_elongation(term++, spacing() * rest[0], spacing() * rest[1]);
