@@ -106,8 +106,8 @@ inline double patch_error(const OutlinedBody& body, const PlaneElasticity& elast
   for (const Eigen::Vector3d& strain : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)}) {
     Eigen::Matrix2d gradient, stress;
     gradient << strain.x(), strain.z(), strain.z(), strain.y();
-    stress = elasticity.c12() * gradient.trace() * Eigen::Matrix2d::Identity() +
-             2 * elasticity.shear_modulus() * gradient;
+    stress =
+        elasticity.c12() * gradient.trace() * Eigen::Matrix2d::Identity() + 2 * elasticity.shear_modulus() * gradient;
     std::vector<Point> rest(body.points.size(), Point::Zero()), displacement;
     for (const Point& p : body.points) displacement.emplace_back(gradient * p);
     add_forces_of_squares(stencils, elasticity, displacement, rest);

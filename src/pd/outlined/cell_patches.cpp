@@ -24,7 +24,8 @@ std::vector<Joint> joints_of_triangles(const std::vector<Point>& points, const F
     for_each_edge(cells[c], [&](int a, int b) {
       by_edge[{a, b}] = static_cast<int>(c);
       const auto found = by_edge.find({b, a});
-      if (found != by_edge.end()) joints.push_back({(points[b] - points[a]).norm(), found->second, static_cast<int>(c)});
+      if (found != by_edge.end())
+        joints.push_back({(points[b] - points[a]).norm(), found->second, static_cast<int>(c)});
     });
   }
   std::stable_sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.length > b.length; });

@@ -17,8 +17,8 @@ void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
 // Numbers of cells that are taken together: every whole cell alone, triangles by two across their longest edges, those
 // that are left over with a pair beside them.
 struct CellPatches {
-  std::vector<std::vector<int>> cells;            // of each patch
-  std::vector<std::vector<int>> behind_an_edge;   // patches beside those that have points on the outline
+  std::vector<std::vector<int>> cells;           // of each patch
+  std::vector<std::vector<int>> behind_an_edge;  // patches beside those that have points on the outline
 };
 
 CellPatches make_patches(const std::vector<Point>& points, const FillingCells& cells, int outline_count);

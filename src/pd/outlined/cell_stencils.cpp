@@ -182,16 +182,16 @@ CellStencils cell_stencils(const OutlinedBody& body) {
   std::vector<Stencil> corrected(has_factors(body) ? patches.cells.size() : 0);
   CellStencils all;
   if (!corrected.empty()) {
-    all.max_residual = Correction(body, patches).solve([&](std::size_t p, const std::vector<int>& points,
-                                                           const MatrixXd& changes) {
-      Stencil made = stencil_of(body, patches, static_cast<int>(p));
-      made.points = points;
-      made.gradient.resize(points.size(), Vector2d::Zero());
-      made.share.resize(points.size(), 0.0);
-      for (std::size_t k = 0; k < points.size(); ++k)
-        made.gradient[k] += changes.row(static_cast<Eigen::Index>(k)).transpose();
-      corrected[p] = std::move(made);
-    });
+    all.max_residual =
+        Correction(body, patches).solve([&](std::size_t p, const std::vector<int>& points, const MatrixXd& changes) {
+          Stencil made = stencil_of(body, patches, static_cast<int>(p));
+          made.points = points;
+          made.gradient.resize(points.size(), Vector2d::Zero());
+          made.share.resize(points.size(), 0.0);
+          for (std::size_t k = 0; k < points.size(); ++k)
+            made.gradient[k] += changes.row(static_cast<Eigen::Index>(k)).transpose();
+          corrected[p] = std::move(made);
+        });
   }
   for (std::size_t p = 0; p < patches.cells.size(); ++p) {
     const bool is_corrected = !corrected.empty() && !corrected[p].points.empty();

@@ -12,8 +12,8 @@ namespace bempd::pd {
 // sum of G_i u_i^T = the patch's area times the mean gradient of the displacement, exact for linear ones. For a cell
 // G_i is its polygon's surface vector at the point. Over all patches the G of a point add up to its surface vector: a
 // stress that is the same everywhere is balanced by its traction on the chords. Where the surface vectors have factors
-// (surface_balance.hpp) patches at the outline feel a little of their neighbours' points as well, so that they add up to
-// those.
+// (surface_balance.hpp) patches at the outline feel a little of their neighbours' points as well, so that they add up
+// to those.
 struct CellStencils {
   std::vector<std::size_t> start{0}, bond_start{0};  // per patch, and the end of the last
   std::vector<int> point;                            // the patch's own come first
@@ -48,6 +48,7 @@ struct StencilSquare {
   std::vector<Eigen::Vector2d> pull;
   double stiffness;  // k [N/m], thickness included
 };
-std::vector<StencilSquare> squares_of(const CellStencils& stencils, std::size_t patch, const PlaneElasticity& elasticity);
+std::vector<StencilSquare> squares_of(const CellStencils& stencils, std::size_t patch,
+                                      const PlaneElasticity& elasticity);
 
 }  // namespace bempd::pd
