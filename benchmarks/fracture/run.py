@@ -23,6 +23,11 @@ boundary elements, which are right to 1e-4: as long as stated, and as long as th
 Differences of K_I and K_II are relative to the whole, that of T to the stress; *ring* is the largest radius and *felt
 ahead* the distance, in spacings; *spread* is the error that `bempd_tip()` tells, among three rings. a is half the length
 of inner cracks. Plane stress, accuracy standard."""
+PEERS = """dolfinx with quadratic triangles that grow with the distance from the tip, quarter points, J or (inclined crack)
+interaction integrals over a ring (`benchmarks/peers/dolfinx_crack.py`), on the whole plate as bempd has it and, where it says
+symmetric, on the quarter or half of it that symmetry leaves. bempd with `accuracy` = draft, one thread, few elements where
+nothing happens. The inclined crack of half length a and the hole of radius R lie in squares of 40 a and 40 R. *Difference* is
+that of both factors together from bempd with many elements."""
 PI = math.pi
 
 ISIDA = "Isida, in Tada, Paris and Irwin 2.1"
@@ -190,37 +195,6 @@ def convergence() -> str:
     return "\n".join(lines)
 
 
-def side_by_side() -> str:
-    """Error against seconds, beside finite elements: from the finished scene to the factors of all tips, meshes and all."""
-    lines = ["| crack, a/W = 0.5 | program | unknowns or elements | difference | ms | of them mesh |", "|---|---|---|---|---|---|"]
-    told = []
-    for kind, scene, elements in (("centre", scenes.centre, (2.0, 1.0, 0.5, 0.25, 0.125)),
-                                  ("edge", scenes.single_edge, (1.0, 0.5, 0.4, 0.3, 0.25, 0.125))):
-        finest = factor(lambda: scene(0.5, 0.03125), 0.5)
-        rows: dict[str, list[tuple[int, float, float, float]]] = {"bempd": []}
-        for element in elements:
-            result = run(lambda: scene(0.5, element))
-            rows["bempd"].append((result.elements, first(0.5)(result.tips) / finest - 1, result.seconds, 0.0))
-        for part in ("whole", "symmetric") if peers.installed() else ():
-            rows[f"dolfinx, {part}"] = [
-                (found["unknowns"], found["value"] / finest - 1, found["seconds_mesh"] + found["seconds_solve"],
-                 found["seconds_mesh"]) for found in peers.finite_elements(kind, part, 0.5, REPEATS)]
-        for program, sizes in rows.items():
-            for size, difference, seconds, mesh in sizes:
-                lines.append(f"| {kind} | {program} | {size} | {difference:+.1e} | {1e3 * seconds:.1f} | "
-                             f"{format(1e3 * mesh, '.1f') if mesh else ''} |")
-                print(lines[-1], flush=True)
-        within = {program: [row for row in sizes if abs(row[1]) <= peers.TARGET] for program, sizes in rows.items()}
-        own = min(row[2] for row in within["bempd"])
-        for program, sizes in within.items():
-            if program != "bempd" and sizes:
-                told.append(f"{kind} crack, {program}: {min(row[2] for row in sizes) / own:.0f} times as long, "
-                            f"{min(row[2] - row[3] for row in sizes) / own:.0f} times without meshing")
-    closing = f"Within {peers.TARGET:g} of the factor: {'; '.join(told)}." if told else peers.NOTE
-    print(closing)
-    return "\n".join(lines) + f"\n\n{closing}"
-
-
 def many_cracks(count: int = 100) -> str:
     numbers = random.Random(7)
     cracks = []
@@ -265,9 +239,7 @@ def main() -> None:
         failures += beyond
     sections.append(growth.section())
     sections.append(f"{units()}\n\n{many_cracks()}\n")
-    sections.append("## Beside finite elements\n\ndolfinx with quadratic triangles, quarter points and the J-integral over a "
-                    "ring (`benchmarks/peers/dolfinx_crack.py`), on the whole plate as bempd has it and, where it says symmetric, on a "
-                    f"quarter of the plate with the centre crack and half of that with the edge crack.\n\n{side_by_side()}\n")
+    sections.append(f"## Beside finite elements\n\n{PEERS}\n\n{peers.side_by_side()}\n")
     sections.append(f"## Order\n\nCentre crack, a/W = 0.5, eight elements on the crack.\n\n{convergence()}\n")
     sections.append(f"## Cracks in lattices\n\n{LATTICES}\n\n{lattice.section()}\n")
     text = "\n".join(sections)
