@@ -82,7 +82,7 @@ TEST(ClosingCrack, an_inclined_one_under_pressure_only_slides) {
     model->advance(-1, to_load_factor);
     const double shear = std::sin(angle) * std::cos(angle);
     for (const regions::TipValues& tip : model->tips()) {
-      const double exact = (tip.end == 1 ? 1 : 1) * shear * std::sqrt(pi);
+      const double exact = shear * std::sqrt(pi);
       std::printf("%g degrees: K_I %g, K_II %.7f of the exact one, T %.7f\n", degrees, tip.factors.x(),
                   tip.factors.y() / exact, tip.stress_along);
       EXPECT_EQ(tip.factors.x(), 0);
@@ -91,7 +91,7 @@ TEST(ClosingCrack, an_inclined_one_under_pressure_only_slides) {
       EXPECT_NEAR(tip.kink_angle * 180 / pi, -70.53, 0.01);
     }
     const Point opening = model->crack_openings(1, {0.5})[0];
-    EXPECT_EQ(opening.y(), 0);
+    EXPECT_NEAR(opening.y(), 0, 1e-14);
     EXPECT_NEAR(std::abs(opening.x()), 4 * shear, 4e-3);
   }
 }
@@ -110,7 +110,7 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
   double worst = 0, balance = 0;
   std::size_t shut = 0, places = 0;
   for (const auto& cracks : kinds) {
-    for (int repeat = 0; repeat < 3; ++repeat) {
+    for (int repeat = 0; repeat < 2; ++repeat) {
       const auto model = plate(2, 1, cracks);
       double c[12];
       for (double& number : c) number = size(random);
@@ -133,7 +133,7 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
       balance = std::max(balance, state(*model).worst_energy_balance_error);
     }
   }
-  std::printf("18 bodies at 3 load factors: %zu of %zu places closed, energy balance %.1e; differ by %.1e\n", shut,
+  std::printf("12 bodies at 3 load factors: %zu of %zu places closed, energy balance %.1e; differ by %.1e\n", shut,
               places, balance, worst);
   EXPECT_GT(shut, places / 10);
   EXPECT_LT(shut, places * 9 / 10);
@@ -159,7 +159,6 @@ TEST(ClosingCrack, the_path_is_piecewise_linear) {
   EXPECT_NEAR(a.work, b.work, 1e-11 * std::abs(a.work));
   EXPECT_LE(a.worst_energy_balance_error, 1e-12);
   EXPECT_LE(b.worst_energy_balance_error, 1e-12);
-  // The energy release rate is the loss of potential energy where a crack grows a little at the same places.
   // A state brings the closed places back.
   const model::SavedState saved = fine->save();
   const Eigen::VectorXd before = displacement(*fine);
@@ -187,20 +186,79 @@ TEST(ClosingCrack, under_proportional_loads_what_is_closed_stays_so) {
 
 // A crack that bending closes at one end: the energy release rate of the other one is what its growth releases.
 TEST(ClosingCrack, energy_is_released_by_growth_beside_closed_faces) {
-  const auto model = plate(2, 0.5, {{{-0.9, 0}, {0.9, 0}}}, "faces", 1);
-  pull(*model, uniform(0, 0), [](const Point& x) { return stress(0, 0.2 + x.x()); });
-  model->set_tip_frozen(1, 0, true);
-  model->prepare();
-  const std::size_t shut = closed(*model);
-  const model::GrowthResult grown = model->grow_cracks(0.02);
-  ASSERT_EQ(model->extensions().size(), 1U);
-  const fracture::CrackExtension& e = model->extensions()[0];
-  std::printf("released %.8g, by energy release rates %.8g; %zu and %zu places closed\n", grown.released_energy,
-              e.released_energy, shut, closed(*model));
-  EXPECT_GT(closed(*model), 0U);
-  EXPECT_NEAR(grown.released_energy, e.released_energy, 1e-4 * e.released_energy);
-  EXPECT_EQ(model->tips()[0].factors.x(), 0);
-  EXPECT_GT(model->tips()[1].factors.x(), 0);
+  const auto grown = [](const char* contact) {
+    auto model = plate(2, 0.5, {{{-0.9, 0}, {0.9, 0}}}, contact, 1);
+    pull(*model, uniform(0, 0), [](const Point& x) { return stress(0, 0.2 + x.x()); });
+    model->set_tip_frozen(1, 0, true);
+    const model::GrowthResult result = model->grow_cracks(0.01);
+    const double by_rates = model->extensions()[0].released_energy;
+    std::printf("bem.contact %s: load factor %.5f, released over the integral of the rates - 1: %.1e\n", contact,
+                result.load_factor, result.released_energy / by_rates - 1);
+    EXPECT_NEAR(result.released_energy / by_rates, 1, 1e-3);
+    return model;
+  };
+  const auto presses = grown("faces"), passes = grown("none");
+  EXPECT_GT(closed(*presses), 0U);
+  EXPECT_EQ(presses->tips()[0].factors.x(), 0);
+  EXPECT_LT(passes->tips()[0].factors.x(), 0);
+  EXPECT_GT(presses->tips()[1].factors.x(), 0);
+  EXPECT_GT(std::abs(presses->load_factor() / passes->load_factor() - 1), 5e-3);
+}
+
+// A lattice whose crack grows on boundary elements with one that is closed: bonds break by the same books.
+TEST(ClosingCrack, beside_a_lattice_that_breaks) {
+  const auto run = [](const char* solver, const std::vector<std::vector<Point>>& cracks) {
+    auto model = std::make_unique<model::Model>();
+    model->options().set_text("stepping.solver", solver);
+    scene::Scene& scene = model->editable_scene();
+    scene::Material material;
+    material.elasticity = {1, 1.0 / 3, PlaneState::stress, 1};
+    material.critical_stretch = 1e-3;
+    const int id = scene.add_material(material);
+    regions::add_boundary_region(scene, id, {{0, 0}, {24, 0}, {24, 10}, {0, 10}}, 2);
+    regions::add_lattice_region(scene, id, {{0, 10}, {24, 10}, {24, 22}, {0, 22}}, 1, 3);
+    for (const auto& crack : cracks) scene.add_crack(crack);
+    contact_bodies::hold(*model, 1, 2, 0, 0);
+    return model;
+  };
+  const auto bend = [](model::Model& model) {
+    contact_bodies::hold(model, 1, 1, 0, 0);
+    const auto top = std::make_shared<const regions::EdgePart>(2, 3, 0, 1);
+    model.editable_scene().add_support({top, 1, scene::SampledValues{{0.0}, {0.0}}});
+    // From right to left.
+    model.editable_scene().add_support({top, 2, scene::SampledValues{{0.0, 0.0}, {-0.06, 0.03}}});
+  };
+  const std::vector<Point> grows{{0, 16.5}, {7.3, 16.5}}, closes{{15, 4.2}, {22, 5.8}};
+  const auto plain = run("plain", {grows, closes}), window = run("window", {grows, closes});
+  for (model::Model* model : {plain.get(), window.get()}) {
+    bend(*model);
+    for (int k = 0; k < 40; ++k) model->advance(10, fracture::Goal::next_event);
+  }
+  const fracture::EvolutionState &a = state(*plain), &b = state(*window);
+  std::printf("%lld bonds, %zu of %zu places closed, energy balance %.1e\n", static_cast<long long>(a.broken_bonds),
+              closed(*plain), plain->prepared().system->face_count(), a.worst_energy_balance_error);
+  EXPECT_GT(closed(*plain), 5U);
+  EXPECT_EQ(a.stages, b.stages);
+  EXPECT_LE(difference(a.total_displacement, b.total_displacement), 1e-10);
+  EXPECT_LE(a.worst_energy_balance_error, 1e-11);
+  // From a state among closed places.
+  const auto other = run("plain", {grows, closes});
+  bend(*other);
+  const std::vector<std::uint8_t> bytes = model::to_bytes(plain->save());
+  other->restore(model::from_bytes(bytes.data(), bytes.size()));
+  for (model::Model* model : {plain.get(), other.get()})
+    for (int k = 0; k < 5; ++k) model->advance(10, fracture::Goal::next_event);
+  EXPECT_EQ(displacement(*plain), displacement(*other));
+  // Straight across the pressure it is as if it were not there.
+  const auto pressed = run("plain", {{{4, 4.5}, {20, 4.5}}});
+  pressed->editable_scene().add_support({std::make_shared<const regions::SinglePoint>(Point(0, 0)), 1,
+                                         scene::SampledValues{{0.0}, {0.0}}});
+  pressed->editable_scene().add_load(
+      {std::make_shared<const regions::EdgePart>(2, 3, 0, 1), 2, scene::SampledValues{{0.0}, {-1e-4}}});
+  pressed->advance(1, to_load_factor);
+  EXPECT_EQ(closed(*pressed), pressed->prepared().system->face_count());
+  for (const regions::PointValue& value : pressed->evaluate({{5, 4.6}, {12, 3}, {21, 6}, {8, 9}}, true))
+    EXPECT_LE((value.stress - Eigen::Vector3d(0, -1e-4, 0)).norm(), 1e-10 * 1e-4);
 }
 
 // Wings of an inclined crack under pressure leave at the angle of the largest hoop stress of pure sliding and turn to
@@ -209,22 +267,25 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
   const double angle = pi / 4;
   const Point along(std::cos(angle), std::sin(angle));
   const auto model = plate(20, 4, {{-along, along}}, "faces", 1);
+  model->options().set_text("growth.direction", "chord");
   pull(*model, uniform(0, 0), uniform(0, -1));
   double last = 0;
-  for (int step = 0; step < 6; ++step) {
+  const double first = 2 / std::sqrt(3) * 0.5 * std::sqrt(pi);  // largest hoop factor of pure sliding (Erdogan and Sih)
+  EXPECT_NEAR(model->tips()[0].critical_load_factor * 0.5 * std::sqrt(pi), 1, 0.01);
+  for (int step = 0; step < 8; ++step) {
     const model::GrowthResult grown = model->grow_cracks(0.15);
     EXPECT_EQ(grown.tips, 2);
     EXPECT_GT(grown.load_factor, last);  // wings grow stably
+    if (step == 0) {
+      EXPECT_NEAR(grown.load_factor * first, 1, 0.005);
+    }
     last = grown.load_factor;
   }
-  const auto extensions = model->extensions();
-  EXPECT_NEAR(std::abs(extensions[0].angle) * 180 / pi, 70.53, 0.3);
-  const auto tips = model->tips();
-  const Point d = tips[1].direction;
-  std::printf("wings: first turn %.2f degrees, last direction %.2f from the pressure's\n",
-              extensions[0].angle * 180 / pi, std::atan2(std::abs(d.x()), std::abs(d.y())) * 180 / pi);
-  EXPECT_LE(std::atan2(std::abs(d.x()), std::abs(d.y())) * 180 / pi, 10);
-  EXPECT_EQ(model->crack_openings(1, {0.5})[0].y(), 0);
+  const Point d = model->tips()[1].direction;
+  const double off = std::atan2(std::abs(d.x()), std::abs(d.y())) * 180 / pi;
+  std::printf("wings of 1.2: load factor %.3f, %.1f degrees from the pressure's direction\n", last, off);
+  EXPECT_LE(off, 6);
+  EXPECT_NEAR(model->crack_openings(1, {0.5})[0].y(), 0, 1e-14);
   EXPECT_LE(state(*model).worst_energy_balance_error, 1e-10);
 }
 

@@ -4,6 +4,7 @@
 
 #include "contact_bodies.hpp"
 #include "bem/crack_forces.hpp"
+#include "geometry/turning.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/places/crack_faces.hpp"
@@ -122,10 +123,14 @@ inline Eigen::VectorXd openings(model::Model& model) {
                                    state.load_factor,
                                    &p.system->stages(),
                                    {p.system->closed_faces_on(model.region(1).nodes())}};
-  for (const regions::CrackPicture& picture : model.region(1).crack_pictures(solution))
-    for (std::size_t k = 0; k < picture.places.size(); ++k)
-      for (std::size_t n = 0; n < cracks.nodes.size(); ++n)
-        if (cracks.nodes[n] == picture.places[k]) all.segment<2>(2 * static_cast<Eigen::Index>(n)) = picture.openings[k];
+  // Pictures have the nodes of elements one after another, crack by crack.
+  const auto& region = static_cast<const regions::BoundaryRegion&>(model.region(1));
+  const std::vector<regions::CrackPicture> pictures = region.crack_pictures(solution);
+  std::vector<std::size_t> next(pictures.size(), 0);
+  for (const bem::CrackElement& e : cracks.elements) {
+    const auto crack = static_cast<std::size_t>(region.crack_lines()->lines[static_cast<std::size_t>(e.line)].crack);
+    for (const int n : e.nodes) all.segment<2>(2 * n) = pictures[crack].openings[next[crack]++];
+  }
   return all;
 }
 
