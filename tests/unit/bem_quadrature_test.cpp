@@ -6,6 +6,7 @@
 #include "bem/lanes.hpp"
 #include "bem/pair_integrals.hpp"
 #include "bem/quadrature.hpp"
+#include "bem_moments.hpp"
 
 namespace {
 
@@ -104,13 +105,6 @@ double log_double_integral(long double c) {
 
 std::vector<ElementGeometry> collinear(double second_start) {
   return {{{0.5, 0}, {0.5, 0}, {0, 0}}, {{second_start + 0.5, 0}, {0.5, 0}, {0, 0}}};
-}
-
-double total(const PairMoments::Block& block) {
-  double sum = 0;
-  for (const auto& row : block)
-    for (const double value : row) sum += value;
-  return sum;
 }
 
 TEST(PairIntegrator, logarithm_agrees_with_closed_form_for_equal_touching_near_and_far_elements) {

@@ -10,6 +10,7 @@ namespace bempd::fracture {
 FaceWatch::FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events, double from, bool proportional) {
   if (!faces.are_none()) {
     std::vector<std::vector<int>> gone;
+    gone.reserve(events.size());
     for (const ForeseenEvent& foreseen : events) gone.push_back(coupling::terms_of(foreseen.event.changes));
     places_ = faces.watched(gone);
   }
