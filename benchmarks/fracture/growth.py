@@ -60,8 +60,8 @@ def steps() -> list[str]:
 
 def seconds(count: int = 100) -> list[str]:
     """Processor time of increments, and that of the same bodies from nothing."""
-    lines = ["| elements of the boundary | with the crack, first and last | ms an increment | ms from nothing | kernels an increment "
-             "| kernels from nothing |", "|---|---|---|---|---|---|"]
+    lines = ["| elements of the boundary | with the crack, first and last | ms an increment | ms from nothing | "
+             "kernels an increment | kernels from nothing |", "|---|---|---|---|---|---|"]
     for element in (0.25, 0.1, 0.05):
         model = slanted(element)
         model.step(1)
@@ -96,6 +96,6 @@ def section() -> str:
         "A slanted edge crack in a square that has turned after a way of 0.64: height of its tip off that after 256 steps, in "
         "half widths (options `growth.direction` = tip and chord):", "\n".join(steps()),
         "100 increments of the slanted crack across the strip, each with its load factor, direction and energies; beside them the "
-        "same bodies built from nothing, with the factors of their tips (mean of ten). *Kernels* counts their evaluations for the equations: what is kept is "
-        "neither integrated nor factored again:", "\n".join(seconds()))
+        "same bodies built from nothing, with the factors of their tips (mean of ten). *Kernels* counts their evaluations for the "
+        "equations: what is kept is neither integrated nor factored again:", "\n".join(seconds()))
     return "\n\n".join(parts) + "\n"
