@@ -102,10 +102,18 @@ def around_crack(model: bempd.Model, half: float, length: float) -> float:
     return float(0.5 * piece * flow(own, own, normals, places).sum() / (2 * length))
 
 
-def row(name: str, radius: str, found: tuple[float, float, float], of: bempd.CrackTip) -> str:
+Found = tuple[float, float, float]
+
+
+def row(name: str, contour: str, found: Found) -> str:
+    return f"| {name} | {contour} | {found[0]:+.2e} | {found[1]:+.2e} | {found[2]:+.2e} |"
+
+
+def against(found: Found, of: bempd.CrackTip) -> Found:
+    """J relative to G, the factors relative to both together."""
     size = math.hypot(of.stress_intensity_1, of.stress_intensity_2)
-    return (f"| {name} | {radius} | {found[0] / of.energy_release_rate - 1:+.1e} | "
-            f"{(found[1] - of.stress_intensity_1) / size:+.1e} | {(found[2] - of.stress_intensity_2) / size:+.1e} |")
+    return (found[0] / of.energy_release_rate - 1, (found[1] - of.stress_intensity_1) / size,
+            (found[2] - of.stress_intensity_2) / size)
 
 
 def section() -> str:
@@ -117,23 +125,26 @@ def section() -> str:
         model.step(1)
         tips = model.tips()
         felt = lattice.reference(plate, (tips[0].felt_ahead, tips[1].felt_ahead))
+        values = []
         for cells in (8, 12, 16, 24, 32):
-            lines.append(row(name, f"square, {cells} spacings", through_lattice(model, tips[1], cells * spacing, spacing), felt))
-            print(lines[-1], flush=True)
+            values.append(against(through_lattice(model, tips[1], cells * spacing, spacing), felt))
+            lines.append(row(name, f"square, {cells} spacings", values[-1]))
+        spread = np.ptp(np.array(values), axis=0)
+        lines.append(f"| {name} | largest less smallest | {spread[0]:.1e} | {spread[1]:.1e} | {spread[2]:.1e} |")
         tip = tips[1]
-        lines.append(row(name, f"the library's rings, up to {tip.contour_radius / spacing:.0f} spacings",
-                         (tip.energy_release_rate, tip.stress_intensity_1, tip.stress_intensity_2), felt))
-        print(lines[-1], flush=True)
+        lines.append(row(name, f"the library's rings, up to {tip.contour_radius / spacing:.0f} spacings", against(
+            (tip.energy_release_rate, tip.stress_intensity_1, tip.stress_intensity_2), felt)))
     plate, spacing = lattice.patch(40, 8)
     model = plate.model(spacing, 4)
     model.step(1)
     tips = model.tips()
     felt = lattice.reference(plate, (tips[0].felt_ahead, tips[1].felt_ahead))
+    name, rates = "patch of 8 spacings around, through boundary elements around it", []
     for half in (1.5, 2.0, 2.5, 3.0, 3.5):
-        rate = around_crack(model, half, 1 + tips[1].felt_ahead)
-        lines.append(f"| patch, 8 spacings around; through boundary elements around it | square, {half / spacing:.0f} spacings "
-                     f"around the whole crack | {rate / felt.energy_release_rate - 1:+.1e} | | |")
-        print(lines[-1], flush=True)
+        rates.append(around_crack(model, half, 1 + tips[1].felt_ahead) / felt.energy_release_rate - 1)
+        lines.append(f"| {name} | square, {half / spacing:.0f} spacings | {rates[-1]:+.5f} | | |")
+    lines.append(f"| {name} | largest less smallest | {max(rates) - min(rates):.1e} | | |")
+    print("\n".join(lines), flush=True)
     return "\n".join(lines)
 
 

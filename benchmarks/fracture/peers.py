@@ -68,8 +68,8 @@ def finite_elements(problem: Problem, part: str) -> list[dict[str, Any]]:
     """Values, unknowns and seconds on every mesh; one core."""
     program = Path(__file__).resolve().parents[1] / "peers/dolfinx_crack.py"
     words = [str(number) for mesh in problem.triangles for number in mesh]
-    done = subprocess.run([sys.executable, str(program), problem.kind, part, str(problem.crack), str(REPEATS), *words], check=True,
-                          capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    done = subprocess.run([sys.executable, str(program), problem.kind, part, str(problem.crack), str(REPEATS), *words],
+                          check=True, capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
     return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
 
 

@@ -109,14 +109,16 @@ def collinear(half_gap: float) -> bempd.Model:
     return plate(LARGE, LARGE, 500, [[(-half_gap - 2, 0), (-half_gap, 0)], [(half_gap, 0), (half_gap + 2, 0)]])
 
 
-def arc(pieces: int = 64) -> bempd.Model:
-    """Along a quarter of a circle of radius 1, by chords that touch it. Pulled from all sides."""
+def arc(pieces: int = 64, touching: bool = True) -> bempd.Model:
+    """Along a quarter of a circle of radius 1, by chords that touch it, or that end on it. Pulled from all sides."""
     half, part = math.pi / 4, math.pi / 2 / pieces
-    points = [(-math.sin(half), math.cos(half))]
-    for i in range(pieces):
-        angle = math.pi / 2 + half - part * (i + 0.5)
-        points.append((math.cos(angle) / math.cos(part / 2), math.sin(angle) / math.cos(part / 2)))
-    points.append((math.sin(half), math.cos(half)))
+    at = lambda angle, radius: (radius * math.cos(angle), radius * math.sin(angle))
+    points = [at(math.pi / 2 + half, 1)]
+    if touching:
+        points += [at(math.pi / 2 + half - part * (i + 0.5), 1 / math.cos(part / 2)) for i in range(pieces)]
+        points.append(at(math.pi / 2 - half, 1))
+    else:
+        points += [at(math.pi / 2 + half - part * (i + 1), 1) for i in range(pieces)]
     return plate(LARGE, LARGE, 500, [points], stress=(1, 1))
 
 

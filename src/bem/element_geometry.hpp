@@ -101,8 +101,8 @@ struct ElementGeometry {
     if (tip != TipEnd::none) return {along, tip_shape(xi), tip_shape_derivative(xi)};
     return {along, nodal(value.odd, value.even, 1), nodal(slope.odd, slope.even, 0)};
   }
-  // (x(xi) - x(from)) / (xi - from), without cancellation, and the same of the shape functions (these not of elements with
-  // a tip).
+  // (x(xi) - x(from)) / (xi - from), without cancellation, and the same of the shape functions (these not of elements
+  // with a tip).
   struct Quotients {
     Point place;
     std::array<double, 3> shape;

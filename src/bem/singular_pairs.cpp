@@ -16,9 +16,9 @@ namespace {
 // Pair of parameters with everything the kernels need there.
 struct PointPair {
   ElementGeometry::Values outer, inner;
-  Point chord{};                                 // r / radius
-  double weight = 0, log_weight = 0;             // log_weight integrates ln(radius)
-  std::array<double, 6> difference{};            // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
+  Point chord{};                       // r / radius
+  double weight = 0, log_weight = 0;   // log_weight integrates ln(radius)
+  std::array<double, 6> difference{};  // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
 };
 
 void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMoments& moments) {
@@ -144,7 +144,7 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   if (geometry.tip != TipEnd::none) return same_tip(element, moments);
   const GaussRule& radial = gauss_rule(radial_points(geometry.straight()));
-  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 14);
+  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 12);
   const double log_two = std::log(2.0);
   for (std::size_t i = 0; i < radial.points.size(); ++i)
     for (std::size_t j = 0; j < along.points.size(); ++j) {

@@ -103,7 +103,7 @@ static void pressure_opens_and_new_values_follow(void) {
 static int warnings = 0;
 static void count_overlaps(int32_t level, const char* message, void* user) {
   (void)user;
-  if (level == 1 && strstr(message, "overlap")) ++warnings;
+  if (level == 1 && strstr(message, "the faces of crack 1 overlap by") && strstr(message, " at (")) ++warnings;
 }
 
 static void faces_that_overlap_are_warned_of_once(void) {
