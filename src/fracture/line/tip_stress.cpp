@@ -119,6 +119,18 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
   return sum / (law.spacing * law.spacing * law.thickness * share_[static_cast<std::size_t>(node)]);
 }
 
+Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement,
+                                double load_factor) const {
+  const coupling::Terms& terms = system_.terms();
+  const auto b = static_cast<std::size_t>(bond);
+  const Point axis(1, 0);
+  const Eigen::Vector3d s = (stress(terms.first[b], axis, law, displacement) +
+                             stress(terms.second[b], axis, law, displacement)) *
+                            Eigen::Vector2d(1, load_factor);
+  const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
+  return {-std::sin(angle), std::cos(angle)};
+}
+
 TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                            const Eigen::RowVector2d& pressure) const {
   Eigen::RowVector2d opening(0, 0), shear(0, 0);
