@@ -148,6 +148,14 @@ Outcome WholeBodyEvents::perform(Event event) {
   return perform();
 }
 
+void WholeBodyEvents::remember_faces() {
+  closed_before_ = system_.contacts().closed();
+  if (system_.face_count() == 0) return;
+  const BodyState& state = body_.state();
+  forces_before_ = system_.face_forces(state.total_displacement, state.load_factor);
+  gaps_before_ = system_.open_gaps(state.total_displacement, state.load_factor);
+}
+
 Outcome WholeBodyEvents::perform() {
   Outcome outcome;
   BodyState& state = body_.state();
@@ -156,11 +164,7 @@ Outcome WholeBodyEvents::perform() {
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
-  closed_before_ = system_.contacts().closed();
-  if (system_.face_count() > 0) {
-    forces_before_ = system_.face_forces(before, state.load_factor);
-    gaps_before_ = system_.open_gaps(before, state.load_factor);
-  }
+  remember_faces();
   FreedParts freed;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {

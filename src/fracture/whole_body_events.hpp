@@ -25,6 +25,7 @@ class WholeBodyEvents final : public EventSource {
   void choose_terms(const SteppingOptions& options);
 
   bool runs_away();
+  void remember_faces();
   void tell_of_body(Outcome& outcome);
   double released_energy() const;
   double released_by_contacts(const Eigen::VectorXd& before) const;
