@@ -190,8 +190,9 @@ Outcome WholeBodyEvents::perform() {
   const bool loads_lost = held.loads_lost || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
-  // All of that force is there while the points give way, of which nodal forces before and after show the half.
-  const double by_fluid = 0.5 * flow.dot(state.total_displacement - before);
+  // All of that force is there while the points give way, of which nodal forces before and after show the half; and it
+  // fills what the bonds had stretched before they broke.
+  const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   outcome.work += by_fluid;
   outcome.stored_energy = body_.stored_energy();
   // Lost loads take their part along with the piece.
