@@ -16,6 +16,7 @@ import growth
 import lattice
 import peers
 import scenes
+import tip_places
 
 REPEATS = 5
 LATTICES = """Whole plates of lattice, and patches of lattice around the crack in boundary elements, against cracks in
@@ -269,7 +270,7 @@ def main() -> None:
                     "ring (`benchmarks/peers/dolfinx_crack.py`), on the whole plate as bempd has it and, where it says symmetric, on a "
                     f"quarter of the plate with the centre crack and half of that with the edge crack.\n\n{side_by_side()}\n")
     sections.append(f"## Order\n\nCentre crack, a/W = 0.5, eight elements on the crack.\n\n{convergence()}\n")
-    sections.append(f"## Cracks in lattices\n\n{LATTICES}\n\n{lattice.section()}\n")
+    sections.append(f"## Cracks in lattices\n\n{LATTICES}\n\n{lattice.section()}\n\n{tip_places.section()}\n")
     text = "\n".join(sections)
     (folder / "tables.md").write_text(text)
     document = Path(__file__).resolve().parents[2] / "docs/verification.md"
