@@ -68,7 +68,7 @@ void Model::grow_lines(PreparedScene& p) const {
           "pd.crack_rule = bond");
   pd::TipLaws laws;
   std::vector<fracture::GrowingTip> tips;
-  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.discretization, options_)) {
+  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_)) {
     tips.push_back({tip.place, tip.direction, static_cast<int>(laws.laws.size()), {}});
     laws.laws.push_back(tip.law);
   }
@@ -76,7 +76,8 @@ void Model::grow_lines(PreparedScene& p) const {
   for (const auto& region : p.discretization.regions) {
     const std::optional<pd::TipLaw> law = region->tip_law(options_);
     if (!law) continue;
-    for (const int node : region->nodes()) laws.of_node[static_cast<std::size_t>(node)] = static_cast<int>(laws.laws.size());
+    for (const int node : region->nodes())
+      laws.of_node[static_cast<std::size_t>(node)] = static_cast<int>(laws.laws.size());
     laws.laws.push_back(*law);
   }
   p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
@@ -93,7 +94,7 @@ fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
   if (rule == "rough") return {ContactRule::rough, {}, {}};
   pd::FacePlaces lattices = regions::face_lattices(p.discretization);
   if (lattices.lattice_count() == 0) return {};
-  std::vector<pd::FacePlace> places = regions::places_on_cracks(scene_, p.discretization, lattices);
+  std::vector<pd::FacePlace> places = regions::places_on_cracks(p.cracks, p.discretization, lattices);
   return {ContactRule::faces, std::move(lattices), std::move(places)};
 }
 
@@ -115,7 +116,10 @@ std::unique_ptr<PreparedScene> Model::build() const {
   p->conditions = regions::apply_conditions(scene_, d);
   regions::swell(d, p->conditions.swelling);
   regions::require_determined_pressure(d, p->conditions.prescribed);
-  p->cut_bonds = regions::bonds_cut_by_cracks(scene_, d, d.warnings);
+  regions::LatticeCracks in_lattices = regions::cracks_in_lattices(scene_, d, options_);
+  for (const auto& [bond, share] : in_lattices.weakened) d.bonds.stiffness[static_cast<std::size_t>(bond)] *= share;
+  p->cracks = std::move(in_lattices.cracks);
+  p->cut_bonds = regions::bonds_cut_by_cracks(p->cracks, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));

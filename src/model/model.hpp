@@ -40,6 +40,7 @@ struct PreparedScene {
   SceneFingerprint fingerprint;
   regions::Discretization discretization;
   regions::DofConditions conditions;
+  std::vector<scene::Crack> cracks;  // as they are in lattices
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
