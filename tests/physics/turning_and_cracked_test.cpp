@@ -62,8 +62,9 @@ void expect_same_cracks(model::Model& one, model::Model& other) {
   for (std::size_t t = 0; t < one.tips().size(); ++t) {
     const regions::TipValues &a = one.tips()[t], &b = other.tips()[t];
     std::printf("K %.9f %.9f and %.9f %.9f\n", a.factors.x(), a.factors.y(), b.factors.x(), b.factors.y());
-    EXPECT_LE((a.factors - b.factors).norm(), 1e-8 * scale);
-    EXPECT_NEAR(a.critical_load_factor, b.critical_load_factor, 1e-7 * b.critical_load_factor);
+    // The difference quotient that makes them is exact to some 1e-7.
+    EXPECT_LE((a.factors - b.factors).norm(), 1e-6 * scale);
+    EXPECT_NEAR(a.critical_load_factor, b.critical_load_factor, 1e-6 * b.critical_load_factor);
   }
   const std::vector<double> fractions{0.2, 0.5, 0.7};
   for (int k = 0; k < 3; ++k) {
@@ -139,15 +140,33 @@ TEST(WeightAndCracks, as_the_tractions_of_an_exact_field) {
   }
 }
 
-// What growth releases under weight is the integral of the energy release rate: so energies have what weight does there.
-TEST(WeightAndCracks, growth_releases_the_integral_of_the_rate) {
-  const auto model = bar({{-0.6, 3}, {0.5, 3.2}}, 3);
-  add_weight(*model);
-  const model::GrowthResult grown = model->grow_cracks(0.02);
+// What growth releases over the integral of the energy release rate.
+double release(model::Model& model) {
+  const model::GrowthResult grown = model.grow_cracks(0.01);
   double by_rates = 0;
-  for (const fracture::CrackExtension& e : model->extensions()) by_rates += e.released_energy;
-  std::printf("released over the integral of the rates - 1: %.1e\n", grown.released_energy / by_rates - 1);
-  EXPECT_NEAR(grown.released_energy / by_rates, 1, 1e-3);
+  for (const fracture::CrackExtension& e : model.extensions()) {
+    by_rates += e.released_energy;
+    EXPECT_LE(std::abs(e.angle), 0.02);  // straight on, so that the rates before and after belong together
+  }
+  return grown.released_energy / by_rates;
+}
+
+// Energies have what weight and rotation do inside: growth releases what it does under a traction, where both meshes
+// differ by some 1e-3 of it.
+TEST(WeightAndCracks, growth_releases_the_integral_of_the_rate) {
+  const std::vector<Point> crack{{-0.5, 3}, {0.5, 3}};
+  const auto pulled = bar(crack, 3), hangs = bar(crack, 3), turns = bar(crack, 3);
+  add_weight(*hangs);
+  turns->editable_scene().add_load(
+      {std::make_shared<const regions::TurningRegion>(1, Point(0, 7)), 1, scene::SampledValues{{0.0}, {0.7}}});
+  pulled->editable_scene().add_load(
+      {std::make_shared<const regions::EdgePart>(1, 1, 0, 1), 2, scene::SampledValues{{0.0}, {-1.0}}});
+  const double expected = release(*pulled), weight_releases = release(*hangs), rotation_releases = release(*turns);
+  std::printf("released over the integral of the rates - 1: %.2e by a traction, %.2e by weight, %.2e by rotation\n",
+              expected - 1, weight_releases - 1, rotation_releases - 1);
+  EXPECT_NEAR(expected, 1, 5e-3);
+  EXPECT_NEAR(weight_releases, expected, 5e-5);
+  EXPECT_NEAR(rotation_releases, expected, 5e-5);
 }
 
 // A bar that stands: its weight presses a level crack, which is as if it were not there, and a slanted one slides.
@@ -163,16 +182,12 @@ TEST(WeightAndCracks, weight_closes_them) {
   EXPECT_EQ(pressed->tips()[0].factors.x(), 0);
   for (const Point& x : {Point(0.3, 3.5), Point(0.1, 2.9), Point(-0.9, 1)}) {
     const Eigen::Vector3d a = pressed->evaluate({x}, true)[0].stress, b = whole->evaluate({x}, true)[0].stress;
-    // Far from the held edge there is no shear on it.
-    EXPECT_LE((a - b).norm(), 1e-3 * weight);
+    // All but the shear that the held edge leaves there, on which its faces slide.
+    EXPECT_LE((a - b).norm(), 3e-3 * weight);
   }
   EXPECT_EQ(slides->tips()[0].factors.x(), 0);
   EXPECT_LT(passes->tips()[0].factors.x(), 0);
   EXPECT_GT(std::abs(slides->tips()[0].factors.y()), 0.1 * weight);
-  const model::GrowthResult grown = slides->grow_cracks(0.01);
-  double by_rates = 0;
-  for (const fracture::CrackExtension& e : slides->extensions()) by_rates += e.released_energy;
-  std::printf("closed, released over the integral of the rates - 1: %.1e\n", grown.released_energy / by_rates - 1);
 }
 
 void heat(model::Model& model, const std::function<double(const Point&)>& temperature) {
@@ -267,10 +282,9 @@ TEST(Rotation, of_a_disc) {
 }
 
 // A bar that turns about its middle, without Poisson's effect: sigma_xx = k (a^2 - x^2) / 2, and likewise across.
-double bar_error(bool lattice, double size, const char* solver = "auto") {
+double bar_error(bool lattice, double size) {
   const double k = 0.7, a = 4, b = 1;
   model::Model model;
-  model.options().set_text("stepping.solver", solver);
   scene::Scene& scene = model.editable_scene();
   scene::Material material;
   material.elasticity = {1, 0, PlaneState::stress, 0.5};
@@ -322,11 +336,6 @@ TEST(Rotation, about_another_axis_is_a_uniform_force_more) {
     EXPECT_LE(model->prepared().evolution->state().worst_energy_balance_error, 1e-11);
   }
   expect_same_cracks(*one, *other);
-  const model::GrowthResult grown = one->grow_cracks(0.01);
-  double by_rates = 0;
-  for (const fracture::CrackExtension& e : one->extensions()) by_rates += e.released_energy;
-  std::printf("released over the integral of the rates - 1: %.1e\n", grown.released_energy / by_rates - 1);
-  EXPECT_NEAR(grown.released_energy / by_rates, 1, 1e-3);
 }
 
 }  // namespace
