@@ -110,7 +110,7 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
   double worst = 0, balance = 0;
   std::size_t shut = 0, places = 0;
   for (const auto& cracks : kinds) {
-    for (int repeat = 0; repeat < 2; ++repeat) {
+    for (int repeat = 0; repeat < 1; ++repeat) {
       const auto model = plate(2, 1, cracks);
       double c[12];
       for (double& number : c) number = size(random);
@@ -133,7 +133,7 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
       balance = std::max(balance, state(*model).worst_energy_balance_error);
     }
   }
-  std::printf("12 bodies at 3 load factors: %zu of %zu places closed, energy balance %.1e; differ by %.1e\n", shut,
+  std::printf("6 bodies at 3 load factors: %zu of %zu places closed, energy balance %.1e; differ by %.1e\n", shut,
               places, balance, worst);
   EXPECT_GT(shut, places / 10);
   EXPECT_LT(shut, places * 9 / 10);
@@ -272,8 +272,8 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
   double last = 0;
   const double first = 2 / std::sqrt(3) * 0.5 * std::sqrt(pi);  // largest hoop factor of pure sliding (Erdogan and Sih)
   EXPECT_NEAR(model->tips()[0].critical_load_factor * 0.5 * std::sqrt(pi), 1, 0.01);
-  for (int step = 0; step < 8; ++step) {
-    const model::GrowthResult grown = model->grow_cracks(0.15);
+  for (int step = 0; step < 6; ++step) {
+    const model::GrowthResult grown = model->grow_cracks(0.2);
     EXPECT_EQ(grown.tips, 2);
     EXPECT_GT(grown.load_factor, last);  // wings grow stably
     if (step == 0) {

@@ -83,10 +83,15 @@ std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std:
   return forces;
 }
 
-void BondedRegion::add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
-  const Point of_cell = elasticity().thickness * spacing() * spacing() * body_force;
+void BondedRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
+  const double volume = elasticity().thickness * spacing() * spacing();
+  const Point of_cell = volume * body_force.uniform;
   const std::vector<double> shares = cell_shares();
-  for (std::size_t i = 0; i < shares.size(); ++i) force.segment<2>(2 * nodes_[i]) += shares[i] * of_cell;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    force.segment<2>(2 * nodes_[i]) += shares[i] * of_cell;
+    if (body_force.growth != 0)
+      force.segment<2>(2 * nodes_[i]) += shares[i] * volume * body_force.growth * position(static_cast<int>(i));
+  }
 }
 
 std::vector<Point> BondedRegion::bond_ends() const {

@@ -32,7 +32,7 @@ class BondedRegion : public Region {
 
   const std::shared_ptr<const pd::Network>& network() const { return bonds_.network; }
 
-  void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
+  void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
   std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                     const FieldsOfRegion& fields) const override;
 
