@@ -64,7 +64,8 @@ void Model::check_mechanism(const PreparedScene& p) const {
 
 void Model::grow_lines(PreparedScene& p) const {
   require(options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event",
-          "pd.crack_rule is line, by which cracks grow in scheme symmetric and stepping.mode event; choose these, or "
+          "pd.crack_rule is line or tips, by which cracks grow in scheme symmetric and stepping.mode event; choose "
+          "these, or "
           "pd.crack_rule = bond");
   pd::TipLaws laws;
   std::vector<fracture::GrowingTip> tips;
@@ -72,8 +73,11 @@ void Model::grow_lines(PreparedScene& p) const {
     tips.push_back({tip.place, tip.direction, static_cast<int>(laws.laws.size()), {}});
     laws.laws.push_back(tip.law);
   }
-  laws.of_node.assign(p.discretization.positions.size(), -1);
+  // Without any of these nothing but the tips that there are grows.
+  const bool more_begin = options_.text_value("pd.crack_rule") == "line";
+  if (more_begin) laws.of_node.assign(p.discretization.positions.size(), -1);
   for (const auto& region : p.discretization.regions) {
+    if (!more_begin) break;
     const std::optional<pd::TipLaw> law = region->tip_law(options_);
     if (!law) continue;
     for (const int node : region->nodes())
@@ -126,7 +130,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
-  if (options_.text_value("pd.crack_rule") == "line") grow_lines(*p);
+  if (options_.text_value("pd.crack_rule") != "bond") grow_lines(*p);
   let_fluid_in(*p);
   p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,

@@ -161,9 +161,10 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   const double infinity = std::numeric_limits<double>::infinity();
   double at = infinity;
   if (step_) at = path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
-  const std::vector<char> intact = intact_away_from_tips(growing);
-  const std::optional<double> bonds = path ? body_.ratios().admissible(intact).next(true)
-                                           : body_.ratios().next_break(intact, state.load_factor, infinity);
+  const std::vector<char> intact = laws_.of_node.empty() ? std::vector<char>() : intact_away_from_tips(growing);
+  const std::optional<double> bonds = laws_.of_node.empty() ? std::nullopt
+                                      : path                ? body_.ratios().admissible(intact).next(true)
+                                             : body_.ratios().next_break(intact, state.load_factor, infinity);
   if (bonds && *bonds < at) {
     step_.reset();
     const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 1);
