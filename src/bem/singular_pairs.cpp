@@ -21,24 +21,25 @@ struct PointPair {
   std::array<double, 6> difference{};  // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
 };
 
-void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMoments& moments) {
+void add_weakly_singular(const PointPair& p, double cosine, double sine, bool mass, PairMoments& moments) {
   const double jacobians = p.outer.derivative.norm() * p.inner.derivative.norm();
   const double kernels[3] = {p.log_weight + p.weight * 0.5 * std::log(p.chord.squaredNorm()), p.weight * cosine,
                              p.weight * sine};
   for (int c = 0; c < 3; ++c)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
-        moments.mass[c][b][a] += kernels[c] * jacobians * p.outer.shape[a] * p.inner.shape[b];
+        if (mass) moments.mass[c][b][a] += kernels[c] * jacobians * p.outer.shape[a] * p.inner.shape[b];
         moments.derivative[c][b][a] += kernels[c] * p.outer.shape_derivative[a] * p.inner.shape_derivative[b];
       }
 }
 
-void add_point(const PointPair& p, bool weak, PairMoments& moments) {
+void add_point(const PointPair& p, PairPart part, PairMoments& moments) {
   ++moments.evaluations;
   const double inverse = 1 / p.chord.squaredNorm();
   const double cosine = 0.5 * (p.chord.x() * p.chord.x() - p.chord.y() * p.chord.y()) * inverse;
   const double sine = p.chord.x() * p.chord.y() * inverse;
-  if (weak) add_weakly_singular(p, cosine, sine, moments);
+  if (part != PairPart::double_layer_only) add_weakly_singular(p, cosine, sine, part == PairPart::everything, moments);
+  if (part == PairPart::derivative_only) return;
 
   const Point normal = scaled_normal(p.inner.derivative);
   const double along = p.chord.dot(normal) * inverse, across = cross(normal, p.chord) * inverse;
@@ -133,7 +134,7 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
         p.log_weight = radial.log_weights[i] * area;
         p.difference = common_node ? common_node_difference(from_b.shape, inner_way, from_a.shape, outer_way)
                                    : separate_node_difference(p, radius);
-        add_point(p, part == PairPart::everything, moments);
+        add_point(p, part, moments);
       }
     }
   }
@@ -163,7 +164,7 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
           p.difference[k] = quotients.shape[k];
           p.difference[3 + k] = 0;
         }
-        add_point(p, true, moments);
+        add_point(p, PairPart::everything, moments);
       }
     }
 }
