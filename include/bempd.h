@@ -725,7 +725,8 @@ typedef struct bempd_step_report {
   int64_t broken_bonds;        /**< bonds broken in this step */
   int64_t total_events;        /**< events since the beginning */
   int64_t total_broken_bonds;  /**< bonds broken since the beginning, without those cut by initial cracks */
-  int64_t fragments;           /**< pieces come free of all supports, or loaded ones that swing on a hinge */
+  int64_t fragments;           /**< pieces come free of all supports, as which faces that press do not count, or
+                                  loaded ones that swing on a hinge */
   double load_factor;          /**< load factor reached [-] */
   double stored_energy;        /**< elastic energy at the end [J] */
   double released_energy;      /**< energy released by breaking bonds since the beginning [J]; where equilibrium is lost
@@ -1035,7 +1036,11 @@ BEMPD_API bempd_status bempd_copy_edge_forces(bempd_model* model, int32_t region
                                               double* forces);
 
 /** @brief Number of pieces that the body consists of: material points and boundary elements that intact bonds,
- * interfaces and BEM regions join. A point without any bond is a piece too. Prepares the model.
+ * interfaces and BEM regions join. A point without any bond is a piece too. Faces that press on each other (option
+ * pd.contact) join nothing, as they part under the first pull: two held pieces that press feel each other's force and
+ * bear, so that the body is not separated, but bempd_are_connected() tells 0. A piece that nothing but pressed faces
+ * would hold counts as come free of all supports (fragments in reports): it stays where it is, and its loads are
+ * dropped. Prepares the model.
  * @param[in] model the model @param[out] count their number @return status @since 0.3 */
 BEMPD_API bempd_status bempd_piece_count(bempd_model* model, int64_t* count);
 
