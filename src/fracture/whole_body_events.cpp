@@ -140,6 +140,13 @@ double WholeBodyEvents::released_by_faces() const {
   return 0.5 * (forces.dot(gaps_before_) - forces_before_.dot(gaps));
 }
 
+void WholeBodyEvents::remember_contact(const Eigen::VectorXd& before) {
+  closed_before_ = system_.contacts().closed();
+  if (system_.face_count() == 0) return;
+  forces_before_ = system_.face_forces(before, body_.state().load_factor);
+  gaps_before_ = system_.open_gaps(before, body_.state().load_factor);
+}
+
 Outcome WholeBodyEvents::perform(Event event) {
   event_ = std::move(event);
   return perform();
@@ -153,11 +160,7 @@ Outcome WholeBodyEvents::perform() {
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
-  closed_before_ = system_.contacts().closed();
-  if (system_.face_count() > 0) {
-    forces_before_ = system_.face_forces(before, state.load_factor);
-    gaps_before_ = system_.open_gaps(before, state.load_factor);
-  }
+  remember_contact(before);
   FreedParts freed;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {

@@ -29,6 +29,7 @@ class WholeBodyEvents final : public EventSource {
   double released_energy() const;
   double released_by_contacts(const Eigen::VectorXd& before) const;
   double released_by_faces() const;
+  void remember_contact(const Eigen::VectorXd& before);
 
   // A term of the event as it was just before.
   struct Changing {
