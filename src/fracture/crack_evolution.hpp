@@ -38,7 +38,7 @@ class CrackEvolution {
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
   // Before the first step: cracks grow as lines from these tips, by the laws that they name.
-  void grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips);
+  void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips);
 
   // Before the first loads: what pressures in cracks among bonds act by.
   void let_in(CrackFluid fluid) { body_.let_in(std::move(fluid)); }

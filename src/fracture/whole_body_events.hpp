@@ -25,11 +25,11 @@ class WholeBodyEvents final : public EventSource {
   void choose_terms(const SteppingOptions& options);
 
   bool runs_away();
+  void remember_faces();
   void tell_of_body(Outcome& outcome);
   double released_energy() const;
   double released_by_contacts(const Eigen::VectorXd& before) const;
   double released_by_faces() const;
-  void remember_contact(const Eigen::VectorXd& before);
 
   // A term of the event as it was just before.
   struct Changing {
