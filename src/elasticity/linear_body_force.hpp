@@ -59,8 +59,8 @@ class LinearBodyForce {
     if (growth_ == 0) return constant;
     // -k r^2 / 8 (3 + q) along the radius and (1 + 3 q) across it.
     const double all_sides = -growth_ / 8 * (1 + 3 * ratio_) * r.squaredNorm(), along = -growth_ / 4 * (1 - ratio_);
-    return constant + Eigen::Vector3d(all_sides + along * r.x() * r.x(), all_sides + along * r.y() * r.y(),
-                                      along * r.x() * r.y());
+    return constant +
+           Eigen::Vector3d(all_sides + along * r.x() * r.x(), all_sides + along * r.y() * r.y(), along * r.x() * r.y());
   }
 
  private:

@@ -43,7 +43,7 @@ struct CrackLoad {
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
-  const std::vector<char>& intact;  // per bond
+  const std::vector<char>& intact;     // per bond
   std::vector<BodyForce> body_forces;  // per region
   // What cracks with elements need beside: null without them.
   const coupling::Affine* parts = nullptr;  // of the displacement

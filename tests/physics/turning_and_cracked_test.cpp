@@ -76,8 +76,8 @@ void expect_same_cracks(model::Model& one, model::Model& other) {
 // Of the sound bar that hangs: sigma_yy = weight times height, whose crack is free of it.
 TEST(WeightAndCracks, as_the_tractions_that_the_sound_bar_has_there) {
   const Stress sound = [](const Point& x) { return stress(0, weight * x.y()); };
-  for (const std::vector<Point>& crack : {std::vector<Point>{{-0.6, 3}, {0.5, 3}}, {{-0.4, 2}, {0.5, 2.7}},
-                                          {{-1, 2.5}, {-0.2, 2.3}}}) {
+  for (const std::vector<Point>& crack :
+       {std::vector<Point>{{-0.6, 3}, {0.5, 3}}, {{-0.4, 2}, {0.5, 2.7}}, {{-1, 2.5}, {-0.2, 2.3}}}) {
     const auto hangs = bar(crack, 3, "none"), pulled = bar(crack, 3, "none"), whole = bar({}, 3);
     add_weight(*hangs), add_weight(*whole);
     // Of the held edge's own field in the sound bar: another force at the same places.
@@ -114,14 +114,15 @@ TEST(WeightAndCracks, as_the_tractions_of_an_exact_field) {
     material.fracture_energy = 1;
     regions::add_boundary_region(scene, scene.add_material(material), {{-1, 0}, {1, 0}, {1, 6}, {-1, 6}}, 0.5);
     scene.add_crack(crack);
-    scene.add_support({std::make_shared<const regions::EdgePart>(1, 3, 0, 1), 3,
-                       scene::BoundaryFunction([=](const Point& p, double) {
-                         return scene::BoundaryValue{Point::Zero(), hangs ? moved(p) : Point::Zero()};
-                       })});
+    scene.add_support(
+        {std::make_shared<const regions::EdgePart>(1, 3, 0, 1), 3, scene::BoundaryFunction([=](const Point& p, double) {
+           return scene::BoundaryValue{Point::Zero(), hangs ? moved(p) : Point::Zero()};
+         })});
     if (hangs) {
       add_weight(*model);
     } else {
-      pull_faces(*model, [](const Point& x) { return stress(0, weight * x.y()); }, crack);
+      pull_faces(
+          *model, [](const Point& x) { return stress(0, weight * x.y()); }, crack);
     }
     model->advance(1, to_load_factor);
     return model;
@@ -241,7 +242,8 @@ TEST(HeatAndCracks, held_ends_are_moved_back_by_the_free_expansion) {
 }
 
 // Timoshenko and Goodier, Theory of Elasticity, 3rd ed., section 30: a disc of radius R in plane stress,
-//   sigma_r = (3 + nu) / 8 k (R^2 - r^2),  u = k r (1 - nu) ((3 + nu) R^2 - (1 + nu) r^2) / (8 E),  k = density omega^2.
+//   sigma_r = (3 + nu) / 8 k (R^2 - r^2),  u = k r (1 - nu) ((3 + nu) R^2 - (1 + nu) r^2) / (8 E),  k = density
+//   omega^2.
 TEST(Rotation, of_a_disc) {
   const double nu = 0.3, radius = 2, k = 0.7;
   model::Model model;
@@ -252,9 +254,10 @@ TEST(Rotation, of_a_disc) {
   regions::add_boundary_disc(scene, scene.add_material(material), centre, radius, 0.8);
   for (const auto& [place, component] :
        {std::pair(Point(2, 0), 2), std::pair(Point(-2, 0), 2), std::pair(Point(0, 2), 1)})
-    scene.add_support({std::make_shared<const regions::SinglePoint>(centre + place), component,
-                       scene::SampledValues{{0.0}, {0.0}}});
-  scene.add_load({std::make_shared<const regions::TurningRegion>(1, centre), 1, scene::SampledValues{{0.3 * k}, {0.7 * k}}});
+    scene.add_support(
+        {std::make_shared<const regions::SinglePoint>(centre + place), component, scene::SampledValues{{0.0}, {0.0}}});
+  scene.add_load(
+      {std::make_shared<const regions::TurningRegion>(1, centre), 1, scene::SampledValues{{0.3 * k}, {0.7 * k}}});
   model.advance(1, to_load_factor);
   double error = 0, stress_error = 0;
   for (const double r : {0.0, 0.7, 1.5, 1.95, 2.0}) {
@@ -298,9 +301,12 @@ double bar_error(bool lattice, double size) {
   const auto exact = [&](const Point& x) -> Point {
     return k / 2 * Point(a * a * x.x() - std::pow(x.x(), 3) / 3, b * b * x.y() - std::pow(x.y(), 3) / 3);
   };
-  for (const auto& [place, component] : {std::pair(Point(-a, 0), 2), std::pair(Point(a, 0), 2), std::pair(Point(0, b), 1)})
-    scene.add_support({std::make_shared<const regions::SinglePoint>(place), component, scene::SampledValues{{0.0}, {0.0}}});
-  scene.add_load({std::make_shared<const regions::TurningRegion>(1, Point::Zero()), 1, scene::SampledValues{{0.0}, {k}}});
+  for (const auto& [place, component] :
+       {std::pair(Point(-a, 0), 2), std::pair(Point(a, 0), 2), std::pair(Point(0, b), 1)})
+    scene.add_support(
+        {std::make_shared<const regions::SinglePoint>(place), component, scene::SampledValues{{0.0}, {0.0}}});
+  scene.add_load(
+      {std::make_shared<const regions::TurningRegion>(1, Point::Zero()), 1, scene::SampledValues{{0.0}, {k}}});
   model.advance(1, to_load_factor);
   double error = 0;
   for (const Point& x : {Point(1, 0.5), Point(3.5, -0.5), Point(-4, 1), Point(-2, 0)})

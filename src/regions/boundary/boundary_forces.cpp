@@ -98,8 +98,8 @@ double BoundaryRegion::work_within(const BodyForce& body_force, const BodyForce&
     in_volume += bem::integral_of_homogeneous(mesh_, centre, 3, [&](const Point& x) {
       return own.at_centre().dot(theirs.cubic(x)) + growth(x).dot(theirs.quadratic(x));
     });
-    in_volume += bem::integral_of_homogeneous(mesh_, centre, 4,
-                                              [&](const Point& x) { return growth(x).dot(theirs.cubic(x)); });
+    in_volume +=
+        bem::integral_of_homogeneous(mesh_, centre, 4, [&](const Point& x) { return growth(x).dot(theirs.cubic(x)); });
   }
   return elasticity().thickness * in_volume - force_besides(particular(body_force)).dot(displacement_of(theirs));
 }

@@ -131,8 +131,8 @@ BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyFor
 }
 
 // With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
-// the part that depends on u. Where forces per volume have the particular solution u_p with forces f_p on faces, u and f
-// are without these, and by Betti's theorem such a force does the work -v.f beside what the boundary knows of, with
+// the part that depends on u. Where forces per volume have the particular solution u_p with forces f_p on faces, u and
+// f are without these, and by Betti's theorem such a force does the work -v.f beside what the boundary knows of, with
 // v = K_ww^-1 (f_p - K_wu u_p).
 Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::array<BodyForce, 2>& body_force,
                                                    const std::vector<CrackLoad>& loads) const {

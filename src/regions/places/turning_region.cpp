@@ -6,7 +6,8 @@ namespace bempd::regions {
 
 void TurningRegion::check(const scene::Scene& scene) const {
   WholeRegion::check(scene);
-  require(axis_.allFinite(), "the axis is at (", axis_.x(), ", ", axis_.y(), "); its coordinates must be finite numbers");
+  require(axis_.allFinite(), "the axis is at (", axis_.x(), ", ", axis_.y(),
+          "); its coordinates must be finite numbers");
 }
 
 }  // namespace bempd::regions
