@@ -70,9 +70,18 @@ std::array<double, 6> separate_node_difference(const PointPair& p, double radius
           -outer[0] / radius, -outer[1] / radius, -outer[2] / radius};
 }
 
-// Polynomials of straight elements reach degree five in the radius; curved ones need more, having sines or Jacobians
-// that are roots.
-int radial_points(bool straight) { return straight ? 6 : 18; }
+// Polynomials of straight elements reach degree five in the radius and two along an element; curved ones need more,
+// having sines or Jacobians that are roots, the fewer the looser they may be.
+struct PointCounts {
+  int radial = 6, along = 3, extra_angular = 1;
+
+  PointCounts(bool straight, double tolerance) {
+    constexpr double loose = 1e-8;
+    if (straight) return;
+    const bool few = tolerance >= loose;
+    radial = few ? 10 : 18, along = few ? 7 : 12, extra_angular = few ? 2 : 5;
+  }
+};
 
 // Angular variable w on [0, 1]: the chord vanishes at one complex w, so intervals shrink towards it.
 struct AngularRule {
@@ -112,13 +121,14 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
   const double a0 = outer.interval.from, a_length = outer.interval.to - a0;
   const double b0 = inner.interval.from, b_length = inner.interval.to - b0;
   const bool straight = a.straight() && b.straight();
-  const GaussRule& radial = gauss_rule(radial_points(straight));
+  const PointCounts counts(straight, tolerance_);
+  const GaussRule& radial = gauss_rule(counts.radial);
   const Point a_tangent = a_length * a.derivative(a0), b_tangent = b_length * b.derivative(b0);
   const std::complex<double> ratio =
       std::complex<double>(a_tangent.x(), a_tangent.y()) / std::complex<double>(b_tangent.x(), b_tangent.y());
 
   for (const bool inner_is_nearer : {true, false}) {
-    const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, straight ? 1 : 5);
+    const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, counts.extra_angular);
     for (std::size_t j = 0; j < angular.points.size(); ++j) {
       const double s_over_radius = inner_is_nearer ? 1 : angular.points[j];
       const double t_over_radius = inner_is_nearer ? angular.points[j] : 1;
@@ -144,8 +154,8 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
 void PairIntegrator::same(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   if (geometry.tip != TipEnd::none) return same_tip(element, moments);
-  const GaussRule& radial = gauss_rule(radial_points(geometry.straight()));
-  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 12);
+  const PointCounts counts(geometry.straight(), tolerance_);
+  const GaussRule &radial = gauss_rule(counts.radial), &along = gauss_rule(counts.along);
   const double log_two = std::log(2.0);
   for (std::size_t i = 0; i < radial.points.size(); ++i)
     for (std::size_t j = 0; j < along.points.size(); ++j) {
