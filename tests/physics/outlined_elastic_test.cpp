@@ -222,7 +222,7 @@ double cantilever_error(int spacings_over_height, double angle, double ratio = c
   const int32_t region = model.pd(id, turned(rectangle(0, 0, length, height), angle), height / spacings_over_height, 4);
   model.prescribe(region, 4, 0, 1, [angle, ratio](double x, double y) {
     const Vector p = turned(Vector{x, y}, -angle);
-    return turned(cantilever::exact(p[0], p[1], ratio), angle);
+    return turned(cantilever::exact_at_ratio(p[0], p[1], ratio), angle);
   });
   model.traction(region, 2, [angle](double x, double y) {
     const Vector p = turned(Vector{x, y}, -angle);
@@ -232,7 +232,7 @@ double cantilever_error(int spacings_over_height, double angle, double ratio = c
   const auto places = model.vectors(region, BEMPD_POSITION), u = model.vectors(region, BEMPD_DISPLACEMENT);
   double scale = 0, error = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Vector p = turned(places[i], -angle), e = turned(cantilever::exact(p[0], p[1], ratio), angle);
+    const Vector p = turned(places[i], -angle), e = turned(cantilever::exact_at_ratio(p[0], p[1], ratio), angle);
     scale = largest({scale, std::hypot(e[0], e[1])});
     error = largest({error, std::hypot(u[i][0] - e[0], u[i][1] - e[1])});
   }

@@ -160,7 +160,11 @@ extern "C" {
     /// * value \[in\]: within the option's range
     /// * return: status; an unknown name is an argument error that lists the near ones
     /// * since: 0.1
-    pub fn bempd_set_option(model: *mut bempd_model, name: *const ::std::os::raw::c_char, value: f64) -> bempd_status;
+    pub fn bempd_set_option(
+        model: *mut bempd_model,
+        name: *const ::std::os::raw::c_char,
+        value: f64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Value of a number option.
@@ -273,7 +277,11 @@ extern "C" {
     /// * id \[out\]: its id; may be NULL
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_add_material(model: *mut bempd_model, material: *const bempd_material, id: *mut i32) -> bempd_status;
+    pub fn bempd_add_material(
+        model: *mut bempd_model,
+        material: *const bempd_material,
+        id: *mut i32,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Add a region treated by boundary elements: a polygon, its edges straight at first.
@@ -490,7 +498,13 @@ extern "C" {
     /// * y \[in\]: \[m\]
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_set_edge_arc(model: *mut bempd_model, region: i32, edge: i32, x: f64, y: f64) -> bempd_status;
+    pub fn bempd_set_edge_arc(
+        model: *mut bempd_model,
+        region: i32,
+        edge: i32,
+        x: f64,
+        y: f64,
+    ) -> bempd_status;
 }
 pub const BEMPD_COUNTER_CLOCKWISE: bempd_turn = 1;
 pub const BEMPD_CLOCKWISE: bempd_turn = 2;
@@ -633,7 +647,11 @@ extern "C" {
     /// * count \[out\]: number of edges
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_edge_count(model: *const bempd_model, region: i32, count: *mut i32) -> bempd_status;
+    pub fn bempd_edge_count(
+        model: *const bempd_model,
+        region: i32,
+        count: *mut i32,
+    ) -> bempd_status;
 }
 pub const BEMPD_X: bempd_component = 1;
 pub const BEMPD_Y: bempd_component = 2;
@@ -690,7 +708,13 @@ extern "C" {
     /// * support \[out\]: its id; may be NULL
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_fix_point(model: *mut bempd_model, x: f64, y: f64, component: i32, support: *mut i32) -> bempd_status;
+    pub fn bempd_fix_point(
+        model: *mut bempd_model,
+        x: f64,
+        y: f64,
+        component: i32,
+        support: *mut i32,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Prescribe the displacement of an edge or a part of it.
@@ -1209,7 +1233,12 @@ extern "C" {
 /// * return: 0 to go on; else the step is cancelled and returns to its start
 /// * since: 0.1
 pub type bempd_progress_function = ::std::option::Option<
-    unsafe extern "C" fn(load_factor: f64, events: i64, broken_bonds: i64, user: *mut ::std::os::raw::c_void) -> i32,
+    unsafe extern "C" fn(
+        load_factor: f64,
+        events: i64,
+        broken_bonds: i64,
+        user: *mut ::std::os::raw::c_void,
+    ) -> i32,
 >;
 /// A line of the log.
 ///
@@ -1218,7 +1247,11 @@ pub type bempd_progress_function = ::std::option::Option<
 /// * user \[in\]: the pointer given with the function
 /// * since: 0.1
 pub type bempd_log_function = ::std::option::Option<
-    unsafe extern "C" fn(level: i32, message: *const ::std::os::raw::c_char, user: *mut ::std::os::raw::c_void),
+    unsafe extern "C" fn(
+        level: i32,
+        message: *const ::std::os::raw::c_char,
+        user: *mut ::std::os::raw::c_void,
+    ),
 >;
 extern "C" {
     /// Ask to be told of progress.
@@ -1418,7 +1451,8 @@ extern "C" {
     ///   working
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_step_report_init(report: *mut bempd_step_report, struct_size: i64) -> bempd_status;
+    pub fn bempd_step_report_init(report: *mut bempd_step_report, struct_size: i64)
+        -> bempd_status;
 }
 extern "C" {
     /// Check the scene and build its operators. The first step or result does it if you do not.
@@ -1456,7 +1490,11 @@ extern "C" {
     /// * report \[in,out\]: struct_size in, the rest out; may be NULL
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_step(model: *mut bempd_model, load_factor: f64, report: *mut bempd_step_report) -> bempd_status;
+    pub fn bempd_step(
+        model: *mut bempd_model,
+        load_factor: f64,
+        report: *mut bempd_step_report,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Go to the next event and perform it: one batch of bonds. While bonds exceed their critical
@@ -1640,7 +1678,11 @@ extern "C" {
     /// * highest \[out\]: \[-\]
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_admissible_load_factors(model: *mut bempd_model, lowest: *mut f64, highest: *mut f64) -> bempd_status;
+    pub fn bempd_admissible_load_factors(
+        model: *mut bempd_model,
+        lowest: *mut f64,
+        highest: *mut f64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Number that changes whenever the model's fields may have changed.
@@ -1669,7 +1711,11 @@ extern "C" {
     /// * count \[out\]: number
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_element_count(model: *mut bempd_model, region: i32, count: *mut i64) -> bempd_status;
+    pub fn bempd_element_count(
+        model: *mut bempd_model,
+        region: i32,
+        count: *mut i64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Nodes of the boundary elements (start, mid, end) or of the lattice cells
@@ -1682,7 +1728,12 @@ extern "C" {
     /// * nodes \[out\]: shape \[elements\]\[3\] for BEM, \[cells\]\[4\] for PD; indices from 0
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_copy_elements(model: *mut bempd_model, region: i32, capacity: i64, nodes: *mut i32) -> bempd_status;
+    pub fn bempd_copy_elements(
+        model: *mut bempd_model,
+        region: i32,
+        capacity: i64,
+        nodes: *mut i32,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Size of a field. Prepares the model.
@@ -1962,7 +2013,11 @@ extern "C" {
     /// * piece \[out\]: its number, or 0 if the support holds nodes of several pieces
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_support_piece(model: *mut bempd_model, support: i32, piece: *mut i32) -> bempd_status;
+    pub fn bempd_support_piece(
+        model: *mut bempd_model,
+        support: i32,
+        piece: *mut i32,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Piece that a load acts on, also while its values are 0.
@@ -1983,7 +2038,12 @@ extern "C" {
     /// * connected \[out\]: 1 if some piece has nodes of both, else 0
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_are_connected(model: *mut bempd_model, support: i32, other: i32, connected: *mut i32) -> bempd_status;
+    pub fn bempd_are_connected(
+        model: *mut bempd_model,
+        support: i32,
+        other: i32,
+        connected: *mut i32,
+    ) -> bempd_status;
 }
 /// A piece of the body. Fill it with bempd_piece_init().
 ///
@@ -2038,7 +2098,11 @@ extern "C" {
     /// * piece \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_get_piece(model: *mut bempd_model, number: i32, piece: *mut bempd_piece) -> bempd_status;
+    pub fn bempd_get_piece(
+        model: *mut bempd_model,
+        number: i32,
+        piece: *mut bempd_piece,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Displacement and stress at places in the body: by the interior identities in BEM regions, by
@@ -2145,7 +2209,10 @@ extern "C" {
     ///   working when it grows
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_singularity_init(singularity: *mut bempd_singularity, struct_size: i64) -> bempd_status;
+    pub fn bempd_singularity_init(
+        singularity: *mut bempd_singularity,
+        struct_size: i64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Number of places where stress is unbounded. Prepares the model. The field BEMPD_STRESS_ORDER
@@ -2281,7 +2348,11 @@ extern "C" {
     /// * tip \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_tip(model: *mut bempd_model, index: i64, tip: *mut bempd_crack_tip) -> bempd_status;
+    pub fn bempd_tip(
+        model: *mut bempd_model,
+        index: i64,
+        tip: *mut bempd_crack_tip,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Number of tips that were recorded: with the option tips.record = n \> 0 all there are at
@@ -2391,7 +2462,11 @@ extern "C" {
     /// * return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that
     ///   would cut a region in two is an argument error and stays as it was
     /// * since: 0.3
-    pub fn bempd_grow_cracks(model: *mut bempd_model, length: f64, growth: *mut bempd_growth) -> bempd_status;
+    pub fn bempd_grow_cracks(
+        model: *mut bempd_model,
+        length: f64,
+        growth: *mut bempd_growth,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of
@@ -2403,7 +2478,12 @@ extern "C" {
     /// * frozen \[in\]: 1: it does not grow; 0: it does
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_set_tip_frozen(model: *mut bempd_model, crack: i32, end: i32, frozen: i32) -> bempd_status;
+    pub fn bempd_set_tip_frozen(
+        model: *mut bempd_model,
+        crack: i32,
+        end: i32,
+        frozen: i32,
+    ) -> bempd_status;
 }
 /// What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
 ///
@@ -2451,7 +2531,10 @@ extern "C" {
     ///   keep working when it grows
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_crack_extension_init(extension: *mut bempd_crack_extension, struct_size: i64) -> bempd_status;
+    pub fn bempd_crack_extension_init(
+        extension: *mut bempd_crack_extension,
+        struct_size: i64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Number of extensions of all cracks so far.
@@ -2538,7 +2621,10 @@ extern "C" {
     ///   working
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_statistics_init(statistics: *mut bempd_statistics, struct_size: i64) -> bempd_status;
+    pub fn bempd_statistics_init(
+        statistics: *mut bempd_statistics,
+        struct_size: i64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Sizes, counters and times so far.
@@ -2547,7 +2633,10 @@ extern "C" {
     /// * statistics \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_get_statistics(model: *const bempd_model, statistics: *mut bempd_statistics) -> bempd_status;
+    pub fn bempd_get_statistics(
+        model: *const bempd_model,
+        statistics: *mut bempd_statistics,
+    ) -> bempd_status;
 }
 /// One line of the history. Fill it with bempd_history_entry_init(). An event breaks bonds, or is a
 /// call of bempd_grow_cracks(). Energies that no double can hold are as in bempd_step_report.
@@ -2593,7 +2682,10 @@ extern "C" {
     ///   keep working
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_history_entry_init(entry: *mut bempd_history_entry, struct_size: i64) -> bempd_status;
+    pub fn bempd_history_entry_init(
+        entry: *mut bempd_history_entry,
+        struct_size: i64,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Number of lines of the history: one per event and per end of a step.
@@ -2627,7 +2719,11 @@ extern "C" {
     /// * entry \[in,out\]: struct_size in, the rest out
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_history(model: *const bempd_model, index: i64, entry: *mut bempd_history_entry) -> bempd_status;
+    pub fn bempd_history(
+        model: *const bempd_model,
+        index: i64,
+        entry: *mut bempd_history_entry,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Save the state of a prepared model in memory, so that a host can repeat a step.
@@ -2661,7 +2757,11 @@ extern "C" {
     /// * state \[out\]: the saved state; free it with bempd_state_free()
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_state_save_with(model: *mut bempd_model, contents: i32, state: *mut *mut bempd_state) -> bempd_status;
+    pub fn bempd_state_save_with(
+        model: *mut bempd_model,
+        contents: i32,
+        state: *mut *mut bempd_state,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Bring a model back to a saved state. Loads and supports keep their present values, unless
@@ -2709,7 +2809,11 @@ extern "C" {
     /// * state \[out\]: the state; free it with bempd_state_free()
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_state_from_bytes(size: i64, bytes: *const u8, state: *mut *mut bempd_state) -> bempd_status;
+    pub fn bempd_state_from_bytes(
+        size: i64,
+        bytes: *const u8,
+        state: *mut *mut bempd_state,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Write a saved state to a file, so that a run can go on after its process has ended.
@@ -2721,7 +2825,10 @@ extern "C" {
     /// * path \[in\]: file name, UTF-8; the folder must exist
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_state_write(state: *const bempd_state, path: *const ::std::os::raw::c_char) -> bempd_status;
+    pub fn bempd_state_write(
+        state: *const bempd_state,
+        path: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Read a saved state from a file.
@@ -2730,7 +2837,10 @@ extern "C" {
     /// * state \[out\]: the state; free it with bempd_state_free()
     /// * return: status; BEMPD_ERROR_IO if it cannot be read, an argument error for what is no state
     /// * since: 0.3
-    pub fn bempd_state_read(path: *const ::std::os::raw::c_char, state: *mut *mut bempd_state) -> bempd_status;
+    pub fn bempd_state_read(
+        path: *const ::std::os::raw::c_char,
+        state: *mut *mut bempd_state,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Write the present state for ParaView. Open prefix.pvd: it has all snapshots of this prefix,
@@ -2759,7 +2869,10 @@ extern "C" {
     /// * prefix \[in\]: path without ending, UTF-8; the folder must exist
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_write_snapshot(model: *mut bempd_model, prefix: *const ::std::os::raw::c_char) -> bempd_status;
+    pub fn bempd_write_snapshot(
+        model: *mut bempd_model,
+        prefix: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Write the history with the reactions of all supports as comma-separated values.
@@ -2768,7 +2881,10 @@ extern "C" {
     /// * path \[in\]: file name, UTF-8
     /// * return: status
     /// * since: 0.1
-    pub fn bempd_write_history(model: *const bempd_model, path: *const ::std::os::raw::c_char) -> bempd_status;
+    pub fn bempd_write_history(
+        model: *const bempd_model,
+        path: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
 }
 extern "C" {
     /// Write the recorded tips (bempd_tip_history_count()) as comma-separated values: a line for
@@ -2779,5 +2895,8 @@ extern "C" {
     /// * path \[in\]: file name, UTF-8
     /// * return: status
     /// * since: 0.3
-    pub fn bempd_write_tips(model: *const bempd_model, path: *const ::std::os::raw::c_char) -> bempd_status;
+    pub fn bempd_write_tips(
+        model: *const bempd_model,
+        path: *const ::std::os::raw::c_char,
+    ) -> bempd_status;
 }
