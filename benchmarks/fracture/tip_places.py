@@ -55,7 +55,9 @@ def spread(horizon_ratio: int, degrees: float, crack_tip: str, shear: bool = Fal
 
 def section() -> str:
     lines = [f"Tips of cracks of {2 * CRACK:g} spacings, {PLACES} places within a spacing for each row of the table: least and "
-             "largest distance ahead of the described place at which they are felt, in spacings, by `pd.crack_tip`.", "",
+             "largest\ndistance ahead of the described place at which they are felt, in spacings, by `pd.crack_tip`. What is "
+             "counted is stiffness across\nthe crack, so that under shear, which other bonds bear, tips are felt further ahead.",
+             "",
              "| direction from the rows | horizon | ahead | stated | stated, sheared |", "|---|---|---|---|---|"]
     for degrees in (0.0, 15.0, 30.0, 45.0):
         for m in (3, 4, 5, 6):

@@ -32,14 +32,15 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "with horizons of 3 to 5 spacings, and starts earlier by as much; or as printed by Yang and Liu 2021, Eq. 15 "
           "(plane stress only).",
           "exact | running | printed", "exact")),
-      scene::shaping(scene::text_option(
-          "pd.crack_tip",
-          "Where tips of initial cracks in peridynamic regions are felt by a load that opens them: ahead, all bonds "
-          "that "
-          "meet the crack are cut, so that it acts as if its tip were a quarter to half a spacing ahead; stated, fewer "
-          "are, "
-          "and the last ones are weaker, so that it acts as if its tip were where it is, within a tenth of a spacing.",
-          "ahead | stated", "ahead")),
+      scene::shaping(scene::text_option("pd.crack_tip",
+                                        "Where tips of initial cracks in peridynamic regions are felt by a load that "
+                                        "opens them: ahead, all bonds that "
+                                        "meet the crack are cut, so that it acts as if its tip were up to 0.6 spacings "
+                                        "ahead, by its place between points; "
+                                        "stated, fewer are, and the last ones are weaker, so that it acts as if its "
+                                        "tip were where it is, within 0.15 "
+                                        "spacings.",
+                                        "ahead | stated", "ahead")),
       scene::shaping(
           scene::text_option("pd.criterion",
                              "What counts of a bond's stretch in peridynamic regions: stretch, all of it; opening, all "
