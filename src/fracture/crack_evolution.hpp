@@ -70,6 +70,15 @@ class CrackEvolution {
   Heat heat(coupling::EquilibriumSystem::Rests rests);
   void cool_down(Heat heat) noexcept;
 
+  // What loads inside operators make of the gaps of faces there. What new ones do to the stored energy where nothing
+  // moves is work, as with heat; set_load() or take_over() has to follow. Returns what unload_faces() takes to undo it.
+  struct FaceLoads {
+    coupling::Affine offsets;
+    double work;
+  };
+  FaceLoads load_faces(coupling::Affine offsets);
+  void unload_faces(FaceLoads loads) noexcept;
+
   // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
                      const std::function<void(const EvolutionState&)>& on_event);

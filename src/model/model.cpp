@@ -129,6 +129,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
                                                             p->conditions.reaction_dofs, contact_plan(*p));
   if (options_.text_value("pd.crack_rule") != "bond") grow_lines(*p);
   let_fluid_in(*p);
+  p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,
                          pressures_of(p->conditions));
   p->interface_bonds.emplace(*p->system, d.positions);

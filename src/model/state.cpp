@@ -45,7 +45,8 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
     fits(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
          is_gone(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
   }
-  fits(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size());
+  fits(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
+       state.faces.closed_inside.size() == scene.system->face_count());
   const std::vector<int>& cut = scene.cut_bonds;
   fits(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));

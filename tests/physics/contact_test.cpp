@@ -101,6 +101,34 @@ TEST(Contact, the_path_is_piecewise_linear_whatever_the_steps) {
   EXPECT_LE(difference(displacement(*coarse), by_quadratic_programme(*coarse)), 1e-12);
 }
 
+// A place that has just opened shows the rounding of the gap it had while closed many times larger: zero for Newton's
+// method and for the next event alike.
+TEST(Contact, a_gap_that_passed_zero_by_rounding_stays_as_it_is_while_it_goes_back) {
+  coupling::Contacts places;
+  places.add({{{0, -1, 0}, {1, 1, 0}}, 1});
+  const double load_factor = 0.5;
+  const auto judge = [&](double gap, double rate) {
+    coupling::Affine u = coupling::Affine::Zero(4, 2);
+    u(2, 0) = gap - load_factor * rate, u(2, 1) = rate;
+    u(1, 0) = 1;  // the largest displacement
+    const bool wrong = !fracture::wrong_places(places, u, load_factor, 1).empty();
+    const std::optional<double> next = fracture::next_switch(places, u, load_factor, 1);
+    EXPECT_EQ(wrong, next.has_value() && *next == load_factor) << gap << " " << rate;
+    return wrong;
+  };
+  for (const bool closed : {false, true}) {
+    places.set_closed(0, closed);
+    const double passes = closed ? 1 : -1;
+    EXPECT_FALSE(judge(passes * 1e-10, -passes));
+    EXPECT_TRUE(judge(passes * 1e-10, passes));
+    EXPECT_TRUE(judge(passes * 1e-10, 0));
+    EXPECT_TRUE(judge(passes * 1e-6, -passes));
+    EXPECT_TRUE(judge(0, passes));
+    EXPECT_FALSE(judge(0, -passes));
+    EXPECT_FALSE(judge(-passes * 1e-10, passes));
+  }
+}
+
 // --- Growth
 
 TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {

@@ -8,11 +8,12 @@
 namespace bempd::fracture {
 
 FaceWatch::FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events, double from, bool proportional) {
-  if (faces.are_none()) return;
-  std::vector<std::vector<int>> gone;
-  gone.reserve(events.size());
-  for (const ForeseenEvent& foreseen : events) gone.push_back(coupling::terms_of(foreseen.event.changes));
-  places_ = faces.watched(gone);
+  if (!faces.are_none()) {
+    std::vector<std::vector<int>> gone;
+    gone.reserve(events.size());
+    for (const ForeseenEvent& foreseen : events) gone.push_back(coupling::terms_of(foreseen.event.changes));
+    places_ = faces.watched(gone);
+  }
   // In proportion all load factors are alike.
   double arrival = proportional ? 1 : from;
   for (std::size_t e = 0; e <= events.size(); ++e) {
@@ -33,10 +34,17 @@ bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double r
   return true;
 }
 
+bool FaceWatch::overlaps(int state, double gap, double rate, const std::array<double, 2>& largest) const {
+  const std::array<double, 2>& at = load_factors_[static_cast<std::size_t>(state)];
+  return std::any_of(at.begin(), at.end(), [&](double load_factor) {
+    return gap + load_factor * rate < -face_rounding(largest[0] + std::abs(load_factor) * largest[1]);
+  });
+}
+
 int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
                                     const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
   int last = static_cast<int>(kept.size()) - 1;
-  if (is_idle()) return last;
+  if (is_idle() && outside.faces().empty()) return last;
   const coupling::Affine& prescribed = system.prescribed();
   std::vector<int> row(static_cast<std::size_t>(prescribed.rows()), -1);
   for (std::size_t i = 0; i < dofs.size(); ++i) row[dofs[i]] = static_cast<int>(i);
@@ -59,6 +67,8 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
     const std::function<double(int)> constant = part(0), proportional = part(1);
     for (const WatchedPlace* place : inside)
       if (!holds(*place, state, constant, proportional, largest)) return std::max(state - 1, 0);
+    for (const OutsideGaps::Gap& gap : outside.faces())
+      if (overlaps(state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
     for (const OutsideGaps::Gap& gap : outside.gaps())
       if (!holds(places_[gap.place], state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
   }

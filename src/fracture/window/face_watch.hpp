@@ -50,6 +50,8 @@ class FaceWatch {
     return holds(place, state, gap, rate, largest);
   }
   bool holds(const WatchedPlace& place, int state, double gap, double rate, const std::array<double, 2>& largest) const;
+  // Of an open face inside an operator.
+  bool overlaps(int state, double gap, double rate, const std::array<double, 2>& largest) const;
 
   std::vector<WatchedPlace> places_;
   std::vector<std::array<double, 2>> load_factors_;  // of every state

@@ -24,9 +24,14 @@ class OutsideGaps {
     }
   };
   const std::vector<Gap>& gaps() const { return gaps_; }
+  // Of faces inside operators, all of which are open where windows are.
+  const std::vector<Gap>& faces() const { return faces_; }
 
  private:
-  std::vector<Gap> gaps_;
+  void add_faces(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+                 const coupling::Affine& displacement, double load_factor);
+
+  std::vector<Gap> gaps_, faces_;
 };
 
 }  // namespace bempd::fracture
