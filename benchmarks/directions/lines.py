@@ -12,6 +12,7 @@ import pathlib
 from typing import Any
 
 import bempd
+import bodies
 import numpy as np
 
 SIDE = 80.0
@@ -130,6 +131,10 @@ def begun(m: int, angle: float, hole: bool) -> dict[str, Any]:
             "separated": model.piece_count > 1, "bonds": int(last.total_broken_bonds)}
 
 
+def known_body(name: str, spacing: float, m: int) -> dict[str, Any]:
+    return bodies.compared(name, spacing, m, 240)
+
+
 def jobs() -> list[list]:
     """Larger horizons at fewer angles; a crack that almost follows the edge without what else the large loads would break."""
     found: list[list] = []
@@ -145,12 +150,15 @@ def jobs() -> list[list]:
         for angle in (0.0, 20.0):
             for hole in (True, False):
                 found.append(["begun", m, angle, hole])
+    for name, spacing, m in (("plate free", 0.2, 3), ("plate free", 0.1, 3), ("plate free", 0.1, 4), ("plate held", 0.1, 3),
+                             ("beam 1.0 6", 0.125, 3), ("beam 1.0 6", 0.125, 4), ("beam 1.5 5", 0.125, 3), ("beam 1.5 5", 0.125, 4)):
+        found.append(["body", name, spacing, m])
     return found
 
 
 def one(job: list) -> tuple[list, dict[str, Any]]:
     try:
-        return job, {"inclined": inclined, "begun": begun}[job[0]](*job[1:])
+        return job, {"inclined": inclined, "begun": begun, "body": known_body}[job[0]](*job[1:])
     except bempd.Error as failed:
         return job, {"failed": str(failed)}
 
@@ -193,4 +201,8 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
         if job[0] == "begun":
             births.append(f"| {'round hole, radius 8' if job[3] else 'slanted sides, waist 30'} | {job[2]:g} | {job[1]} | {r['load']:.4f} |"
                           f" {r['x']:.1f}, {r['y']:.1f} | {r['tilt']:.1f} | {'yes' if r['separated'] else 'no'} |")
-    return {"lines-straight": straight, "lines-inclined": inclines, "lines-begun": births}
+    known = ["| body | spacing | m | places compared | largest distance, in spacings | the lattice's crack comes to |", "|---|---|---|---|---|---|"]
+    for job, r in found.items():
+        if job[0] == "body":
+            known.append(f"| {job[1]} | {job[2]} | {job[3]} | {r['compared']} | {r['spacings']:.1f} | {r['end'][0]:.2f}, {r['end'][1]:.2f} |")
+    return {"lines-straight": straight, "lines-inclined": inclines, "lines-begun": births, "lines-bodies": known}
