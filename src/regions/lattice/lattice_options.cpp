@@ -34,12 +34,10 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "exact | running | printed", "exact")),
       scene::shaping(scene::text_option("pd.crack_tip",
                                         "Where tips of initial cracks in peridynamic regions are felt by a load that "
-                                        "opens them: ahead, all bonds that "
-                                        "meet the crack are cut, so that it acts as if its tip were up to 0.6 spacings "
-                                        "ahead, by its place between points; "
+                                        "opens them: ahead, all bonds that meet the crack are cut, so that it acts as "
+                                        "if its tip were up to 0.6 spacings ahead, by its place between points; "
                                         "stated, fewer are, and the last ones are weaker, so that it acts as if its "
-                                        "tip were where it is, within 0.15 "
-                                        "spacings.",
+                                        "tip were where it is, within 0.15 spacings.",
                                         "ahead | stated", "ahead")),
       scene::shaping(
           scene::text_option("pd.criterion",
@@ -50,10 +48,9 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
       scene::shaping(scene::text_option(
           "pd.crack_rule",
           "How cracks in peridynamic regions of scheme symmetric grow: bond, bonds break one by one by their own "
-          "stretch "
-          "and the way prefers rows of the lattice; line, by a spacing at a time towards the largest hoop stress, all "
-          "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
-          "tips, the same from initial cracks only, and nothing else breaks.",
+          "stretch and the way prefers rows of the lattice; line, by a spacing at a time towards the largest hoop "
+          "stress, all bonds across it at once, from initial cracks and from places where a bond reaches its critical "
+          "stretch; tips, the same from initial cracks only, and nothing else breaks.",
           "bond | line | tips", "bond")),
       scene::shaping(scene::text_option(
           "pd.contact",
