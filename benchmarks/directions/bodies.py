@@ -97,8 +97,8 @@ def compared(name: str, spacing: float, m: int, events: int) -> dict[str, Any]:
         now = bonds.states == bempd.BondState.BROKEN
         places.append(points[bonds.points[now & ~broken]].mean(axis=(0, 1)))
         broken = now
-        # Where boundary elements' crack has ended, in a hole, there is nothing to compare with.
-        if min(math.dist(places[-1], end) for end in ends) < 4 * spacing:
+        # A millimetre or inch before boundary elements' crack ends, in a hole: beside it little decides whether that is met.
+        if min(math.dist(places[-1], end) for end in ends) < 1:
             break
         distance, is_beside = min(nearest(places[-1], way) for way in ways)
         if is_beside:
