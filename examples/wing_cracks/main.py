@@ -111,7 +111,7 @@ def main() -> None:
     parser.add_argument("folder", nargs="?", default="out/wing_cracks", type=pathlib.Path)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    spacing, length = (1.5e-3, 7e-3) if arguments.short else (0.5e-3, 10e-3)
+    spacing, length = (1.5e-3, 7e-3) if arguments.short else (0.75e-3, 12e-3)
     reference = largest_hoop_strain(4 * spacing)
     table = [["pd.contact", "pressure at the first break [MPa]", "pressure at the end [MPa]",
               *(f"direction {near} to {far} spacings away" for near, far in DISTANCES), "exact hoop strain at the horizon",
@@ -137,8 +137,8 @@ def main() -> None:
         for model, one, (contact, *_) in zip(models, axes, table[1:]):
             model.plot("damage", axes=one, magnification=20)
             one.set_title(f"pd.contact = {contact}")
-            one.set_xlim(-45e-3, 45e-3)
-            one.set_ylim(-40e-3, 40e-3)
+            one.set_xlim(-45, 45)
+            one.set_ylim(-40, 40)
         figure.savefig(arguments.folder / "wing_cracks.png", dpi=110)
         print(f"written: {arguments.folder / 'wing_cracks.png'}")
 
