@@ -83,7 +83,9 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
     c.work_within += d.region(id).work_within({body_force(0), body_force(1)}, c.crack_loads);
   }
   for (const auto& region : d.regions) {
-    const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (region->id() - 1)); };
+    const auto body_force = [&](int part) -> Point {
+      return c.body_force.col(part).segment<2>(2 * (region->id() - 1));
+    };
     const Affine own = region->face_offsets({body_force(0), body_force(1)}, c.crack_loads);
     const Eigen::Index before = c.face_offsets.rows();
     c.face_offsets.conservativeResize(before + own.rows(), 2);

@@ -96,8 +96,8 @@ TEST(ClosingCrack, an_inclined_one_under_pressure_only_slides) {
   }
 }
 
-// Bending closes a part of a crack; kinked, branched and edge cracks under uniform and linear stresses, with pressure in
-// them.
+// Bending closes a part of a crack; kinked, branched and edge cracks under uniform and linear stresses, with pressure
+// in them.
 TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
   const std::vector<std::vector<Point>> kinds[] = {{{{-1.2, 0.1}, {1.1, 0.1}}},
                                                    {{{-2, 0.3}, {-0.2, -0.1}}},
@@ -115,8 +115,9 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
       double c[12];
       for (double& number : c) number = size(random);
       const double pressure = 0.3 * size(random), growing = 0.3 * size(random);
-      pull(*model, [&c](const Point& x) { return stress(c[0] + c[1] * x.y(), c[2] + c[3] * x.x(), c[4]); },
-           [&c](const Point& x) { return stress(c[6] + c[7] * x.y(), c[8] + c[9] * x.x(), c[10]); });
+      pull(
+          *model, [&c](const Point& x) { return stress(c[0] + c[1] * x.y(), c[2] + c[3] * x.x(), c[4]); },
+          [&c](const Point& x) { return stress(c[6] + c[7] * x.y(), c[8] + c[9] * x.x(), c[10]); });
       press_faces(*model, 1, pressure, growing);
       for (const double load_factor : {0.7, -1.5, 0.4}) {
         model->advance(load_factor, to_load_factor);
@@ -251,8 +252,8 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   EXPECT_EQ(displacement(*plain), displacement(*other));
   // Straight across the pressure it is as if it were not there.
   const auto pressed = run("plain", {{{4, 4.5}, {20, 4.5}}});
-  pressed->editable_scene().add_support({std::make_shared<const regions::SinglePoint>(Point(0, 0)), 1,
-                                         scene::SampledValues{{0.0}, {0.0}}});
+  pressed->editable_scene().add_support(
+      {std::make_shared<const regions::SinglePoint>(Point(0, 0)), 1, scene::SampledValues{{0.0}, {0.0}}});
   pressed->editable_scene().add_load(
       {std::make_shared<const regions::EdgePart>(2, 3, 0, 1), 2, scene::SampledValues{{0.0}, {-1e-4}}});
   pressed->advance(1, to_load_factor);
