@@ -77,6 +77,25 @@ def test_an_inclined_crack_first_grows_at_the_load_of_boundary_elements(incline:
     assert model.step_to_next_event(1e6).load_factor == pytest.approx(elements.load_factor, rel=0.05)
 
 
+def test_a_line_ends_at_the_face_of_another_crack() -> None:
+    model = bempd.Model(options={"pd.crack_rule": "tips", "stepping.control": "path"})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
+    body = model.add_pd_region(material, bempd.rectangle(0, -12, 32, 12), 1.0, 3)
+    model.add_crack([(0, 0.5), (12.5, 0.5)])
+    model.add_crack([(20.47, -7.5), (20.47, 7.5)])
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+    model.fix_point((0, -12), "x")
+    before = len(middles(model, body))
+    reached = []
+    for _ in range(12):
+        model.step_to_next_event(1e6)
+        reached.append(middles(model, body))
+    beside = reached[-1][abs(reached[-1][:, 1] - 0.5) < 2]
+    assert len(reached[-1]) > before and beside[beside[:, 0] < 20.4][:, 0].max() > 19  # it has come there
+    assert not ((beside[:, 0] > 22.5)).any()  # bonds of the crack that it meets end before
+
+
 def holed_strip() -> tuple[bempd.Model, int]:
     model = bempd.Model(options={"pd.crack_rule": "line", "pd.lattice_angle": 0.3})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
