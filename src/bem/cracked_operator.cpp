@@ -108,11 +108,11 @@ Eigen::SparseMatrix<double> from_unknowns(const BoundaryMesh& mesh, const CrackM
 CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
                                  const AssemblyOptions& options, const CrackedOperator* before)
     : mesh_(mesh),
-      cracks_(cracks),
       elasticity_(elasticity),
       options_(options),
       boundary_(mesh),
       elements_(cracked_galerkin_elements(mesh, boundary_, cracks)) {
+  cracks_ = cracks;  // Eigen's constructors keep a part of their memory where the rest is missing
   if (before && (before->boundary_.centre != boundary_.centre || before->boundary_.length != boundary_.length ||
                  before->elasticity_ != elasticity))
     before = nullptr;
