@@ -173,8 +173,8 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
  * Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
- * strain, up to 1e-6, and to any other ratio the cells of the lattice add the rest, each as long as the bonds along its
- * edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
+ * strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the rest,
+ * each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
  * material that does not break. From the fracture energy G0, the horizon delta and E' = E, in plane strain
  * E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that
  * bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2
@@ -250,8 +250,7 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull. Elements
  * of BEM regions follow the material points on common edges, also round ones, unless bempd_set_edge_mesh() is called
  * for a straight edge; peridynamic regions of the same spacing share the points of a common edge, without bonds across.
- * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49,
- * or, with points on such an outline, of bonds alone, 1/3 in plane stress and 1/4 in plane strain
+ * @param[in] model the model @param[in] material id of a material with a Poisson's ratio from -0.2 to 0.49
  * @param[in] vertex_count number of vertices, >= 3
  * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  * @param[in] spacing lattice spacing [m], > 0

@@ -211,6 +211,10 @@ def write(out: pathlib.Path) -> None:
         reference[values[0]] = list(zip(values[2::3], values[3::3]))
     picture(drawn, reference, ROOT / "docs" / "directions.png")
     tables = {"straight": straight(rows), "angles": over_angle(rows), "running": running(rows), "mixed": mixed(rows), "inclined": inclined(drawn, reference)}
+    put(tables)
+
+
+def put(tables: dict[str, list[str]]) -> None:
     document = ROOT / "docs" / "directions.md"
     text = document.read_text(encoding="utf-8")
     for name, lines in tables.items():

@@ -1,6 +1,6 @@
 """What turns a crack: every candidate on one table, into out/directions/ and docs/directions.md.
 
-    run.py [--jobs N] [--only WORD] [--table]    --table: from what is there
+    run.py [--jobs N] [--only WORD] [--lines] [--table]    --table: from what is there; --lines: the library's own lines only
 
 A strip between clamps, the crack along its middle, the lattice turned under it; and a disc about a crack tip in mixed
 mode. Results are kept line by line in results.csv: what is there is not run again."""
@@ -14,6 +14,7 @@ import pathlib
 import subprocess
 import sys
 
+import lines
 import report
 
 OUT = pathlib.Path(os.environ.get("BEMPD_OUTPUT", "out/directions"))
@@ -113,8 +114,15 @@ def main() -> None:
     options.add_argument("--jobs", type=int, default=1)
     options.add_argument("--only", default="")
     options.add_argument("--table", action="store_true")
+    options.add_argument("--lines", action="store_true")
     options = options.parse_args()
     OUT.mkdir(parents=True, exist_ok=True)
+    if options.lines or not options.only:
+        if not options.table:
+            lines.run(OUT, options.jobs, options.only)
+        report.put(lines.tables(OUT))
+    if options.lines:
+        return
     file = OUT / "results.csv"
     have = done(file)
     chosen = [job for job in jobs() if options.only in str(job)]

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Callable
 
 import bempd
+import contours
 import growth
 import lattice
 import peers
@@ -23,6 +24,19 @@ boundary elements, which are right to 1e-4: as long as stated, and as long as th
 Differences of K_I and K_II are relative to the whole, that of T to the stress; *ring* is the largest radius and *felt
 ahead* the distance, in spacings; *spread* is the error that `bempd_tip()` tells, among three rings. a is half the length
 of inner cracks. Plane stress, accuracy standard."""
+PEERS = """dolfinx with quadratic triangles that grow with the distance from the tip, quarter points, J or (inclined crack)
+interaction integrals over a ring (`benchmarks/peers/dolfinx_crack.py`), on the whole plate as bempd has it and, where it says
+symmetric, on the quarter or half of it that symmetry leaves. bempd with `accuracy` = draft, one thread, few elements where
+nothing happens. The inclined crack of half length a and the hole of radius R lie in squares of 40 a and 40 R. *Difference* is
+that of both factors together from bempd with many elements."""
+CHORDS = """The crack along a quarter of a circle by chords that touch it, against the closed form (Cotterell and Rice 1980);
+differences relative to both factors together. There are no curved elements on cracks: chords reach 1e-3 in a few
+milliseconds, if they touch the curve, so that the last one points where the tip does."""
+CONTOURS = """Differences from cracks in boundary elements that are as long as the lattice's is felt, of J relative to G, of
+factors relative to both. Squares around the tip through the lattice: J from stresses and displacements that
+`bempd_evaluate()` gives there, factors by interaction with Williams' terms. Squares in the boundary elements around the
+lattice: the integral of Knowles and Sternberg, whose value is 2 a G. Rings: `bempd_tip()`. What all contours of a crack have
+in common is no error of theirs: faces in lattices are softer, which J and what is seen from afar feel more than the factors."""
 PI = math.pi
 
 ISIDA = "Isida, in Tada, Paris and Irwin 2.1"
@@ -190,35 +204,24 @@ def convergence() -> str:
     return "\n".join(lines)
 
 
-def side_by_side() -> str:
-    """Error against seconds, beside finite elements: from the finished scene to the factors of all tips, meshes and all."""
-    lines = ["| crack, a/W = 0.5 | program | unknowns or elements | difference | ms | of them mesh |", "|---|---|---|---|---|---|"]
-    told = []
-    for kind, scene, elements in (("centre", scenes.centre, (2.0, 1.0, 0.5, 0.25, 0.125)),
-                                  ("edge", scenes.single_edge, (1.0, 0.5, 0.4, 0.3, 0.25, 0.125))):
-        finest = factor(lambda: scene(0.5, 0.03125), 0.5)
-        rows: dict[str, list[tuple[int, float, float, float]]] = {"bempd": []}
-        for element in elements:
-            result = run(lambda: scene(0.5, element))
-            rows["bempd"].append((result.elements, first(0.5)(result.tips) / finest - 1, result.seconds, 0.0))
-        for part in ("whole", "symmetric") if peers.installed() else ():
-            rows[f"dolfinx, {part}"] = [
-                (found["unknowns"], found["value"] / finest - 1, found["seconds_mesh"] + found["seconds_solve"],
-                 found["seconds_mesh"]) for found in peers.finite_elements(kind, part, 0.5, REPEATS)]
-        for program, sizes in rows.items():
-            for size, difference, seconds, mesh in sizes:
-                lines.append(f"| {kind} | {program} | {size} | {difference:+.1e} | {1e3 * seconds:.1f} | "
-                             f"{format(1e3 * mesh, '.1f') if mesh else ''} |")
-                print(lines[-1], flush=True)
-        within = {program: [row for row in sizes if abs(row[1]) <= peers.TARGET] for program, sizes in rows.items()}
-        own = min(row[2] for row in within["bempd"])
-        for program, sizes in within.items():
-            if program != "bempd" and sizes:
-                told.append(f"{kind} crack, {program}: {min(row[2] for row in sizes) / own:.0f} times as long, "
-                            f"{min(row[2] - row[3] for row in sizes) / own:.0f} times without meshing")
-    closing = f"Within {peers.TARGET:g} of the factor: {'; '.join(told)}." if told else peers.NOTE
-    print(closing)
-    return "\n".join(lines) + f"\n\n{closing}"
+def arcs() -> str:
+    """The crack along an arc by more and more chords; the last column has chords that end on the arc."""
+    half, half_arc = PI / 4, PI / 8
+    scale = math.sqrt(PI * math.sin(half)) / (1 + math.sin(half_arc) ** 2)
+    known = (scale * math.cos(half_arc), scale * math.sin(half_arc))
+    lines = ["| chords | elements | K_I | K_II | ms | chords that end on the arc: K_I | K_II |", "|---|---|---|---|---|---|---|"]
+    for pieces in (2, 4, 8, 16, 32, 64, 128):
+        off = []
+        for touching in (True, False):
+            result = run(lambda: scenes.arc(pieces, touching))
+            tip = result.tips[0]
+            off += [f"{(value - reference) / scale:+.1e}" for value, reference in
+                    zip((tip.stress_intensity_1, abs(tip.stress_intensity_2)), known)]
+            if touching:
+                size, seconds = result.elements, result.seconds
+        lines.append(f"| {pieces} | {size} | {off[0]} | {off[1]} | {1e3 * seconds:.1f} | {off[2]} | {off[3]} |")
+        print(lines[-1], flush=True)
+    return "\n".join(lines)
 
 
 def many_cracks(count: int = 100) -> str:
@@ -265,11 +268,11 @@ def main() -> None:
         failures += beyond
     sections.append(growth.section())
     sections.append(f"{units()}\n\n{many_cracks()}\n")
-    sections.append("## Beside finite elements\n\ndolfinx with quadratic triangles, quarter points and the J-integral over a "
-                    "ring (`benchmarks/peers/dolfinx_crack.py`), on the whole plate as bempd has it and, where it says symmetric, on a "
-                    f"quarter of the plate with the centre crack and half of that with the edge crack.\n\n{side_by_side()}\n")
+    sections.append(f"## Beside finite elements\n\n{PEERS}\n\n{peers.side_by_side()}\n")
     sections.append(f"## Order\n\nCentre crack, a/W = 0.5, eight elements on the crack.\n\n{convergence()}\n")
+    sections.append(f"## Curved cracks\n\n{CHORDS}\n\n{arcs()}\n")
     sections.append(f"## Cracks in lattices\n\n{LATTICES}\n\n{lattice.section()}\n")
+    sections.append(f"## Contours around tips in lattices\n\n{CONTOURS}\n\n{contours.section()}\n")
     text = "\n".join(sections)
     (folder / "tables.md").write_text(text)
     document = Path(__file__).resolve().parents[2] / "docs/verification.md"

@@ -45,9 +45,28 @@ def double_edge(a: float, element: float = 0.25) -> bempd.Model:
     return plate(1, 3, element, [[(-1, 0), (a - 1, 0)], [(1, 0), (1 - a, 0)]])
 
 
-def from_hole(a: float) -> bempd.Model:
-    """Two cracks from a hole of radius 1; their ends lie a from its middle."""
-    return plate(200, 200, 50, [[(1, 0), (a, 0)], [(-1, 0), (-a, 0)]], radius=1)
+def graded_edge(a: float, element: float) -> bempd.Model:
+    """As single_edge(), with long elements away from the crack and some of a given length on both sides beside it."""
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=0.3)
+    corners = [(0, -3), (1, -3), (1, -1.2), (1, 1.2), (1, 3), (0, 3), (0, 1.2), (0, -1.2)]
+    body = model.add_bem_region(material, corners, element_length=2)
+    model.set_edge_mesh(body, 3, element)
+    model.set_edge_mesh(body, 7, 3 * element)
+    model.add_crack([(0, 0), (a, 0)])
+    model.fix_point(corners[0])
+    model.fix_point(corners[1], "y")
+    model.add_traction(body, 5, "y", 1)
+    model.add_traction(body, 1, "y", -1)
+    return model
+
+
+def from_hole(a: float, half: float = 200, element: float = 50, arc: float = 0) -> bempd.Model:
+    """Two cracks from a hole of radius 1; their ends lie a from its middle. `arc`: length of elements on the hole."""
+    model = plate(half, half, element, [[(1, 0), (a, 0)], [(-1, 0), (-a, 0)]], radius=1)
+    for edge in range(5, 9) if arc else ():
+        model.set_edge_mesh(1, edge, arc)
+    return model
 
 
 def inclined(degrees: float, element: float = 5) -> bempd.Model:
@@ -90,14 +109,16 @@ def collinear(half_gap: float) -> bempd.Model:
     return plate(LARGE, LARGE, 500, [[(-half_gap - 2, 0), (-half_gap, 0)], [(half_gap, 0), (half_gap + 2, 0)]])
 
 
-def arc(pieces: int = 64) -> bempd.Model:
-    """Along a quarter of a circle of radius 1, by chords that touch it. Pulled from all sides."""
+def arc(pieces: int = 64, touching: bool = True) -> bempd.Model:
+    """Along a quarter of a circle of radius 1, by chords that touch it, or that end on it. Pulled from all sides."""
     half, part = math.pi / 4, math.pi / 2 / pieces
-    points = [(-math.sin(half), math.cos(half))]
-    for i in range(pieces):
-        angle = math.pi / 2 + half - part * (i + 0.5)
-        points.append((math.cos(angle) / math.cos(part / 2), math.sin(angle) / math.cos(part / 2)))
-    points.append((math.sin(half), math.cos(half)))
+    at = lambda angle, radius: (radius * math.cos(angle), radius * math.sin(angle))
+    points = [at(math.pi / 2 + half, 1)]
+    if touching:
+        points += [at(math.pi / 2 + half - part * (i + 0.5), 1 / math.cos(part / 2)) for i in range(pieces)]
+        points.append(at(math.pi / 2 - half, 1))
+    else:
+        points += [at(math.pi / 2 + half - part * (i + 1), 1) for i in range(pieces)]
     return plate(LARGE, LARGE, 500, [points], stress=(1, 1))
 
 

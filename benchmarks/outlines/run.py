@@ -17,7 +17,7 @@ import bempd
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NU, SHEAR = 1 / 3, 1 / (2 + 2 / 3)
+NU = 1 / 3
 
 
 def turned(points, angle: float) -> np.ndarray:
@@ -33,18 +33,20 @@ def kirsch_stress(x: float, y: float) -> tuple[float, float, float]:
             -(0.5 * s2 + s4) / r2 + 1.5 * s4 / r2**2)
 
 
-def kirsch_displacement(x, y):
-    kappa, r, t = (3 - NU) / (1 + NU), np.hypot(x, y), np.arctan2(y, x)
+def kirsch_displacement(x, y, nu: float = NU, plane: str = "stress"):
+    kappa = (3 - nu) / (1 + nu) if plane == "stress" else 3 - 4 * nu
+    r, t, shear = np.hypot(x, y), np.arctan2(y, x), 1 / (2 + 2 * nu)
     return np.array([r * (kappa + 1) * np.cos(t) + 2 / r * ((1 + kappa) * np.cos(t) + np.cos(3 * t))
                      - 2 / r**3 * np.cos(3 * t),
                      r * (kappa - 3) * np.sin(t) + 2 / r * ((1 - kappa) * np.sin(t) + np.sin(3 * t))
-                     - 2 / r**3 * np.sin(3 * t)]).T / (8 * SHEAR)
+                     - 2 / r**3 * np.sin(3 * t)]).T / (8 * shear)
 
 
-def plate_with_hole(spacings: int, horizon_ratio: int, angle: float) -> tuple[float, float]:
+def plate_with_hole(spacings: int, horizon_ratio: int, angle: float, nu: float = NU,
+                    plane: str = "stress") -> tuple[float, float]:
     """Relative error of the displacement and the largest stress at the hole."""
     model = bempd.Model()
-    material = model.add_material(young_modulus=1, poisson_ratio=NU)
+    material = model.add_material(young_modulus=1, poisson_ratio=nu, plane=plane)
     corners = turned(bempd.rectangle(-3, -3, 3, 3), angle)
     plate = model.add_pd_region(material, corners, 1 / spacings, horizon_ratio)
     model.add_circular_hole(plate, (0, 0), 1)
@@ -58,10 +60,10 @@ def plate_with_hole(spacings: int, horizon_ratio: int, angle: float) -> tuple[fl
         model.add_traction_function(plate, k + 1, traction)
     for corner, components in ((corners[0], "xy"), (corners[1], "y")):
         for component in components:
-            model.prescribe_point(corner, component, kirsch_displacement(*corner)["xy".index(component)])
+            model.prescribe_point(corner, component, kirsch_displacement(*corner, nu, plane)["xy".index(component)])
     model.step(1)
     x, u, s = (model.field(plate, name) for name in ("position", "displacement", "stress"))
-    exact = kirsch_displacement(x[:, 0], x[:, 1])
+    exact = kirsch_displacement(x[:, 0], x[:, 1], nu, plane)
     on = abs(np.hypot(*x.T) - 1) < 1e-9
     c, n = x[on, 0], x[on, 1]
     hoop = s[on, 0] * n**2 + s[on, 1] * c**2 - 2 * s[on, 2] * c * n
@@ -75,6 +77,17 @@ def kirsch_table() -> str:
         found = [plate_with_hole(n, horizon_ratio, math.radians(angle)) for n in (4, 8, 16, 32)]
         order = math.log2(found[1][0] / found[3][0]) / 2
         lines.append(f"| {horizon_ratio}, {angle} degrees | " + " | ".join(f"{e:.1e}, {s:.2f}" for e, s in found)
+                     + f" | {order:.1f} |")
+    return "\n".join(lines)
+
+
+def ratios_table() -> str:
+    lines = ["| material | radius 4 spacings | radius 8 spacings | radius 16 spacings | order |", "|---|---|---|---|---|"]
+    for plane, nu in (("stress", -0.2), ("stress", 0.0), ("stress", 0.2), ("stress", NU), ("stress", 0.45),
+                      ("stress", 0.49), ("strain", 0.25), ("strain", 0.4), ("strain", 0.45), ("strain", 0.49)):
+        found = [plate_with_hole(n, 4, math.radians(17), nu, plane) for n in (4, 8, 16)]
+        order = math.log2(found[0][0] / found[2][0]) / 2
+        lines.append(f"| plane {plane}, {nu:.4g} | " + " | ".join(f"{e:.1e}, {s:.2f}" for e, s in found)
                      + f" | {order:.1f} |")
     return "\n".join(lines)
 
@@ -151,7 +164,7 @@ def cost_table() -> str:
 def main() -> None:
     program = pathlib.Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_outlines"
     tables = {"networks": subprocess.run([program], check=True, capture_output=True, text=True).stdout.strip(),
-              "kirsch": kirsch_table(), "tips": tips_table(), "cost": cost_table()}
+              "kirsch": kirsch_table(), "ratios": ratios_table(), "tips": tips_table(), "cost": cost_table()}
     for name, table in tables.items():
         print(f"{name}\n{table}\n")
     if "--write" in sys.argv:

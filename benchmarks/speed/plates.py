@@ -40,6 +40,8 @@ def plate(arguments: argparse.Namespace, columns: list[str],
             table.add(row_of(scene, f"window, band {band:g}, to {end}", result))
             if until == "force" and band == 1e-3 and "failed" not in result:
                 own[n] = result
+        result = measure("plate", {"n": n}, {"pd.crack_rule": "line"}, "force", repeats)
+        table.add(row_of(scene, "line, to 0.1 % of the force", result))
         if n <= 100:
             result = measure("plate", {"n": n}, {"stepping.solver": "plain"}, "separation", 1,
                              history=str(OUT / f"history_{n}_plain.npz"))

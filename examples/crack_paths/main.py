@@ -80,13 +80,21 @@ def three_holes(short: bool) -> tuple[list[str], dict]:
         lines.append(f"three holes, notch {known['notch']}, offset {known['offset']:g}, after {known['steps']} steps of "
                      f"{known['step']}: K_I {tip.stress_intensity_1:.4f}, code_aster {known['K_I']:.4f}")
     drawn = {}
-    for notch, offset in ((1.5, 5.0), (1.0, 6.0)):
+    for notch, offset in ((1.5, 5.0), (1.0, 6.0), (1.5, 4.95), (1.5, 5.05)):
         model = cases.run(cases.three_holes(notch, offset), 0.2 if short else 0.05, 40 if short else 160)
         way = cases.path(model, 1, [(10 - offset, 0), (10 - offset, notch)])
-        lines.append(f"three holes, notch {notch:g}, offset {offset:g}: {hole_entered(way)}")
+        gaps = ", ".join(f"{gap_to_hole(way, hole):.2f}" for hole in cases.HOLES)
+        lines.append(f"three holes, notch {notch:g}, offset {offset:g}: {hole_entered(way)}; as close to the holes as {gaps}")
         drawn[(notch, offset)] = way
     expect(hole_entered(drawn[(1.0, 6.0)]).startswith("ends in the middle hole"), "the crack 6 inches off ends in a hole")
+    if not short:
+        for offset, hole in ((4.95, "bottom"), (5.05, "middle")):
+            expect(hole_entered(drawn[(1.5, offset)]).startswith(f"ends in the {hole} hole"), f"{offset} inches off: {hole} hole")
     return lines, drawn
+
+
+def gap_to_hole(way: Path, hole: tuple[float, float]) -> float:
+    return max(0.0, min(math.dist(hole, place) for place in way) - cases.HOLE_RADIUS)
 
 
 def edge_cracks(short: bool) -> tuple[list[str], dict]:

@@ -42,9 +42,12 @@ def draw(drawn, folder: pathlib.Path) -> pathlib.Path:
         ax.legend(fontsize=7, loc="lower left")
     ax = axes[1, 0]
     body(ax, (0, 0), (20, 8), [(hole, cases.HOLE_RADIUS) for hole in cases.HOLES])
-    for way in drawn["three_holes"].values():
-        line(ax, way)
-    ax.set_title("beam with three holes: notches 5 and 6 inches beside the middle", fontsize=9)
+    for (notch, offset), way in drawn["three_holes"].items():
+        if offset in (5, 6):
+            line(ax, way)
+        else:
+            ax.plot(*zip(*way), color=OURS, linewidth=0.8, linestyle=":")
+    ax.set_title("beam with three holes: notches 6 and 5 inches beside the middle; dotted: 4.95 and 5.05", fontsize=9)
     ax = axes[1, 1]
     body(ax, (0, 0), (140, 70), (((95, 35), 15),))
     line(ax, drawn["compressed_plate"]["way"], "bempd")

@@ -1,5 +1,6 @@
 #include "bem/crack_tips.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -76,19 +77,27 @@ class MovedTips {
   PairBlocks blocks_;
 };
 
+// Whether faces press on each other next to a tip.
+bool is_closed(const CrackMesh& cracks, const CrackTip& tip, const CrackedState& state) {
+  return !state.closed.empty() && state.closed[cracks.elements[tip.element].nodes[1]] != 0;
+}
+
 // The openings next to a tip in its axes, first shearing: the factor of the square root of the distance.
-Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const Eigen::VectorXd& openings) {
+Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedState& state) {
   const CrackElement& element = cracks.elements[tip.element];
+  const Eigen::VectorXd& openings = state.openings;
   const bool at_start = tip.end == TipEnd::start;
   const Point mid = openings.segment<2>(2 * element.nodes[1]);
   const Point far = openings.segment<2>(2 * element.nodes[at_start ? 2 : 0]);
   const Point jump = (at_start ? -1.0 : 1.0) * (8 * mid - far) / 3;
-  return {jump.dot(tip.direction), jump.dot(left_of(tip.direction))};
+  const double across = is_closed(cracks, tip, state) ? 0 : jump.dot(left_of(tip.direction));
+  return {jump.dot(tip.direction), across};
 }
 
 StressIntensity shared_by_modes(const CrackedOperator& body, const CrackTip& tip, double rate,
-                                const Eigen::VectorXd& openings) {
-  const Point opening = opening_at(body.cracks(), tip, openings);
+                                const CrackedState& state) {
+  Point opening = opening_at(body.cracks(), tip, state);
+  if (state.faces_press) opening.y() = std::max(opening.y(), 0.0);
   const double size = opening.norm();
   if (size == 0) return {rate, Point::Zero()};
   return {rate, std::sqrt(plane_modulus(body.elasticity()) * rate) / size * Point(opening.y(), opening.x())};
@@ -116,7 +125,7 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
     for (Eigen::Index s = 0; s < count; ++s) {
       const CrackedState& state = states[s];
       if (state.face_traction) rates[s] += work_of_growth(cracks, tip, state.face_traction, state.openings);
-      results.back().push_back(shared_by_modes(body, tip, std::max(rates[s], 0.0), state.openings));
+      results.back().push_back(shared_by_modes(body, tip, std::max(rates[s], 0.0), state));
     }
   }
   return results;
@@ -132,6 +141,11 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
     const Point d = tip.direction;
     const double c = d.x() * d.x() - d.y() * d.y();
     double stress = c * (s[0] - s[1]) + 4 * d.x() * d.y() * s[2];
+    if (is_closed(cracks, tip, state)) {
+      // Faces that only slide there give no stress along their line.
+      results.push_back(d.x() * d.x() * s[0] + d.y() * d.y() * s[1] + 2 * d.x() * d.y() * s[2]);
+      continue;
+    }
     // The outward normal of a face that lies on the left of a direction points to the right of it.
     const Point normal = -left_of(tip.end == TipEnd::end ? d : Point(-d));
     if (state.face_traction) stress += normal.dot(state.face_traction(tip.line, tip.place, normal));

@@ -15,6 +15,8 @@ struct CrackedState {
   Eigen::VectorXd openings;       // [m], all of them
   Eigen::VectorXd tractions;      // [Pa], of the boundary
   FaceTraction face_traction;     // of the cracks, if there is any
+  bool faces_press = false;       // where they meet: factors K_I are >= 0
+  std::vector<char> closed = {};  // nodes of openings where they do
 };
 
 // In the axes of a tip: the first one leads on, the second one to the left of it.

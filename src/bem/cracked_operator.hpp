@@ -41,6 +41,10 @@ class CrackedOperator final : public BoundaryOperator {
   // Forces on all openings [N], as crack_forces.hpp gives them, as forces on the boundary's nodes: what they add to the
   // right-hand side.
   Eigen::MatrixXd forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;
+  // Openings that remain from forces on them, the displacements held.
+  Eigen::MatrixXd opening_response(const Eigen::Ref<const Eigen::MatrixXd>& forces) const {
+    return of_openings_.solve(forces);
+  }
   // All openings [m] that belong to displacements and such forces.
   Eigen::MatrixXd openings(const Eigen::Ref<const Eigen::MatrixXd>& displacements,
                            const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const;

@@ -32,15 +32,24 @@ class ElementBasis {
   double even_slope(double xi) const {
     return powers() ? 2 * xi : 0.5 * alpha_ * std::sin(alpha_ * xi) * even_scale_ * even_scale_;
   }
-  // (f(xi) - f(from)) / (xi - from), without cancellation.
-  double odd_quotient(double xi, double from) const {
-    if (powers()) return 1;
-    return alpha_ * odd_scale_ * std::cos(0.5 * alpha_ * (xi + from)) * sinc(0.5 * alpha_ * (xi - from));
+  struct Pair {
+    double odd, even;
+  };
+  // Both functions and their slopes, on arcs from one sine and one cosine.
+  struct Values {
+    Pair value, slope;
+  };
+  Values at(double xi) const {
+    if (powers()) return {{xi, xi * xi}, {1, 2 * xi}};
+    const double sine = std::sin(0.5 * alpha_ * xi), cosine = std::cos(0.5 * alpha_ * xi), root = sine * even_scale_;
+    return {{2 * sine * cosine * odd_scale_, root * root},
+            {alpha_ * (cosine - sine) * (cosine + sine) * odd_scale_, alpha_ * root * cosine * even_scale_}};
   }
-  double even_quotient(double xi, double from) const {
-    if (powers()) return xi + from;
-    const double scale = 0.5 * alpha_ * even_scale_ * even_scale_;
-    return scale * std::sin(0.5 * alpha_ * (xi + from)) * sinc(0.5 * alpha_ * (xi - from));
+  // (f(xi) - f(from)) / (xi - from), without cancellation.
+  Pair quotients(double xi, double from) const {
+    if (powers()) return {1, xi + from};
+    const double mean = 0.5 * alpha_ * (xi + from), scale = alpha_ * sinc(0.5 * alpha_ * (xi - from));
+    return {scale * odd_scale_ * std::cos(mean), 0.5 * scale * even_scale_ * even_scale_ * std::sin(mean)};
   }
 
   // even(xi) - even(from) - (odd(xi) - odd(from)) even'(from) / odd'(from), without cancellation.
@@ -69,10 +78,6 @@ struct ElementGeometry {
 
   Point at(double xi) const { return c0 + basis.odd(xi) * c1 + basis.even(xi) * c2; }
   Point derivative(double xi) const { return basis.odd_slope(xi) * c1 + basis.even_slope(xi) * c2; }
-  // (x(xi) - x(from)) / (xi - from), without cancellation.
-  Point difference_quotient(double xi, double from) const {
-    return basis.odd_quotient(xi, from) * c1 + basis.even_quotient(xi, from) * c2;
-  }
   // On a straight line with a parameter proportional to the length.
   bool straight() const { return c2.squaredNorm() <= 1e-24 * c1.squaredNorm(); }
 
@@ -85,9 +90,26 @@ struct ElementGeometry {
     if (tip != TipEnd::none) return tip_shape_derivative(xi);
     return nodal(basis.odd_slope(xi), basis.even_slope(xi), 0);
   }
-  // Not of elements with a tip.
-  std::array<double, 3> shape_difference_quotient(double xi, double from) const {
-    return nodal(basis.odd_quotient(xi, from), basis.even_quotient(xi, from), 0);
+  // All of them at once.
+  struct Values {
+    Point derivative;
+    std::array<double, 3> shape, shape_derivative;
+  };
+  Values values(double xi) const {
+    const auto [value, slope] = basis.at(xi);
+    const Point along = slope.odd * c1 + slope.even * c2;
+    if (tip != TipEnd::none) return {along, tip_shape(xi), tip_shape_derivative(xi)};
+    return {along, nodal(value.odd, value.even, 1), nodal(slope.odd, slope.even, 0)};
+  }
+  // (x(xi) - x(from)) / (xi - from), without cancellation, and the same of the shape functions (these not of elements
+  // with a tip).
+  struct Quotients {
+    Point place;
+    std::array<double, 3> shape;
+  };
+  Quotients quotients(double xi, double from) const {
+    const ElementBasis::Pair q = basis.quotients(xi, from);
+    return {q.odd * c1 + q.even * c2, nodal(q.odd, q.even, 0)};
   }
 
  private:

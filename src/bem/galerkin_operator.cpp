@@ -13,7 +13,7 @@ GalerkinOperator::GalerkinOperator(const BoundaryMesh& mesh, const PlaneElastici
   GalerkinMatrices matrices = assemble_galerkin(elements, static_cast<int>(mesh.nodes.size()), mesh.traction_node_count,
                                                 elasticity.effective_poisson_ratio(), options);
   kernel_evaluations_ = matrices.kernel_evaluations;
-  single_layer_.compute(matrices.single_layer);
+  single_layer_.compute(std::move(matrices.single_layer));
   check_cancelled();
   require_positive(single_layer_);
   reduced_transpose_ = std::move(matrices.double_layer);

@@ -152,8 +152,8 @@ Point InteriorEvaluator::remainder(int e, double xi, const Nearest& nearest, con
     for (int other = 0; other < 2; ++other)
       if (end_nodes_[e][own] == end_nodes_[nearest.element][other]) {
         const double end = 2 * own - 1;
-        return on_nearest(2 * other - 1) + (xi - end) * (displacement.difference_quotient(xi, end) -
-                                                         field.gradient * element.difference_quotient(xi, end));
+        return on_nearest(2 * other - 1) +
+               (xi - end) * (displacement.quotients(xi, end).place - field.gradient * element.quotients(xi, end).place);
       }
   return displacement.at(xi) - field.origin_displacement - field.gradient * (element.at(xi) - field.origin);
 }

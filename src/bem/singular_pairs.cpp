@@ -15,25 +15,21 @@ namespace {
 
 // Pair of parameters with everything the kernels need there.
 struct PointPair {
-  const ElementGeometry &outer, &inner;
-  double outer_xi = 0, inner_xi = 0;
-  Point outer_derivative{}, inner_derivative{};  // dx/dxi
-  Point chord{};                                 // r / radius
-  double weight = 0, log_weight = 0;             // log_weight integrates ln(radius)
-  std::array<double, 6> difference{};            // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
+  ElementGeometry::Values outer, inner;
+  Point chord{};                       // r / radius
+  double weight = 0, log_weight = 0;   // log_weight integrates ln(radius)
+  std::array<double, 6> difference{};  // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
 };
 
 void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMoments& moments) {
-  const auto outer_shape = p.outer.shape(p.outer_xi), inner_shape = p.inner.shape(p.inner_xi);
-  const auto outer_slope = p.outer.shape_derivative(p.outer_xi), inner_slope = p.inner.shape_derivative(p.inner_xi);
-  const double jacobians = p.outer_derivative.norm() * p.inner_derivative.norm();
+  const double jacobians = p.outer.derivative.norm() * p.inner.derivative.norm();
   const double kernels[3] = {p.log_weight + p.weight * 0.5 * std::log(p.chord.squaredNorm()), p.weight * cosine,
                              p.weight * sine};
   for (int c = 0; c < 3; ++c)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
-        moments.mass[c][b][a] += kernels[c] * jacobians * outer_shape[a] * inner_shape[b];
-        moments.derivative[c][b][a] += kernels[c] * outer_slope[a] * inner_slope[b];
+        moments.mass[c][b][a] += kernels[c] * jacobians * p.outer.shape[a] * p.inner.shape[b];
+        moments.derivative[c][b][a] += kernels[c] * p.outer.shape_derivative[a] * p.inner.shape_derivative[b];
       }
 }
 
@@ -44,34 +40,31 @@ void add_point(const PointPair& p, bool weak, PairMoments& moments) {
   const double sine = p.chord.x() * p.chord.y() * inverse;
   if (weak) add_weakly_singular(p, cosine, sine, moments);
 
-  const Point normal = scaled_normal(p.inner_derivative);
+  const Point normal = scaled_normal(p.inner.derivative);
   const double along = p.chord.dot(normal) * inverse, across = cross(normal, p.chord) * inverse;
   const double kernels[4] = {along, across, along * cosine, along * sine};
-  const auto outer_shape = p.outer.shape(p.outer_xi);
-  const double weight = p.weight * p.outer_derivative.norm();
+  const double weight = p.weight * p.outer.derivative.norm();
   for (int c = 0; c < 4; ++c)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 6; ++b)
-        moments.double_layer[c][b][a] += weight * kernels[c] * outer_shape[a] * p.difference[b];
+        moments.double_layer[c][b][a] += weight * kernels[c] * p.outer.shape[a] * p.difference[b];
 }
 
 // (N_b(y) - N_b(x)) / radius at a pair of parameters around a common end. N_b is one and the same there, so its value
 // drops out of the difference.
-std::array<double, 6> common_node_difference(const PointPair& p, const Interval& outer, const Interval& inner,
-                                             double outer_way, double inner_way) {
-  const auto inner_part = p.inner.shape_difference_quotient(p.inner_xi, inner.from);
-  const auto outer_part = p.outer.shape_difference_quotient(p.outer_xi, outer.from);
+std::array<double, 6> common_node_difference(const std::array<double, 3>& inner, double inner_way,
+                                             const std::array<double, 3>& outer, double outer_way) {
   std::array<double, 6> difference;
   for (int k = 0; k < 3; ++k) {
-    difference[k] = inner_way * inner_part[k];
-    difference[3 + k] = -outer_way * outer_part[k];
+    difference[k] = inner_way * inner[k];
+    difference[3 + k] = -outer_way * outer[k];
   }
   return difference;
 }
 
 // The same where each element has its own node.
 std::array<double, 6> separate_node_difference(const PointPair& p, double radius) {
-  const auto inner = p.inner.shape(p.inner_xi), outer = p.outer.shape(p.outer_xi);
+  const auto &inner = p.inner.shape, &outer = p.outer.shape;
   return {inner[0] / radius,  inner[1] / radius,  inner[2] / radius,
           -outer[0] / radius, -outer[1] / radius, -outer[2] / radius};
 }
@@ -130,18 +123,15 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
       const double t_over_radius = inner_is_nearer ? angular.points[j] : 1;
       for (std::size_t i = 0; i < radial.points.size(); ++i) {
         const double radius = radial.points[i];
-        PointPair p{a, b};
-        p.outer_xi = a0 + a_length * s_over_radius * radius;
-        p.inner_xi = b0 + b_length * t_over_radius * radius;
-        p.outer_derivative = a.derivative(p.outer_xi);
-        p.inner_derivative = b.derivative(p.inner_xi);
-        p.chord = b_length * t_over_radius * b.difference_quotient(p.inner_xi, b0) -
-                  a_length * s_over_radius * a.difference_quotient(p.outer_xi, a0);
+        const double outer_way = a_length * s_over_radius, inner_way = b_length * t_over_radius;
+        const double outer_xi = a0 + outer_way * radius, inner_xi = b0 + inner_way * radius;
+        PointPair p{a.values(outer_xi), b.values(inner_xi)};
+        const ElementGeometry::Quotients from_a = a.quotients(outer_xi, a0), from_b = b.quotients(inner_xi, b0);
+        p.chord = inner_way * from_b.place - outer_way * from_a.place;
         const double area = angular.weights[j] * radius * std::abs(a_length * b_length);
         p.weight = radial.weights[i] * area;
         p.log_weight = radial.log_weights[i] * area;
-        p.difference = common_node ? common_node_difference(p, outer.interval, inner.interval, a_length * s_over_radius,
-                                                            b_length * t_over_radius)
+        p.difference = common_node ? common_node_difference(from_b.shape, inner_way, from_a.shape, outer_way)
                                    : separate_node_difference(p, radius);
         add_point(p, part == PairPart::everything, moments);
       }
@@ -154,26 +144,23 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   if (geometry.tip != TipEnd::none) return same_tip(element, moments);
   const GaussRule& radial = gauss_rule(radial_points(geometry.straight()));
-  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 14);
+  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 12);
   const double log_two = std::log(2.0);
   for (std::size_t i = 0; i < radial.points.size(); ++i)
     for (std::size_t j = 0; j < along.points.size(); ++j) {
       const double s = radial.points[i];
       const double lower = -1 + 2 * along.points[j] * (1 - s), upper = lower + 2 * s;
       const double area = 4 * (1 - s) * along.weights[j];
+      const ElementGeometry::Values at_lower = geometry.values(lower), at_upper = geometry.values(upper);
+      const ElementGeometry::Quotients quotients = geometry.quotients(upper, lower);
       for (const bool outer_is_lower : {true, false}) {
-        PointPair p{geometry, geometry};
-        p.outer_xi = outer_is_lower ? lower : upper;
-        p.inner_xi = outer_is_lower ? upper : lower;
-        p.outer_derivative = geometry.derivative(p.outer_xi);
-        p.inner_derivative = geometry.derivative(p.inner_xi);
+        PointPair p{outer_is_lower ? at_lower : at_upper, outer_is_lower ? at_upper : at_lower};
         // Signed radius eta - xi: even kernels do not see the sign, in the double layer it cancels.
-        p.chord = geometry.difference_quotient(upper, lower);
+        p.chord = quotients.place;
         p.weight = radial.weights[i] * area;
         p.log_weight = radial.log_weights[i] * area + p.weight * log_two;
-        const auto difference = geometry.shape_difference_quotient(p.inner_xi, p.outer_xi);
         for (int k = 0; k < 3; ++k) {
-          p.difference[k] = difference[k];
+          p.difference[k] = quotients.shape[k];
           p.difference[3 + k] = 0;
         }
         add_point(p, true, moments);

@@ -7,7 +7,8 @@ namespace bempd::coupling {
 
 CondensedOperator::CondensedOperator(const DenseOperator& source, const std::vector<DofKind>& kind,
                                      const std::vector<CondensedOperator>& built)
-    : rest_(source.rest) {
+    : rest_(source.rest), openings_(source.openings) {
+  if (openings_) face_offsets_ = Affine::Zero(static_cast<Eigen::Index>(face_count()), 2);
   for (int node : source.nodes) all_.insert(all_.end(), {2 * node, 2 * node + 1});
   std::vector<DofKind> own;
   for (int dof : all_) own.push_back(kind[dof]);
@@ -22,6 +23,7 @@ CondensedOperator::CondensedOperator(const DenseOperator& source, const std::vec
   }
   for (int i : elimination_->private_dofs()) private_.push_back(all_[i]);
   for (int i : elimination_->shared_dofs()) shared_.push_back(all_[i]);
+  if (openings_) find_free_faces();
 }
 
 void CondensedOperator::condense_load(const Affine& force, const Affine& prescribed, Affine& load) {
@@ -31,10 +33,16 @@ void CondensedOperator::condense_load(const Affine& force, const Affine& prescri
   if (rest_.rows() > 0) support -= rest_;
   const Affine reaction = stiffness * support;
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= reaction.row(shared_local[i]);
-  if (private_.empty()) return;
-  private_load_ = elimination_->solve_private(force(private_, Eigen::all) - reaction(private_local, Eigen::all));
-  if (shared_.empty()) return;
-  const Affine carried = stiffness(shared_local, private_local) * private_load_;
+  if (!private_.empty()) {
+    private_load_ = elimination_->solve_private(force(private_, Eigen::all) - reaction(private_local, Eigen::all));
+    if (!shared_.empty()) {
+      const Affine carried = stiffness(shared_local, private_local) * private_load_;
+      for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
+    }
+  }
+  if (pressing_.empty()) return;
+  find_gaps_at_rest(support);
+  const Affine carried = gaps_by_shared_(pressing_, Eigen::all).transpose() * held_.solve(gaps_at_rest_(pressing_, Eigen::all));
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
 }
 
@@ -49,6 +57,7 @@ void CondensedOperator::recover(Affine& displacement) const {
   if (private_.empty()) return;
   Affine values = private_load_;
   if (!shared_.empty()) values -= elimination_->transfer() * displacement(shared_, Eigen::all);
+  if (!pressing_.empty()) values += private_by_faces_(Eigen::all, pressing_) * pressing_forces(displacement);
   for (std::size_t i = 0; i < private_.size(); ++i) {
     displacement.row(private_[i]) = values.row(static_cast<Eigen::Index>(i));
   }
@@ -61,6 +70,10 @@ void CondensedOperator::condense_function(Eigen::VectorXd& weights, Eigen::RowVe
   constant += own.transpose() * private_load_;
   weights(private_).setZero();
   if (!shared_.empty()) weights(shared_) -= (elimination_->transfer().transpose() * own).eval();
+  if (pressing_.empty()) return;
+  const Eigen::VectorXd per_gap = held_.solve(private_by_faces_(Eigen::all, pressing_).transpose() * own);
+  constant -= per_gap.transpose() * gaps_at_rest_(pressing_, Eigen::all);
+  if (!shared_.empty()) weights(shared_) -= (gaps_by_shared_(pressing_, Eigen::all).transpose() * per_gap).eval();
 }
 
 Eigen::VectorXd CondensedOperator::elastic(const Eigen::VectorXd& displacement, double load_factor) const {
@@ -71,24 +84,36 @@ Eigen::VectorXd CondensedOperator::elastic(const Eigen::VectorXd& displacement, 
 
 void CondensedOperator::add_internal_force(const Eigen::VectorXd& displacement, double load_factor,
                                            Eigen::VectorXd& force) const {
-  const Eigen::VectorXd values = elimination_->stiffness() * elastic(displacement, load_factor);
+  Eigen::VectorXd values = elimination_->stiffness() * elastic(displacement, load_factor);
+  if (!pressing_.empty())
+    values -= openings_->of_displacements.transpose() * face_forces(displacement, load_factor);
   force(all_) += values;
 }
 
 double CondensedOperator::energy(const Eigen::VectorXd& displacement, double load_factor) const {
   const Eigen::VectorXd own = elastic(displacement, load_factor);
-  return 0.5 * own.dot(elimination_->stiffness() * own);
+  const double open = 0.5 * own.dot(elimination_->stiffness() * own);
+  if (shut_.empty()) return open;
+  const Eigen::VectorXd gaps = shut_gaps(displacement, load_factor);
+  return open + 0.5 * gaps.dot(held_shut_.solve(gaps));
 }
 
 double CondensedOperator::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
-  if (rest_.rows() == 0) return 0;
-  return -rest_.col(1).dot(elimination_->stiffness() * elastic(displacement, load_factor));
+  double slope = 0;
+  if (rest_.rows() > 0) slope = -rest_.col(1).dot(elimination_->stiffness() * elastic(displacement, load_factor));
+  if (shut_.empty()) return slope;
+  Eigen::VectorXd growth = face_offsets_.col(1)(shut_);
+  if (rest_.rows() > 0) growth -= openings_->of_displacements(shut_, Eigen::all) * rest_.col(1);
+  return slope + growth.dot(held_shut_.solve(shut_gaps(displacement, load_factor)));
 }
 
 double CondensedOperator::unit_energy(const Eigen::VectorXd& proportional) const {
   Eigen::VectorXd own = proportional(all_);
   if (rest_.rows() > 0) own -= rest_.col(1);
-  return 0.5 * own.dot(elimination_->stiffness() * own);
+  const double open = 0.5 * own.dot(elimination_->stiffness() * own);
+  if (shut_.empty()) return open;
+  const Eigen::VectorXd gaps = face_offsets_.col(1)(shut_) + openings_->of_displacements(shut_, Eigen::all) * own;
+  return open + 0.5 * gaps.dot(held_shut_.solve(gaps));
 }
 
 }  // namespace bempd::coupling

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "coupling/affine.hpp"
@@ -20,7 +22,9 @@ class CondensedOperator {
                     const std::vector<CondensedOperator>& built);
 
   const std::vector<int>& shared_dofs() const { return shared_; }
-  const Eigen::MatrixXd& schur_complement() const { return elimination_->schur_complement(); }
+  const Eigen::MatrixXd& schur_complement() const {
+    return pressing_.empty() ? elimination_->schur_complement() : schur_of_closed_;
+  }
   // Whether it is on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   bool has_factorized() const { return has_factorized_; }  // itself, not one before
@@ -46,7 +50,31 @@ class CondensedOperator {
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
+  // --- Faces of cracks inside that are closed (condensed_faces.cpp); all are open at first.
+
+  std::size_t face_count() const { return openings_ ? static_cast<std::size_t>(openings_->of_forces.rows()) : 0; }
+  // Gaps that loads on the inside make; condense_load() has to follow, as it has after other ones are closed.
+  void set_face_offsets(const Eigen::Ref<const Affine>& offsets) { face_offsets_ = offsets; }
+  void close_faces(const std::vector<char>& closed);
+  // Of open places the gap, of closed ones what they would overlap by if none pressed there, negative while it presses.
+  Affine face_gaps(const Affine& displacement) const;
+  // Gaps as displacements and loads alone make them, and the forces [N] that act there.
+  Eigen::VectorXd open_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
+  Eigen::VectorXd face_forces(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Work of the loads on the inside that closed faces take.
+  double work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const;
+  // A function of displacements for each place, 2 * node + component; the gap of an open one is that and its offset.
+  void add_gap_function(std::size_t place, Eigen::Ref<Eigen::VectorXd> weights) const;
+  const Affine& face_offsets() const { return face_offsets_; }
+
  private:
+  void find_free_faces();
+  void reduce_faces();
+  void find_gaps_at_rest(const Affine& support);
+  Affine pressing_forces(const Affine& displacement) const;
+  // Gaps of places that press on openings of their own, and forces over which these are shut.
+  Eigen::VectorXd shut_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
+
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest
 
   std::shared_ptr<const Elimination> elimination_;
@@ -54,6 +82,16 @@ class CondensedOperator {
   bool has_factorized_ = false;
   std::vector<int> all_, private_, shared_;  // global degrees of freedom
   Affine private_load_;                      // private displacements with the shared unknowns held at 0
+
+  std::shared_ptr<const FaceOpenings> openings_;
+  Affine face_offsets_;               // of all places
+  std::vector<char> free_faces_;      // those that private displacements or openings of their own can shut
+  std::vector<Eigen::Index> pressing_, shut_;  // closed places; those of them that have openings of their own
+  // Per force at a place: private displacements, and gaps. Gaps per shared displacement. Once needed.
+  Eigen::MatrixXd private_by_faces_, gaps_by_faces_, gaps_by_shared_;
+  Eigen::LDLT<Eigen::MatrixXd> held_, held_shut_;  // of the closed places: with everything private, with openings alone
+  Eigen::MatrixXd schur_of_closed_;
+  Affine gaps_at_rest_;  // with the shared unknowns held at 0 and nothing that presses
 };
 
 }  // namespace bempd::coupling

@@ -87,6 +87,11 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
     }
   }
   collect_rest_motions();
+  std::size_t faces = 0;
+  for (const DenseOperator& op : operators)
+    if (op.openings) faces += static_cast<std::size_t>(op.openings->of_forces.rows());
+  closed_faces_.assign(faces, 0);
+  face_offsets_ = Affine::Zero(static_cast<Eigen::Index>(faces), 2);
   const StiffnessRange range = stiffness_range(node_count, operators, terms_);
   largest_stiffness_ = range.largest;
   stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;
@@ -133,6 +138,8 @@ void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   collect_support_motions();
   ties_.collect(force_);
   if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
+  // What presses on closed faces is a matter of loads.
+  if (closed_face_count_ > 0) condense_load();
 }
 
 // Supports are edges and points that move alike: a few motions for thousands of degrees of freedom.
@@ -173,9 +180,11 @@ void EquilibriumSystem::condense() {
   pending_.clear();
   if (stiffness_ratio_ < ordinary_stiffness_ratio) counters_.reciprocal_condition *= stiffness_ratio_;
   condensed_ = Condensed::operators;
+  if (!closed_faces_.empty()) close_faces();
 }
 
 void EquilibriumSystem::condense_load() {
+  condense();
   if (condensed_ == Condensed::operators_and_load) return;
   condensed_load_ = force_;
   for (CondensedOperator& op : operators_) {

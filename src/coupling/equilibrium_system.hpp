@@ -73,7 +73,9 @@ class EquilibriumSystem {
   // Stiffness of every term in its stage.
   const std::vector<double>& present_stiffness() const { return present_stiffness_; }
   // Whether terms or operators have forces without displacements.
-  bool has_offsets() const { return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1]; }
+  bool has_offsets() const {
+    return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1] || closed_face_count() > 0;
+  }
   // What a term becomes where it reaches the critical elongation of its stage.
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(stages_[term])};
@@ -123,6 +125,28 @@ class EquilibriumSystem {
   void switch_contacts(std::span<const int> places);
   // All of them at once; the next solve factorizes afresh if that changes the matrix.
   void set_contacts(Contacts contacts);
+
+  // Places on the faces of cracks inside operators (equilibrium_faces.cpp), which none of these contacts has: they are
+  // shut exactly. Numbered by operators, all open at first.
+  std::size_t face_count() const { return closed_faces_.size(); }
+  const std::vector<char>& closed_faces() const { return closed_faces_; }
+  std::size_t closed_face_count() const { return closed_face_count_; }
+  void set_closed_faces(const std::vector<char>& closed);  // the next solve factorizes afresh if that changes them
+  void switch_faces(std::span<const int> places);
+  // What loads inside operators make of the gaps; set_load() has to follow.
+  const Affine& face_offsets() const { return face_offsets_; }
+  void exchange_face_offsets(Affine& others) noexcept;
+  // Of open places the gap, of closed ones what they would overlap by if none pressed there, negative while it presses.
+  Affine face_gaps(const Affine& displacement) const;
+  // Gaps as displacements and loads alone make them, and the forces [N] that act on closed ones.
+  Eigen::VectorXd open_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
+  Eigen::VectorXd face_forces(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Work of loads inside operators that closed faces take.
+  double work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const;
+  // Of the operator on these nodes.
+  std::vector<char> closed_faces_on(const std::vector<int>& nodes) const;
+  // Of an open place as a function of displacements, 2 * node + component, to which its offset is added.
+  Eigen::VectorXd gap_function(std::size_t place) const;
 
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
@@ -198,6 +222,9 @@ class EquilibriumSystem {
  private:
   enum class Condensed : char { nothing, operators, operators_and_load };
 
+  template <class Visit>
+  void for_each_with_faces(const Visit& visit) const;
+  void close_faces();
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void collect_support_motions();
   void collect_rest_motions() noexcept;
@@ -237,6 +264,9 @@ class EquilibriumSystem {
   std::vector<double> present_stiffness_;
   std::vector<HoldingSpring> springs_;
   Contacts contacts_;
+  std::vector<char> closed_faces_;
+  std::size_t closed_face_count_ = 0;
+  Affine face_offsets_{0, 2};
   Unknowns unknowns_;
   Affine force_, prescribed_, condensed_load_;
   std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0

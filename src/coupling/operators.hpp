@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
+#include "coupling/face_openings.hpp"
 #include "coupling/solution_method.hpp"
 #include "coupling/terms.hpp"
 
@@ -21,6 +22,7 @@ struct DenseOperator {
   // Displacement of the nodes (2 * node of the list + component) without any force, as of a body that swells: the force
   // is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
+  std::shared_ptr<const FaceOpenings> openings = nullptr;  // null: without cracks that close
 };
 
 // A spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium

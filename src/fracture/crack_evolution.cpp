@@ -18,7 +18,7 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
   state_.work = body_.energy_at_rest();
 }
 
-void CrackEvolution::grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips) {
+void CrackEvolution::grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips) {
   state_.tips = std::move(tips);
   sources_.grow_lines(std::move(laws));
 }

@@ -38,7 +38,7 @@ class CrackEvolution {
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});
 
   // Before the first step: cracks grow as lines from these tips, by the laws that they name.
-  void grow_lines(std::vector<pd::TipLaw> laws, std::vector<GrowingTip> tips);
+  void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips);
 
   // Before the first loads: what pressures in cracks among bonds act by.
   void let_in(CrackFluid fluid) { body_.let_in(std::move(fluid)); }
@@ -69,6 +69,15 @@ class CrackEvolution {
   };
   Heat heat(coupling::EquilibriumSystem::Rests rests);
   void cool_down(Heat heat) noexcept;
+
+  // What loads inside operators make of the gaps of faces there. What new ones do to the stored energy where nothing
+  // moves is work, as with heat; set_load() or take_over() has to follow. Returns what unload_faces() takes to undo it.
+  struct FaceLoads {
+    coupling::Affine offsets;
+    double work;
+  };
+  FaceLoads load_faces(coupling::Affine offsets);
+  void unload_faces(FaceLoads loads) noexcept;
 
   // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,

@@ -16,7 +16,7 @@ bool EventSources::may_use_window(double target, const SteppingOptions& options)
          !body_.has_fluid() && target >= body_.state().load_factor;
 }
 
-void EventSources::grow_lines(std::vector<pd::TipLaw> laws) {
+void EventSources::grow_lines(pd::TipLaws laws) {
   settle();
   lines_.emplace(body_, whole_body_, std::move(laws));
 }

@@ -20,7 +20,7 @@ class EventSources {
   EventSources& operator=(const EventSources&) = delete;
 
   // From now on cracks grow as lines from the tips of the body's state.
-  void grow_lines(std::vector<pd::TipLaw> laws);
+  void grow_lines(pd::TipLaws laws);
 
   // The next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);

@@ -15,6 +15,9 @@ namespace {
 // A term that lengthens by this factor when it goes was the last resistance to some motion.
 constexpr double runaway_elongation = 1e8;
 
+// What elongations may have of the displacements that they are differences of.
+constexpr double elongation_rounding = 1e-16;
+
 // An increment that has begun by less than this share of its size has not begun.
 constexpr double increment_rounding = 1e-9;
 
@@ -77,14 +80,14 @@ void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
 bool WholeBodyEvents::runs_away() {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  double largest = 0;
+  // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried none
+  // of them.
+  double largest = elongation_rounding * body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   for (const Changing& one : changing_) largest = std::max(largest, std::abs(one.elastic));
   for (std::size_t i = 0; i < changing_.size(); ++i) {
     const auto term = static_cast<std::size_t>(event_.changes[i].term);
     const double now = std::abs(system_.terms().elastic_elongation(term, after.data(), f));
-    // What follows may have had no elongation of its own.
-    const double then = system_.terms().follows(event_.changes[i].term) ? largest : std::abs(changing_[i].elastic);
-    if (!(now < runaway_elongation * then)) return true;
+    if (!(now < runaway_elongation * largest)) return true;
   }
   return false;
 }
@@ -131,9 +134,26 @@ double WholeBodyEvents::released_by_contacts(const Eigen::VectorXd& before) cons
   return sum;
 }
 
+// By forces that shut places as if these were stiff: the limit of the above, gaps being those without them.
+double WholeBodyEvents::released_by_faces() const {
+  if (system_.closed_face_count() == 0 && forces_before_.isZero(0)) return 0;
+  const BodyState& state = body_.state();
+  const Eigen::VectorXd forces = system_.face_forces(state.total_displacement, state.load_factor);
+  const Eigen::VectorXd gaps = system_.open_gaps(state.total_displacement, state.load_factor);
+  return 0.5 * (forces.dot(gaps_before_) - forces_before_.dot(gaps));
+}
+
 Outcome WholeBodyEvents::perform(Event event) {
   event_ = std::move(event);
   return perform();
+}
+
+void WholeBodyEvents::remember_faces() {
+  closed_before_ = system_.contacts().closed();
+  if (system_.face_count() == 0) return;
+  const BodyState& state = body_.state();
+  forces_before_ = system_.face_forces(state.total_displacement, state.load_factor);
+  gaps_before_ = system_.open_gaps(state.total_displacement, state.load_factor);
 }
 
 Outcome WholeBodyEvents::perform() {
@@ -144,7 +164,7 @@ Outcome WholeBodyEvents::perform() {
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
   const double stored_before = body_.stored_energy();
-  closed_before_ = system_.contacts().closed();
+  remember_faces();
   FreedParts freed;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {
@@ -170,12 +190,13 @@ Outcome WholeBodyEvents::perform() {
   const bool loads_lost = held.loads_lost || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
-  // All of that force is there while the points give way, of which nodal forces before and after show the half.
-  const double by_fluid = 0.5 * flow.dot(state.total_displacement - before);
+  // All of that force is there while the points give way, of which nodal forces before and after show the half; and it
+  // fills what the bonds had stretched before they broke.
+  const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
   outcome.work += by_fluid;
   outcome.stored_energy = body_.stored_energy();
   // Lost loads take their part along with the piece.
-  const double released = released_energy() + released_by_contacts(before) + by_fluid;
+  const double released = released_energy() + released_by_contacts(before) + released_by_faces() + by_fluid;
   outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released;
   outcome.bond_energy = released / (event_.ratio * event_.ratio);
   state.stages = system_.stages();

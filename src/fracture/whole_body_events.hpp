@@ -25,9 +25,11 @@ class WholeBodyEvents final : public EventSource {
   void choose_terms(const SteppingOptions& options);
 
   bool runs_away();
+  void remember_faces();
   void tell_of_body(Outcome& outcome);
   double released_energy() const;
   double released_by_contacts(const Eigen::VectorXd& before) const;
+  double released_by_faces() const;
 
   // A term of the event as it was just before.
   struct Changing {
@@ -41,6 +43,8 @@ class WholeBodyEvents final : public EventSource {
   Event event_;
   std::vector<Changing> changing_;   // in the order of the event
   std::vector<char> closed_before_;  // of the places where faces meet
+  // Of those inside operators; without any, none.
+  Eigen::VectorXd forces_before_, gaps_before_;
 };
 
 }  // namespace bempd::fracture

@@ -20,6 +20,8 @@ struct Growing {
 
 namespace {
 
+constexpr int most_rounds_of_faces = 64;
+
 KinkCriterion criterion_of(const scene::Options& options) {
   return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
                                                             : KinkCriterion::hoop_stress;
@@ -166,9 +168,24 @@ std::vector<regions::TipValues> Model::free_tips() {
   return tips;
 }
 
+// To where the first tips are critical. Faces that close or open on the way make other tips of them.
+Growing Model::go_to_growth(double length) {
+  Growing growing = growing_tips(free_tips(), length, options_);
+  for (int round = 0; load_factor() != growing.load_factor; ++round) {
+    if (round == most_rounds_of_faces)
+      fail(Failure::convergence, "faces of cracks close and open without an end where cracks are to grow");
+    const std::int64_t switches = prepared_->evolution->progress().contact_switches;
+    prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {});
+    if (prepared_->evolution->progress().contact_switches == switches) break;
+    ++generation_;
+    growing = growing_tips(free_tips(), length, options_);
+  }
+  return growing;
+}
+
 GrowthResult Model::grow_cracks(double length) {
   require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
-  Growing growing = growing_tips(free_tips(), length, options_);
+  growing_tips(free_tips(), length, options_);  // throws before anything is done
   std::vector<scene::Crack> before = scene_.cracks();
   fracture::EvolutionState state = prepared_->evolution->state();
   const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
@@ -176,8 +193,7 @@ GrowthResult Model::grow_cracks(double length) {
   std::unique_ptr<PreparedScene> next;  // once the longer cracks are in place: the shorter ones
   bool in_place = false;
   try {
-    if (load_factor() != growing.load_factor)
-      prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {});
+    Growing growing = go_to_growth(length);
     next = extended_scene(before, growing);
     if (options_.text_value("growth.direction") == "chord" &&
         turn_to_chords(growing, tips_of(*next, regions::TipDetail::factors), options_)) {

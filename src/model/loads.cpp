@@ -35,6 +35,11 @@ std::optional<fracture::CrackEvolution::Heat> Model::heat_lattices(const regions
   return prepared_->evolution->heat(std::move(rests));
 }
 
+std::optional<fracture::CrackEvolution::FaceLoads> Model::load_faces(const regions::DofConditions& conditions) {
+  if (conditions.face_offsets == prepared_->system->face_offsets()) return std::nullopt;
+  return prepared_->evolution->load_faces(conditions.face_offsets);
+}
+
 template <class Values>
 void Model::set_support_values(int support, Values values) {
   scene_.set_values(scene_.support(support), "support", support, std::move(values));
@@ -82,10 +87,12 @@ regions::DofConditions Model::conditions_under(scene::SceneValues values) {
 
 Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
-  LoadsBefore before{{}, evolution.loads(), loads_.acting, heat_lattices(conditions)};
+  LoadsBefore before{{}, evolution.loads(), loads_.acting, heat_lattices(conditions), {}};
   try {
+    before.faces = load_faces(conditions);
     evolution.set_load(conditions.force, conditions.displacement, conditions.work_within, pressures_of(conditions));
   } catch (...) {
+    if (before.faces) evolution.unload_faces(std::move(*before.faces));
     if (before.heat) evolution.cool_down(std::move(*before.heat));
     throw;
   }
@@ -96,6 +103,7 @@ Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Actin
 }
 
 void Model::go_back_to(LoadsBefore before) noexcept {
+  if (before.faces) prepared_->evolution->unload_faces(std::move(*before.faces));
   if (before.heat) prepared_->evolution->cool_down(std::move(*before.heat));
   prepared_->evolution->act_again(std::move(before.run));
   // What lattices know of it for their results; without memory they know it with the next loads.
@@ -169,6 +177,7 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
 void Model::arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept {
   say([&] {
     heat_lattices(conditions);
+    load_faces(conditions);
     prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within,
                                     pressures_of(conditions));
     prepared_->conditions = std::move(conditions);

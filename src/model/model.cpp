@@ -66,12 +66,20 @@ void Model::grow_lines(PreparedScene& p) const {
   require(options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event",
           "pd.crack_rule is line, by which cracks grow in scheme symmetric and stepping.mode event; choose these, or "
           "pd.crack_rule = bond");
-  std::vector<pd::TipLaw> laws;
+  pd::TipLaws laws;
   std::vector<fracture::GrowingTip> tips;
   for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.discretization, options_)) {
-    tips.push_back({tip.place, tip.direction, static_cast<int>(laws.size()), {}});
-    laws.push_back(tip.law);
+    tips.push_back({tip.place, tip.direction, static_cast<int>(laws.laws.size()), {}});
+    laws.laws.push_back(tip.law);
   }
+  laws.of_node.assign(p.discretization.positions.size(), -1);
+  for (const auto& region : p.discretization.regions) {
+    const std::optional<pd::TipLaw> law = region->tip_law(options_);
+    if (!law) continue;
+    for (const int node : region->nodes()) laws.of_node[static_cast<std::size_t>(node)] = static_cast<int>(laws.laws.size());
+    laws.laws.push_back(*law);
+  }
+  p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
   p.evolution->grow_lines(std::move(laws), std::move(tips));
 }
 
@@ -116,6 +124,7 @@ std::unique_ptr<PreparedScene> Model::build() const {
                                                             p->conditions.reaction_dofs, contact_plan(*p));
   if (options_.text_value("pd.crack_rule") == "line") grow_lines(*p);
   let_fluid_in(*p);
+  p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,
                          pressures_of(p->conditions));
   p->interface_bonds.emplace(*p->system, d.positions);

@@ -44,7 +44,8 @@ struct PreparedScene {
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
-  int anchored_pieces = 0;  // at first
+  std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines; one law for each of the former comes first
+  int anchored_pieces = 0;                  // at first
   std::int64_t interior_kernel_evaluations = 0;
   std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };
@@ -190,6 +191,7 @@ class Model {
     fracture::CrackEvolution::Loads run;
     Acting acting;
     std::optional<fracture::CrackEvolution::Heat> heat;
+    std::optional<fracture::CrackEvolution::FaceLoads> faces;
   };
   LoadsBefore replace_loads(regions::DofConditions conditions, Acting acting);
   void go_back_to(LoadsBefore before) noexcept;
@@ -198,6 +200,7 @@ class Model {
   // Once prepared; throws Error (argument) for a temperature of boundary elements.
   void require_replaceable(int load) const;
   std::optional<fracture::CrackEvolution::Heat> heat_lattices(const regions::DofConditions& conditions);
+  std::optional<fracture::CrackEvolution::FaceLoads> load_faces(const regions::DofConditions& conditions);
   void values_were_set();
   void arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept;
   void ensure_equilibrium();
@@ -219,6 +222,7 @@ class Model {
   std::unique_ptr<PreparedScene> build() const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
   std::vector<regions::TipValues> free_tips();
+  Growing go_to_growth(double length);
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing);
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);

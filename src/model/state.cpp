@@ -25,9 +25,12 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
   };
   fits(state.total_displacement.size() == dofs && state.stages.size() == terms.size() &&
        state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
-  const std::vector<fracture::GrowingTip>& tips = scene.evolution->progress().tips;
-  fits(state.tips.size() == tips.size());
-  for (std::size_t k = 0; k < tips.size(); ++k) fits(state.tips[k].law == tips[k].law && is_sound(state.tips[k]));
+  fits(state.tips.size() >= scene.first_tips && (scene.tip_laws > 0 || state.tips.empty()));
+  for (std::size_t k = 0; k < state.tips.size(); ++k) {
+    const auto law = static_cast<std::size_t>(std::max(state.tips[k].law, 0));
+    const bool is_first = k < scene.first_tips;
+    fits(is_sound(state.tips[k]) && (is_first ? law == k : law >= scene.first_tips && law < scene.tip_laws));
+  }
   const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -42,7 +45,8 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
     fits(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
          is_gone(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
   }
-  fits(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size());
+  fits(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
+       state.faces.closed_inside.size() == scene.system->face_count());
   const std::vector<int>& cut = scene.cut_bonds;
   fits(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));

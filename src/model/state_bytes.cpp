@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 8;
+constexpr std::uint32_t format_version = 9;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -193,7 +193,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions);
-  visit(e.faces.grown), visit(e.faces.closed);
+  visit(e.faces.grown), visit(e.faces.closed), visit(e.faces.closed_inside);
   visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
   visit(state.scene.loads), visit(state.said);
 }

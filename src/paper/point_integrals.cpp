@@ -87,13 +87,13 @@ class OwnElement {
 
   // `log_weight` integrates ln|xi - xi0|.
   void add_point(double xi, double weight, double log_weight) {
-    const Point chord = element_.difference_quotient(xi, xi0_), dx = element_.derivative(xi);
+    const Point chord = element_.quotients(xi, xi0_).place, dx = element_.derivative(xi);
     const Point normal = scaled_normal(dx);
     const double square = chord.squaredNorm(), inverse = 1 / square, jacobian = dx.norm();
     const double cosine = 0.5 * (chord.x() * chord.x() - chord.y() * chord.y()) * inverse;
     const double sine = chord.x() * chord.y() * inverse;
     const double along = chord.dot(normal) * inverse, across = cross(normal, chord) * inverse;
-    const auto value = element_.shape(xi), difference = element_.shape_difference_quotient(xi, xi0_);
+    const auto value = element_.shape(xi), difference = element_.quotients(xi, xi0_).shape;
     const double weak[3] = {log_weight + weight * 0.5 * std::log(square), weight * cosine, weight * sine};
     const double strong[4] = {along, across, along * cosine, along * sine};
     for (int b = 0; b < 3; ++b) {

@@ -82,6 +82,13 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
     const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (id - 1)); };
     c.work_within += d.region(id).work_within({body_force(0), body_force(1)}, c.crack_loads);
   }
+  for (const auto& region : d.regions) {
+    const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (region->id() - 1)); };
+    const Affine own = region->face_offsets({body_force(0), body_force(1)}, c.crack_loads);
+    const Eigen::Index before = c.face_offsets.rows();
+    c.face_offsets.conservativeResize(before + own.rows(), 2);
+    c.face_offsets.bottomRows(own.rows()) = own;
+  }
   return c;
 }
 

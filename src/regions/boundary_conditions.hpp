@@ -30,6 +30,9 @@ struct DofConditions {
 
   std::vector<std::vector<int>> held_dofs;  // per support: with those that count for another one
 
+  // What loads inside regions make of the gaps of cracks that close, by regions.
+  coupling::Affine face_offsets{0, 2};
+
   // What loads do beside the work of `force`: half of (1, f) within (1, f) at the load factor f [J].
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 

@@ -50,6 +50,14 @@ struct Solution {
   double load_factor = 0;
   const std::vector<std::uint8_t>* stages = nullptr;  // of bonds in their laws; null: they are intact or gone
 
+  // By region: which of the places on its cracks are closed; empty without.
+  std::vector<std::vector<char>> closed_faces = {};
+
+  const std::vector<char>& closed_faces_of(int region) const {
+    static const std::vector<char> none;
+    const auto place = static_cast<std::size_t>(region) - 1;
+    return place < closed_faces.size() ? closed_faces[place] : none;
+  }
   const Point& body_force(int region) const { return body_forces[static_cast<std::size_t>(region) - 1]; }
 };
 

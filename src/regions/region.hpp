@@ -190,6 +190,12 @@ class Region {
     return Eigen::Matrix2d::Zero();
   }
 
+  // What these loads make of the gaps of its cracks that close, the openings of its dense operator [m].
+  virtual coupling::Affine face_offsets(const std::array<Point, 2>& /*body_force*/,
+                                        const std::vector<CrackLoad>& /*crack_loads*/) const {
+    return coupling::Affine(0, 2);
+  }
+
   // Force [N] of the body's own stress on one side of each of some nodes: what its tractions on this edge add up to
   // there. Where edges share a node it tells their parts of the force.
   virtual std::vector<Point> forces_on_edge(const EdgeSpan& /*span*/, const std::vector<int>& nodes_of_scene,

@@ -103,12 +103,13 @@ static void pressure_opens_and_new_values_follow(void) {
 static int warnings = 0;
 static void count_overlaps(int32_t level, const char* message, void* user) {
   (void)user;
-  if (level == 1 && strstr(message, "overlap")) ++warnings;
+  if (level == 1 && strstr(message, "the faces of crack 1 overlap by") && strstr(message, " at (")) ++warnings;
 }
 
 static void faces_that_overlap_are_warned_of_once(void) {
   const double crack[] = {-0.5, 0, 0.5, 0};
   bempd_model* model = cracked_plate(2, crack, 0);
+  CHECK_OK(model, bempd_set_option_text(model, "bem.contact", "none"));
   CHECK_OK(model, bempd_set_log(model, count_overlaps, NULL));
   CHECK_OK(model, bempd_step(model, 1.0, NULL));
   CHECK(warnings == 0);
@@ -116,6 +117,22 @@ static void faces_that_overlap_are_warned_of_once(void) {
   CHECK_OK(model, bempd_step(model, -2.0, NULL));
   CHECK(warnings == 1);
   CHECK(tip_of(model, 0).stress_intensity_1 < 0);
+  bempd_model_free(model);
+}
+
+static void faces_that_press_do_not_overlap(void) {
+  const double crack[] = {-0.5, 0, 0.5, 0};
+  const double fractions[] = {0.25, 0.5};
+  double normal[2];
+  bempd_model* model = cracked_plate(2, crack, 0);
+  warnings = 0;
+  CHECK_OK(model, bempd_set_log(model, count_overlaps, NULL));
+  CHECK_OK(model, bempd_step(model, -2.0, NULL));
+  CHECK(warnings == 0);
+  CHECK(tip_of(model, 0).stress_intensity_1 == 0);
+  CHECK_OK(model, bempd_crack_opening(model, 1, 2, fractions, normal, NULL));
+  CHECK_CLOSE(normal[0], 0, 1e-9);
+  CHECK_CLOSE(normal[1], 0, 1e-9);
   bempd_model_free(model);
 }
 
@@ -346,6 +363,7 @@ int main(void) {
   an_edge_crack_has_one_tip_and_an_opening();
   pressure_opens_and_new_values_follow();
   faces_that_overlap_are_warned_of_once();
+  faces_that_press_do_not_overlap();
   values_beside_the_crack();
   snapshots_show_the_openings();
   another_region_beside_the_crack();

@@ -39,6 +39,22 @@ static void cracks_lie_in_regions_of_one_kind(void) {
   REFUSED("reaches the interface", 2, 8.5, 4.5, 10.0, 4.5);
 }
 
+static void cracks_keep_off_interfaces_of_boundary_elements(void) {
+  const double along[][4] = {{2, 4, 7, 4}, {0, 4, 10, 4}, {5, 2, 5, 4}, {5, 2, 5, 6}};
+  const char* words[] = {"runs along the interface of the regions 1 and 2", "runs along the interface",
+                         "reaches the interface", "goes from the BEM region 1 into the BEM region 2"};
+  for (int k = 0; k < 4; ++k) {
+    bempd_model* model = new_model();
+    const int32_t material = add_sound_material(model);
+    const int32_t low = add_bem_rectangle(model, material, 0.0, 0.0, 10.0, 4.0, 2.0);
+    add_bem_rectangle(model, material, 0.0, 4.0, 10.0, 8.0, 2.0);
+    CHECK_OK(model, bempd_fix_edge(model, low, 1, BEMPD_BOTH, NULL));
+    check_refused_by_prepare(model, words[k], bempd_add_crack(model, 2, along[k], NULL), "bempd_add_crack", __FILE__,
+                             __LINE__);
+    bempd_model_free(model);
+  }
+}
+
 static void cracks_keep_off_the_material_points(void) {
   REFUSED("material point", 2, 14.0, 2.5, 14.0, 5.5);
   REFUSED("material point", 2, 14.5, 2.5, 15.0, 5.0);
@@ -66,6 +82,7 @@ static void cracks_from_the_edge_and_bent_cracks_are_accepted(void) {
 int main(void) {
   cracks_have_points_and_length();
   cracks_lie_in_regions_of_one_kind();
+  cracks_keep_off_interfaces_of_boundary_elements();
   cracks_keep_off_the_material_points();
   cracks_from_the_edge_and_bent_cracks_are_accepted();
   return check_finish();

@@ -1,7 +1,7 @@
 /* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
 #include "scenes.h"
 
-/* The layout of format version 8: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 9: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
@@ -22,9 +22,10 @@ enum {
   extensions,
   grown_faces,
   closed_faces,
+  closed_inside,
   array_count
 };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 96, 8, 89, 20, 1};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 96, 8, 89, 20, 1, 1};
 
 typedef struct bytes {
   uint8_t* data;

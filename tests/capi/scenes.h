@@ -73,6 +73,31 @@ static inline bempd_model* pd_block(void) {
   return model;
 }
 
+/** The README's strip with an edge crack of another length, its right end pulled by `count` values (NULL for `pulled`:
+ * it is left alone). */
+static inline bempd_model* strip_with_crack(double length, int64_t count, const double* constant,
+                                            const double* proportional, int32_t* pulled) {
+  const double crack[] = {0.0295, 0.0, 0.0295, length};
+  bempd_model* model = new_model();
+  bempd_material material;
+  int32_t acrylic = 0;
+  const rectangle middle = rectangle_of(0.02, 0.0, 0.04, 0.02);
+  CHECK_OK(NULL, bempd_material_init(&material, sizeof material));
+  material.young_modulus = 3e9;
+  material.poisson_ratio = 1.0 / 3.0;
+  material.thickness = 0.005;
+  material.fracture_energy = 300.0;
+  CHECK_OK(model, bempd_add_material(model, &material, &acrylic));
+  add_bem_rectangle(model, acrylic, 0.0, 0.0, 0.02, 0.02, 0.005);
+  CHECK_OK(model, bempd_add_pd_region(model, acrylic, 4, middle.vertices, 0.001, 4, NULL));
+  add_bem_rectangle(model, acrylic, 0.04, 0.0, 0.06, 0.02, 0.005);
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+  if (pulled != NULL)
+    CHECK_OK(model, bempd_prescribe_edge(model, 3, 2, 0.0, 1.0, BEMPD_X, count, constant, proportional, pulled));
+  return model;
+}
+
 /**
  * BEM 10 x 8 | PD 9 x 8 cells of size 1 with a crack from the bottom across four rows | BEM 10 x 8. The ends are pulled
  * apart, per unit of the load factor by 0.02 at the bottom and 0.002 at the top, so that the crack grows stably.

@@ -9,12 +9,14 @@ namespace host::cantilever {
 constexpr double young = 100e9, poisson = 1.0 / 3, length = 1, height = 0.2, end_shear = 1e5;
 
 // Art. 21, with the end load at x = length and the axis at mid height.
-inline Vector exact(double x, double y_from_bottom) {
+inline Vector exact_at_ratio(double x, double y_from_bottom, double ratio) {
   const double c = height / 2, y = y_from_bottom - c, inertia = 2 * c * c * c / 3;
   const double f = end_shear / (6 * young * inertia);
-  return {-f * y * ((6 * length - 3 * x) * x + (2 + poisson) * (y * y - c * c)),
-          f * (3 * poisson * y * y * (length - x) + (4 + 5 * poisson) * c * c * x + (3 * length - x) * x * x)};
+  return {-f * y * ((6 * length - 3 * x) * x + (2 + ratio) * (y * y - c * c)),
+          f * (3 * ratio * y * y * (length - x) + (4 + 5 * ratio) * c * c * x + (3 * length - x) * x * x)};
 }
+
+inline Vector exact(double x, double y_from_bottom) { return exact_at_ratio(x, y_from_bottom, poisson); }
 
 inline Vector end_traction(double, double y_from_bottom) {
   const double c = height / 2, y = y_from_bottom - c, inertia = 2 * c * c * c / 3;

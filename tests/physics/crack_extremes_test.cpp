@@ -48,8 +48,11 @@ TEST(CrackExtremes, sizes_and_moduli_do_not_matter) {
     return first_factor(body, modulus) / (modulus * std::sqrt(size));
   };
   const double reference = factor(1, 1);
-  for (const double size : {1e-9, 1e9}) EXPECT_NEAR(factor(size, 1), reference, 1e-11 * reference);
-  for (const double modulus : {1e-12, 1e15}) EXPECT_NEAR(factor(1, modulus), reference, 1e-11 * reference);
+  double worst = 0;
+  for (const auto& [size, modulus] : {std::pair(1e-9, 1.0), {1e9, 1.0}, {1.0, 1e-12}, {1.0, 1e15}})
+    worst = std::max(worst, std::abs(factor(size, modulus) / reference - 1));
+  std::printf("other sizes and moduli: %.1e\n", worst);
+  EXPECT_LE(worst, 1e-12);
 }
 
 // In plane strain the factors of a loaded body do not depend on Poisson's ratio.

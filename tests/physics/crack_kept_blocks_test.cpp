@@ -15,7 +15,7 @@ double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 }
 
 // Every state of growth from the one before, which itself was built so.
-void expect_same(const std::vector<Paths>& states, double element) {
+void expect_same(const std::vector<Paths>& states, double element, double most_kernels) {
   std::unique_ptr<bem::CrackedOperator> before;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const CrackedBody body({plate(1, 1.5, element)}, states[k], steel, element);
@@ -26,7 +26,10 @@ void expect_same(const std::vector<Paths>& states, double element) {
     EXPECT_LE(difference(grown->matrices().double_layer, body.op->matrices().double_layer), 1e-12) << k;
     EXPECT_EQ((grown->full_stiffness() - grown->full_stiffness().transpose()).cwiseAbs().maxCoeff(), 0) << k;
     if (before) {
-      EXPECT_LT(grown->kernel_evaluations(), body.op->kernel_evaluations()) << k;
+      const double share = static_cast<double>(grown->kernel_evaluations()) / body.op->kernel_evaluations();
+      std::printf("%d elements: %.2f of the kernels of a body built from nothing\n",
+                  static_cast<int>(grown->elements().size()), share);
+      EXPECT_LT(share, most_kernels) << k;
     }
     before = std::move(grown);
   }
@@ -34,7 +37,7 @@ void expect_same(const std::vector<Paths>& states, double element) {
 
 TEST(KeptBlocks, give_the_operator_of_a_crack_that_grows_at_both_ends) {
   const Point a{-0.6, 0.15}, b{-0.5, 0.15}, c{-0.4, 0.1}, d{0.3, -0.1}, e{0.4, -0.1}, f{0.5, -0.05};
-  expect_same({{{1, {c, d}}}, {{1, {b, c, d, e}, 1, 1}}, {{1, {a, b, c, d, e, f}, 2, 2}}}, 0.25);
+  expect_same({{{1, {c, d}}}, {{1, {b, c, d, e}, 1, 1}}, {{1, {a, b, c, d, e, f}, 2, 2}}}, 0.25, 0.6);
 }
 
 TEST(KeptBlocks, give_the_operator_where_a_tip_reaches_an_edge_and_another_crack) {
@@ -42,7 +45,7 @@ TEST(KeptBlocks, give_the_operator_where_a_tip_reaches_an_edge_and_another_crack
   expect_same({{{1, {a, b}}, {2, {q, p}}},
                {{1, {a, b, c}, 0, 1}, {2, {r, q, p}, 1}},
                {{1, {a, b, c, d}, 0, 2}, {2, {s, r, q, p}, 2}}},
-              0.25);
+              0.25, 1);
 }
 
 TEST(KeptBlocks, know_nodes_by_place_whatever_their_numbers) {

@@ -61,6 +61,33 @@ TEST(CrackedOperator, linear_fields_pass_when_the_faces_carry_their_tractions) {
   }
 }
 
+// Round a branch one goes through all of its openings and comes back to the same face.
+TEST(CrackedOperator, openings_of_a_branch_sum_to_zero) {
+  int branches = 0;
+  for (const Case& c : cases()) {
+    const CrackedBody body({plate(1, 1.5, 0.5)}, c.cracks, steel, 0.5);
+    const bem::CrackedState state = body.solve(constant_stress(1e6, 2e6, 5e5));
+    const double largest = state.openings.cwiseAbs().maxCoeff();
+    std::vector<Point> sums(body.lines.joints.size(), Point::Zero());
+    std::vector<double> opened(body.lines.joints.size(), 0);
+    for (const bem::CrackElement& e : body.cracks.elements)
+      for (const int end : {0, 2}) {
+        const int joint = body.cracks.joint_of_node[e.nodes[end]];
+        if (joint < 0) continue;
+        const Point opening = state.openings.segment<2>(2 * e.nodes[end]);
+        sums[joint] += (end == 0 ? -1.0 : 1.0) * opening;
+        opened[joint] = std::max(opened[joint], opening.norm());
+      }
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+      if (body.lines.joints[j].mouth) continue;
+      ++branches;
+      EXPECT_LE(sums[j].norm(), 1e-12 * largest) << c.name;
+      EXPECT_GE(opened[j], 0.05 * largest) << c.name;
+    }
+  }
+  EXPECT_GE(branches, 3);
+}
+
 TEST(CrackedOperator, stress_along_a_crack_does_not_see_it) {
   const CrackedBody body({plate(1, 1.5, 0.5)}, {{{-0.5, 0}, {0.5, 0}}}, steel, 0.5);
   const bem::CrackedState state = body.solve(constant_stress(5e6, 0, 0));

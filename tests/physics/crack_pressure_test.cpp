@@ -161,7 +161,8 @@ TEST(CrackPressure, follows_a_crack_that_grows) {
   EXPECT_LE(step.stored_energy, 1e-9 * step.work);
 }
 
-// A crack that grows as a line: some 6 % over Griffith's load, where between clamps that move it is 3 % under it.
+// A crack that grows as a line, at 1.01 times Griffith's load between clamps that move it. It stays with the load as it
+// goes on: the fluid fills what the bonds had stretched, which is part of the energy that growth takes.
 TEST(CrackPressure, drives_a_line) {
   Strip strip("path", "line");
   bempd_step_report step{};
@@ -173,8 +174,8 @@ TEST(CrackPressure, drives_a_line) {
     least = std::min(least, step.load_factor);
     most = std::max(most, step.load_factor);
   }
-  EXPECT_LE(std::abs(report("least load in growth", least, 1, "Griffith")), 0.07);
-  EXPECT_LE(std::abs(report("largest load in growth", most, 1, "Griffith")), 0.07);
+  EXPECT_LE(std::abs(report("least load in growth", least, 1, "Griffith")), 0.03);
+  EXPECT_LE(std::abs(report("largest load in growth", most, 1, "Griffith")), 0.03);
 }
 
 TEST(CrackPressure, acts_along_all_of_a_body_that_it_has_parted) {

@@ -20,9 +20,9 @@ struct Strip {
   Model model;
   int32_t region = 0;
 
-  Strip(const char* solver, double angle) {
+  Strip(const char* solver, double angle, double ratio = 1.0 / 3) {
     model.set_text("stepping.solver", solver);
-    const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
+    const int32_t id = model.add(material(1, ratio, BEMPD_PLANE_STRESS, 1, 1e-3));
     Outline outline = rectangle(0, 0, 26, 18);
     for (Vector& p : outline) p = turned(p, angle);
     region = model.pd(id, outline, 1, 3);
@@ -36,8 +36,8 @@ struct Strip {
 };
 
 TEST(OutlinedFracture, windows_break_the_same_bonds_as_the_plain_loop) {
-  for (const double angle : {0.0, 0.4}) {
-    Strip plain("plain", angle), window("window", angle);
+  for (const auto& [angle, ratio] : {std::pair(0.0, 1.0 / 3), {0.4, 1.0 / 3}, {0.4, 0.1}, {0.4, 0.45}}) {
+    Strip plain("plain", angle, ratio), window("window", angle, ratio);
     const bempd_step_report a = plain.model.run(1), b = window.model.run(1);
     EXPECT_EQ(a.events, b.events);
     EXPECT_EQ(plain.model.bonds(plain.region).states, window.model.bonds(window.region).states);

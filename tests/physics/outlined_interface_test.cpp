@@ -12,13 +12,20 @@ namespace {
 using namespace host;
 
 struct Uniform {
-  static constexpr double xx = 3e6, yy = -1e6, xy = 2e6, young = 2e9, poisson = 1.0 / 3;
+  static constexpr double xx = 3e6, yy = -1e6, xy = 2e6, young = 2e9;
+  static inline double poisson = 1.0 / 3;
   static Vector displacement(double x, double y) {
     const double exx = (xx - poisson * yy) / young, eyy = (yy - poisson * xx) / young;
     const double exy = (1 + poisson) * xy / young;
     return {exx * x + exy * y, exy * x + eyy * y};
   }
   static Vector traction(double nx, double ny) { return {xx * nx + xy * ny, xy * nx + yy * ny}; }
+};
+
+// Another Poisson's ratio than that of bonds alone.
+struct WithRatio {
+  explicit WithRatio(double ratio) { Uniform::poisson = ratio; }
+  ~WithRatio() { Uniform::poisson = 1.0 / 3; }
 };
 
 // Tractions of the constant stress on straight free edges.
@@ -52,17 +59,19 @@ void expect_uniform(Model& model, const Outline& places) {
 }
 
 // A slanted strip of material points between two blocks of elements.
-class SlantedInterfaces : public testing::TestWithParam<double> {};
+class SlantedInterfaces : public testing::TestWithParam<std::pair<double, double>> {};
 
 TEST_P(SlantedInterfaces, pass_constant_stress) {
+  const auto [length, ratio] = GetParam();
+  const WithRatio with(ratio);
   Model model;
   const int32_t id = model.add(material(Uniform::young, Uniform::poisson));
   const Outline left{{0, 0}, {1, 0}, {1.35, 1}, {0, 1}}, middle{{1, 0}, {1.8, 0}, {2.15, 1}, {1.35, 1}},
       right{{1.8, 0}, {3, 0}, {3, 1}, {2.15, 1}};
   const int32_t a = model.bem(id, left, 0.3), b = model.pd(id, middle, 0.1, 4), c = model.bem(id, right, 0.3);
-  if (GetParam() > 0) {
-    model.mesh(a, 2, GetParam(), 1);
-    model.mesh(c, 4, GetParam(), 1);
+  if (length > 0) {
+    model.mesh(a, 2, length, 1);
+    model.mesh(c, 4, length, 1);
   }
   pull(model, a, left, {1, 3, 4});
   pull(model, b, middle, {1, 3});
@@ -75,7 +84,9 @@ TEST_P(SlantedInterfaces, pass_constant_stress) {
   expect_uniform(model, {{0.4, 0.4}, {1.6, 0.5}, {2.5, 0.7}});
 }
 
-INSTANTIATE_TEST_SUITE_P(ElementLengths, SlantedInterfaces, testing::Values(0.0, 0.13, 0.25, 0.4));
+INSTANTIATE_TEST_SUITE_P(ElementLengthsAndRatios, SlantedInterfaces,
+                         testing::Values(std::pair(0.0, 1.0 / 3), std::pair(0.13, 1.0 / 3), std::pair(0.25, 1.0 / 3),
+                                         std::pair(0.4, 1.0 / 3), std::pair(0.0, 0.2), std::pair(0.25, 0.45)));
 
 // Peridynamic regions of all kinds side by side share the points of common edges.
 TEST(SharedPoints, pass_constant_stress) {
@@ -99,7 +110,8 @@ TEST(SharedPoints, pass_constant_stress) {
 
 // A round region of material points in a plate of elements, with a hole of its own or none.
 TEST(RoundInterfaces, pass_constant_stress) {
-  for (const double hole : {0.0, 0.3}) {
+  for (const auto& [hole, ratio] : {std::pair(0.0, 1.0 / 3), {0.3, 1.0 / 3}, {0.0, -0.1}, {0.3, 0.45}}) {
+    const WithRatio with(ratio);
     Model model;
     const int32_t id = model.add(material(Uniform::young, Uniform::poisson));
     const Outline outline = rectangle(-2, -1.5, 2, 1.5);
@@ -114,7 +126,8 @@ TEST(RoundInterfaces, pass_constant_stress) {
     if (hole > 0) {
       const int32_t first = model.circular_hole(disc, {0.1, 0}, hole);
       for (int32_t k = first; k < first + 4; ++k)
-        model.traction(disc, k, [hole](double x, double y) { return Uniform::traction((0.1 - x) / hole, -y / hole); });
+        model.traction(disc, k,
+                       [hole = hole](double x, double y) { return Uniform::traction((0.1 - x) / hole, -y / hole); });
     }
     pull(model, plate, outline, {1, 2, 3, 4});
     const Vector u = Uniform::displacement(-2, -1.5), v = Uniform::displacement(2, -1.5);
@@ -126,7 +139,10 @@ TEST(RoundInterfaces, pass_constant_stress) {
 }
 
 // A slanted block of material points that elements surround, its edges no multiples of the spacing.
-TEST(SurroundedRegion, passes_constant_stress) {
+class SurroundedRegion : public testing::TestWithParam<double> {};
+
+TEST_P(SurroundedRegion, passes_constant_stress) {
+  const WithRatio with(GetParam());
   Model model;
   const int32_t id = model.add(material(Uniform::young, Uniform::poisson));
   const Outline outline = rectangle(-2, -2, 2, 2), block{{-0.63, -0.4}, {0.5, -0.71}, {0.83, 0.44}, {-0.3, 0.8}};
@@ -140,6 +156,8 @@ TEST(SurroundedRegion, passes_constant_stress) {
   model.prescribe_point({2, -2}, BEMPD_Y, v[1]);
   expect_uniform(model, {{1.5, 1}, {0.1, 0.2}, {-1.2, 0.4}});
 }
+
+INSTANTIATE_TEST_SUITE_P(Ratios, SurroundedRegion, testing::Values(1.0 / 3, 0.2, 0.45));
 
 // Material points along a piece of a hole's edge only, the rest of a wide plate in elements.
 TEST(PatchAtAHole, tells_the_largest_stress) {

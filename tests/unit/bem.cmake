@@ -1,4 +1,2 @@
-bempd_add_engine_test(bem_quadrature_test bem_quadrature_test.cpp)
-bempd_add_engine_test(bem_close_pairs_test bem_close_pairs_test.cpp)
-bempd_add_engine_test(bem_kernels_test bem_kernels_test.cpp)
-bempd_add_engine_test(bem_operator_test bem_operator_test.cpp)
+bempd_add_engine_test(bem_test bem_close_pairs_test.cpp bem_kernels_test.cpp bem_operator_test.cpp
+  bem_quadrature_test.cpp)

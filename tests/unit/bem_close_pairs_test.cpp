@@ -8,18 +8,12 @@
 #include <limits>
 
 #include "bem/pair_integrals.hpp"
+#include "bem_moments.hpp"
 
 namespace {
 
 using namespace bempd;
 using namespace bempd::bem;
-
-double total(const PairMoments::Block& block) {
-  double sum = 0;
-  for (const auto& row : block)
-    for (const double value : row) sum += value;
-  return sum;
-}
 
 // Of one, over inner and outer element: the first half of the double layer.
 double double_layer_total(const PairMoments& m, int kernel) {

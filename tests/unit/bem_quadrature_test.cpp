@@ -6,6 +6,7 @@
 #include "bem/lanes.hpp"
 #include "bem/pair_integrals.hpp"
 #include "bem/quadrature.hpp"
+#include "bem_moments.hpp"
 
 namespace {
 
@@ -71,8 +72,8 @@ TEST(ElementGeometry, difference_quotients_have_no_cancellation) {
   for (const double half_angle : {0.0, 1e-7, 0.4, -1.1}) {
     const ElementGeometry element{{0.3, 0.1}, {0.5, 0.2}, {0.05, -0.1}, ElementBasis(half_angle)};
     const double from = 0.7, d = 1e-9;
-    EXPECT_NEAR((element.difference_quotient(from + d, from) - element.derivative(from + d / 2)).norm(), 0, 4e-15);
-    const auto quotient = element.shape_difference_quotient(-0.4, 0.9), a = element.shape(-0.4), b = element.shape(0.9);
+    EXPECT_NEAR((element.quotients(from + d, from).place - element.derivative(from + d / 2)).norm(), 0, 4e-15);
+    const auto quotient = element.quotients(-0.4, 0.9).shape, a = element.shape(-0.4), b = element.shape(0.9);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(quotient[k], (a[k] - b[k]) / (-0.4 - 0.9), 1e-15);
   }
 }
@@ -104,13 +105,6 @@ double log_double_integral(long double c) {
 
 std::vector<ElementGeometry> collinear(double second_start) {
   return {{{0.5, 0}, {0.5, 0}, {0, 0}}, {{second_start + 0.5, 0}, {0.5, 0}, {0, 0}}};
-}
-
-double total(const PairMoments::Block& block) {
-  double sum = 0;
-  for (const auto& row : block)
-    for (const double value : row) sum += value;
-  return sum;
 }
 
 TEST(PairIntegrator, logarithm_agrees_with_closed_form_for_equal_touching_near_and_far_elements) {

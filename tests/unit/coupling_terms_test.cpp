@@ -32,8 +32,8 @@ class Mixed {
     terms.add_bond(2, 4, {0.6, 0.8}, 2, 2.0);
     terms.add_bond(3, 4, {0, 1}, 1, 5.0);
     terms.add_bond(5, 4, {-0.8, 0.6}, 1, 4.0);
-    const TermEntry corners[] = {{3, 0.5, -0.5}, {4, 0.5, 0.5}, {5, -0.5, 0.5}, {6, -0.5, -0.5}};
-    EXPECT_EQ(terms.add_wide(corners, 1, 2.5), cell);
+    const TermEntry of_cell[] = {{3, 0.5, -0.5}, {4, 0.5, 0.5}, {5, -0.5, 0.5}, {6, -0.5, -0.5}};
+    EXPECT_EQ(terms.add_wide(of_cell, 1, 2.5), cell);
     terms.add_bond(3, 6, {0.8, 0.6}, 1, 1.5);
     terms.add_bond(4, 6, {0, 1}, 1, 2.0);
     const TermEntry contact[] = {{4, 0, 1}, {1, 0, -0.3}, {2, 0, -0.7}};

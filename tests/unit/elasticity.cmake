@@ -1,2 +1,1 @@
-bempd_add_engine_test(elasticity_wedge_test elasticity_wedge_test.cpp)
-bempd_add_engine_test(elasticity_crack_tip_field_test elasticity_crack_tip_field_test.cpp)
+bempd_add_engine_test(elasticity_test elasticity_crack_tip_field_test.cpp elasticity_wedge_test.cpp)

@@ -12,7 +12,7 @@ namespace {
 using namespace bempd;
 using Complex = std::complex<double>;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TipPolar polar(const Point& p) { return {p.norm(), std::atan2(p.y(), p.x())}; }
 

@@ -12,7 +12,7 @@ namespace {
 
 using namespace bempd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int free_face = 0, clamped = 3;
 
 PlaneElasticity strained(double young, double nu) { return {young, nu, PlaneState::strain, 1}; }

@@ -1,5 +1,2 @@
-bempd_add_engine_test(pd_lattice_test pd_lattice_test.cpp)
-bempd_add_engine_test(pd_network_test pd_network_test.cpp)
-bempd_add_engine_test(pd_crack_test pd_crack_test.cpp)
-bempd_add_engine_test(pd_fields_test pd_fields_test.cpp)
-bempd_add_engine_test(pd_outlined_test pd_outlined_test.cpp)
+bempd_add_engine_test(pd_test pd_crack_test.cpp pd_fields_test.cpp pd_lattice_test.cpp pd_network_test.cpp
+  pd_outlined_test.cpp)

@@ -8,6 +8,7 @@
 
 #include "geometry/edge.hpp"
 #include "geometry/smooth_curve.hpp"
+#include "pd/outlined/cell_stencils.hpp"
 #include "pd/outlined/outlined_body.hpp"
 
 // Outlines of every kind, for bodies with points on them.
@@ -75,19 +76,41 @@ struct NamedOutline {
   Loops loops;
 };
 
-inline OutlinedBody body_of(const Loops& loops, const LatticePlace& place, int m) {
-  return build_outlined_body(make_chords(loops), place, m, {8.0 / 9, 1.0 / 3, PlaneState::stress, 1}, 1);
+// C1111 = thickness = 1.
+inline constexpr PlaneElasticity bonds_alone{8.0 / 9, 1.0 / 3, PlaneState::stress, 1};
+
+inline OutlinedBody body_of(const Loops& loops, const LatticePlace& place, int m,
+                            const PlaneElasticity& elasticity = bonds_alone) {
+  return build_outlined_body(make_chords(loops), place, m, elasticity, 1);
+}
+
+// Forces of the squares of cells under a displacement.
+inline void add_forces_of_squares(const CellStencils& stencils, const PlaneElasticity& elasticity,
+                                  const std::vector<Point>& displacement, std::vector<Point>& forces) {
+  for (std::size_t c = 0; c < stencils.count(); ++c) {
+    const std::span<const int> at = stencils.points(c);
+    for (const StencilSquare& square : squares_of(stencils, c, elasticity)) {
+      double elongation = 0;
+      for (std::size_t k = 0; k < at.size(); ++k) elongation += square.pull[k].dot(displacement[at[k]]);
+      for (std::size_t k = 0; k < at.size(); ++k) forces[at[k]] -= square.stiffness * elongation * square.pull[k];
+    }
+  }
 }
 
 // Largest error of the forces that a linear displacement makes against those of its constant stress on the chords, from
 // scratch and over the elastic constant.
-inline double patch_error(const OutlinedBody& body) {
+inline double patch_error(const OutlinedBody& body, const PlaneElasticity& elasticity = bonds_alone) {
   double largest = 0;
+  CellStencils stencils;
+  if (!is_bond_based(elasticity)) stencils = cell_stencils(body);
   for (const Eigen::Vector3d& strain : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)}) {
     Eigen::Matrix2d gradient, stress;
     gradient << strain.x(), strain.z(), strain.z(), strain.y();
-    stress << strain.x() + strain.y() / 3, 2 * strain.z() / 3, 2 * strain.z() / 3, strain.y() + strain.x() / 3;
-    std::vector<Point> rest(body.points.size(), Point::Zero());
+    stress =
+        elasticity.c12() * gradient.trace() * Eigen::Matrix2d::Identity() + 2 * elasticity.shear_modulus() * gradient;
+    std::vector<Point> rest(body.points.size(), Point::Zero()), displacement;
+    for (const Point& p : body.points) displacement.emplace_back(gradient * p);
+    add_forces_of_squares(stencils, elasticity, displacement, rest);
     for (const Bond& bond : body.network.bonds) {
       const Point step = body.points[bond.second] - body.points[bond.first];
       const Point force = bond.stiffness * step.dot(gradient * step) / step.squaredNorm() * step;
@@ -96,7 +119,7 @@ inline double patch_error(const OutlinedBody& body) {
     for (int i = 0; i < body.chords.count(); ++i) rest[i] += body.factors[i] * (stress * body.chords.surface_vector(i));
     for (const Point& r : rest) largest = std::max(largest, r.lpNorm<Eigen::Infinity>());
   }
-  return largest;
+  return largest / elasticity.c11();
 }
 
 }  // namespace bempd::pd::test

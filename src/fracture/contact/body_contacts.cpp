@@ -23,6 +23,15 @@ void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held)
     if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) held.nodes[node] = 1;
 }
 
+void keep_least(std::vector<int>& first, std::vector<int>& second) {
+  if (first.empty()) {
+    second.erase(second.begin() + 1, second.end());
+  } else {
+    first.erase(first.begin() + 1, first.end());
+    second.clear();
+  }
+}
+
 }  // namespace
 
 // What springs hold where it is would be pushed away.
@@ -49,21 +58,26 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   // Newton's method, as the energy is convex and once differentiable; where it comes back to the same places, one at a
   // time by the least number, which ends (Murty 1974).
   Settled result;
-  std::set<std::vector<char>> met;
+  std::set<std::pair<std::vector<char>, std::vector<char>>> met;
   bool one_by_one = false;
-  const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(system_.contacts().size());
+  const std::size_t places = system_.contacts().size() + system_.face_count();
+  const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
   for (std::int64_t round = 0;; ++round) {
     bar_contacts_of_held_parts();
     const coupling::Contacts& contacts = system_.contacts();
     std::vector<int> wrong = wrong_places(contacts, state_.displacement, state_.load_factor, direction);
-    if (wrong.empty()) break;
+    // Where nothing else tells, loads grow.
+    std::vector<int> inside =
+        wrong_faces(system_, state_.displacement, state_.load_factor, direction == 0 ? 1 : direction);
+    if (wrong.empty() && inside.empty()) break;
     check_cancelled();
     if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
-    one_by_one = one_by_one || !met.insert(contacts.closed()).second;
-    if (one_by_one) wrong.resize(1);
+    one_by_one = one_by_one || !met.insert({contacts.closed(), system_.closed_faces()}).second;
+    if (one_by_one) keep_least(wrong, inside);
     const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) { return contacts.is_closed(i); });
     system_.switch_contacts(wrong);
-    result.switched += static_cast<std::int64_t>(wrong.size());
+    if (!inside.empty()) system_.switch_faces(inside);
+    result.switched += static_cast<std::int64_t>(wrong.size() + inside.size());
     if (!some_open) {
       solve();
       continue;
@@ -75,6 +89,7 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
     result.fragments += held.fragments;
   }
   state_.faces.closed = system_.contacts().closed();
+  state_.faces.closed_inside = system_.closed_faces();
   state_.springs = system_.springs();
   return result;
 }

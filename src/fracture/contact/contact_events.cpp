@@ -3,10 +3,16 @@
 namespace bempd::fracture {
 
 std::optional<double> ContactEvents::switch_before(double load_factor) {
-  if (body_.faces().are_none()) return std::nullopt;
-  body_.refresh_faces();
   const BodyState& state = body_.state();
-  return next_switch(body_.faces().places(), state.displacement, state.load_factor, load_factor);
+  std::optional<double> first;
+  if (!body_.faces().are_none()) {
+    body_.refresh_faces();
+    first = next_switch(body_.faces().places(), state.displacement, state.load_factor, load_factor);
+  }
+  if (body_.system().face_count() == 0) return first;
+  const std::optional<double> inside =
+      next_face_switch(body_.system(), state.displacement, state.load_factor, first.value_or(load_factor));
+  return inside ? inside : first;
 }
 
 bool ContactEvents::is_before(double load_factor) { return switch_before(load_factor).has_value(); }

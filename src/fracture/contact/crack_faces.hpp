@@ -94,6 +94,13 @@ std::vector<int> wrong_places(const coupling::Contacts& places, const coupling::
 std::optional<double> next_switch(const coupling::Contacts& places, const coupling::Affine& displacement, double from,
                                   double to);
 
+// The same for faces inside the system's operators.
+std::vector<int> wrong_faces(const coupling::EquilibriumSystem& system, const coupling::Affine& displacement,
+                             double load_factor, double direction);
+std::optional<double> next_face_switch(const coupling::EquilibriumSystem& system, const coupling::Affine& displacement,
+                                       double from, double to);
+double face_rounding(double largest_displacement);
+
 // Whether a place is wrong where displacements are known as numbers: how far its gap counts as zero.
 double gap_rounding(double largest_displacement);
 

@@ -13,14 +13,18 @@ namespace bempd::fracture {
 namespace {
 
 // A tip whose way meets no bond within this many spacings has arrived at an edge or a crack.
-constexpr int most_empty_steps = 4;
+constexpr int most_empty_steps = 2;
 
 // The last steps whose energies correct the load factor, and as many besides that are taken to be exact.
 constexpr std::size_t remembered_steps = 8;
 constexpr double steps_taken_exact = 2;
 
-// Within this many horizons of a tip no bond breaks by itself.
-constexpr double guarded_reach = 3;
+// What a step may have released of what was expected, for the correction: a sharp kink, or one beside an edge, releases
+// little at first.
+constexpr double least_ratio = 0.5, largest_ratio = 2;
+
+// Within this many horizons of a tip no bond breaks by itself, and of one that does not grow no crack begins.
+constexpr double guarded_reach = 3, reach_of_resting_tip = 1;
 
 constexpr int rounds_for_kink = 8;
 
@@ -34,7 +38,7 @@ double side(const Point& a, const Point& b, const Point& c) { return cross(b - a
 
 }  // namespace
 
-LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, std::vector<pd::TipLaw> laws)
+LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws)
     : body_(body), whole_body_(whole_body), stress_(body.system(), body.positions()), laws_(std::move(laws)) {}
 
 // A point that lies on the way belongs to one of its sides, so that none is left hanging between.
@@ -59,7 +63,7 @@ std::vector<int> LineEvents::across(const Point& from, const Point& to, double h
 std::optional<LineEvents::Step> LineEvents::step_of(std::size_t number) const {
   const BodyState& state = body_.state();
   const GrowingTip& tip = state.tips[number];
-  const pd::TipLaw& law = laws_[static_cast<std::size_t>(tip.law)];
+  const pd::TipLaw& law = law_of(tip);
   const TipIntensity intensity = stress_.at(tip, law, state.displacement, body_.pressure_in(law.crack));
   Step step{number, tip.direction, 0, state.load_factor, 0, 0, {}};
   // Without constant loads the kink does not depend on the load factor.
@@ -92,11 +96,41 @@ std::vector<char> LineEvents::intact_away_from_tips(const std::vector<char>& gro
   const std::vector<GrowingTip>& tips = body_.state().tips;
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (!growing[k]) continue;
-    const double reach = guarded_reach * laws_[static_cast<std::size_t>(tips[k].law)].horizon;
+    const double reach = guarded_reach * law_of(tips[k]).horizon;
     for (std::size_t b = 0; b < terms.size(); ++b)
       if ((body_.positions()[static_cast<std::size_t>(terms.first[b])] - tips[k].place).norm() < reach) intact[b] = 0;
   }
   return intact;
+}
+
+// None where two parts of other materials meet, and beside a tip that rests.
+std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_factor) const {
+  const coupling::Terms& terms = body_.system().terms();
+  const auto b = static_cast<std::size_t>(bond);
+  if (terms.is_wide(b)) return std::nullopt;
+  const auto first = static_cast<std::size_t>(terms.first[b]), second = static_cast<std::size_t>(terms.second[b]);
+  const int number = laws_.of_node[first];
+  if (number < 0 || laws_.of_node[second] < 0) return std::nullopt;
+  const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(number)];
+  const Point middle = (body_.positions()[first] + body_.positions()[second]) / 2;
+  for (const GrowingTip& tip : body_.state().tips)
+    if ((tip.place - middle).norm() < reach_of_resting_tip * law.horizon) return std::nullopt;
+  return Birth{middle, stress_.across_tension(bond, law, body_.state().displacement, load_factor), number};
+}
+
+const Event* LineEvents::tell_birth(int bond, const Birth& birth, double load_factor) {
+  const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(birth.law)];
+  const Point half = law.spacing / 2 * birth.direction;
+  std::vector<int> bonds = across(birth.middle - half, birth.middle + half, law.horizon);
+  if (!std::binary_search(bonds.begin(), bonds.end(), bond)) return nullptr;
+  event_ = {load_factor, 0, load_factor, {}};
+  event_.reach(body_.ratios().at(static_cast<std::size_t>(bond), load_factor),
+               body_.ratios().critical_load_factor(static_cast<std::size_t>(bond), load_factor));
+  for (const int b : bonds)
+    event_.changes.push_back({b, body_.system().terms().law_of(static_cast<std::size_t>(b)).gone()});
+  event_.changes = body_.system().with_followers(std::move(event_.changes));
+  birth_ = birth;
+  return &event_;
 }
 
 const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load_factor,
@@ -114,6 +148,7 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
 
 const Event* LineEvents::next(double target, const SteppingOptions& options) {
   step_.reset();
+  birth_.reset();
   const BodyState& state = body_.state();
   if (target < state.load_factor) return nullptr;
   const bool path = options.control == Control::path;
@@ -131,7 +166,10 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
                                            : body_.ratios().next_break(intact, state.load_factor, infinity);
   if (bonds && *bonds < at) {
     step_.reset();
-    return tell_bonds(intact, *bonds, options);
+    const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 1);
+    const std::optional<Birth> birth = most.empty() ? std::nullopt : birth_at(most.front(), *bonds);
+    const Event* born = birth ? tell_birth(most.front(), *birth, *bonds) : nullptr;
+    return born ? born : tell_bonds(intact, *bonds, options);
   }
   if (!step_) return nullptr;
   event_ = {at, step_->constant + at * step_->growing, step_->load_factor, {}};
@@ -143,13 +181,20 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
 
 Outcome LineEvents::perform() {
   const Outcome outcome = whole_body_.perform(event_);
+  std::vector<GrowingTip>& tips = body_.state().tips;
+  if (birth_) {
+    const Point half = laws_.laws[static_cast<std::size_t>(birth_->law)].spacing / 2 * birth_->direction;
+    tips.push_back({birth_->middle + half, birth_->direction, birth_->law, {}});
+    tips.push_back({birth_->middle - half, -birth_->direction, birth_->law, {}});
+  }
   if (!step_) return outcome;
-  GrowingTip& tip = body_.state().tips[step_->tip];
-  const pd::TipLaw& law = laws_[static_cast<std::size_t>(tip.law)];
+  GrowingTip& tip = tips[step_->tip];
+  const pd::TipLaw& law = law_of(tip);
   // The ratio of the event holds the correction that was made; what is remembered must not.
   const double expected_ratio = event_.ratio / correction(tip);
   const double expected = law.toughness * law.toughness / law.modulus * expected_ratio * expected_ratio * law.thickness;
-  tip.energy_ratios.push_back(outcome.released_energy / (expected * step_->length));
+  const double ratio = outcome.released_energy / (expected * step_->length);
+  tip.energy_ratios.push_back(std::clamp(ratio, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
   tip.place += step_->length * step_->direction;
   tip.direction = step_->direction;

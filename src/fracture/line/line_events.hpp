@@ -10,11 +10,12 @@ namespace bempd::fracture {
 
 // Cracks that grow as lines: the tip that reaches its toughness first goes on by a spacing towards the largest hoop
 // stress, and all bonds across this step break at one event, whatever the lattice. The load factor is corrected by what
-// the last steps released, so that a length of crack takes the fracture energy. Away from tips bonds break by their own
-// stretch, as without lines.
+// the last steps released, so that a length of crack takes the fracture energy. Away from tips a crack begins where a bond
+// reaches its critical stretch: a line of a spacing through its middle, across the largest principal stress, with a tip
+// at either end.
 class LineEvents final : public EventSource {
  public:
-  LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, std::vector<pd::TipLaw> laws);
+  LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);
 
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
@@ -29,16 +30,25 @@ class LineEvents final : public EventSource {
     std::vector<int> bonds;
   };
 
+  struct Birth {
+    Point middle, direction;
+    int law;
+  };
+
+  const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
   std::optional<Step> step_of(std::size_t tip) const;
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
   std::vector<char> intact_away_from_tips(const std::vector<char>& growing) const;
+  std::optional<Birth> birth_at(int bond, double load_factor) const;
+  const Event* tell_birth(int bond, const Birth& birth, double load_factor);
   const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 
   LoadedBody& body_;
   WholeBodyEvents& whole_body_;
   TipStress stress_;
-  std::vector<pd::TipLaw> laws_;
-  std::optional<Step> step_;  // that the event told is
+  pd::TipLaws laws_;
+  std::optional<Step> step_;    // that the event told is
+  std::optional<Birth> birth_;  // likewise
   Event event_;
 };
 

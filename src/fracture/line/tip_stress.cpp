@@ -13,13 +13,19 @@ namespace {
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
-// Where the first terms of Williams' series are fitted.
-constexpr double inner_reach = 1, outer_reach = 3, fitted_cosine = 0.4;
+// Where the first terms of Williams' series are fitted, and how many: with three terms, or farther out, the load at which
+// an inclined crack first grows comes out too small (docs/directions.md).
+constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
+constexpr int fitted_terms = 5, amplitudes_fitted = 2 * fitted_terms;
 
-// Stress of the terms r^(-1/2), 1 and r^(1/2) of both modes for amplitudes of one (Williams, J. Appl. Mech. 24, 1957).
-Eigen::Matrix<double, 3, 6> williams_stress(double r, double t) {
-  Eigen::Matrix<double, 3, 6> stress;
-  for (int n = 1; n <= 3; ++n) {
+// Share of the sum of forces on a point from which on they do not balance.
+constexpr double outline_pull = 0.1;
+
+// Stress of the terms r^(-1/2), 1, r^(1/2) and so on of both modes for amplitudes of one (Williams, J. Appl. Mech. 24,
+// 1957).
+Eigen::Matrix<double, 3, amplitudes_fitted> williams_stress(double r, double t) {
+  Eigen::Matrix<double, 3, amplitudes_fitted> stress;
+  for (int n = 1; n <= fitted_terms; ++n) {
     const double h = n / 2.0, sign = n % 2 == 0 ? 1 : -1, scale = h * std::pow(r, h - 1);
     const double c1 = std::cos((h - 1) * t), c3 = std::cos((h - 3) * t);
     const double s1 = std::sin((h - 1) * t), s3 = std::sin((h - 3) * t);
@@ -30,6 +36,25 @@ Eigen::Matrix<double, 3, 6> williams_stress(double r, double t) {
     stress.middleCols<2>(2 * n - 2) *= scale;
   }
   return stress;
+}
+
+// Of the area that a point inside has: the bonds of one on the outline pull it inwards under constant stress, as those of
+// a point inside do not.
+std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nodes) {
+  std::vector<Point> pull(nodes, Point(0, 0));
+  std::vector<double> sum(nodes, 0);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (terms.is_wide(t)) continue;
+    const double size = terms.stiffness[t] * terms.length[t];
+    const Point along = size * Point(terms.cosine[t], terms.sine[t]);
+    const auto first = static_cast<std::size_t>(terms.first[t]), second = static_cast<std::size_t>(terms.second[t]);
+    pull[first] += along, pull[second] -= along;
+    sum[first] += size, sum[second] += size;
+  }
+  std::vector<double> share(nodes, 1);
+  for (std::size_t node = 0; node < nodes; ++node)
+    if (pull[node].norm() > outline_pull * sum[node]) share[node] = 0.5;
+  return share;
 }
 
 }  // namespace
@@ -50,7 +75,8 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
         const coupling::Terms& terms = system.terms();
         for (const int t : terms.wide.term)
           terms.for_each_node(static_cast<std::size_t>(t), [&](int node) { add(node, t); });
-      })) {}
+      })),
+      share_(shares_of_area(system.terms(), positions.size())) {}
 
 Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
@@ -90,15 +116,29 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
     });
     sum += moment / nodes * tension(wide, displacement);
   }
-  return sum / (law.spacing * law.spacing * law.thickness);
+  return sum / (law.spacing * law.spacing * law.thickness * share_[static_cast<std::size_t>(node)]);
+}
+
+Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement,
+                                double load_factor) const {
+  const coupling::Terms& terms = system_.terms();
+  const auto b = static_cast<std::size_t>(bond);
+  const Point axis(1, 0);
+  const Eigen::Vector3d s = (stress(terms.first[b], axis, law, displacement) +
+                             stress(terms.second[b], axis, law, displacement)) *
+                            Eigen::Vector2d(1, load_factor);
+  const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
+  return {-std::sin(angle), std::cos(angle)};
 }
 
 TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                            const Eigen::RowVector2d& pressure) const {
   Eigen::RowVector2d opening(0, 0), shear(0, 0);
   double total = 0;
-  Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 2> right = Eigen::Matrix<double, 6, 2>::Zero();
+  using Square = Eigen::Matrix<double, amplitudes_fitted, amplitudes_fitted>;
+  using Parts = Eigen::Matrix<double, amplitudes_fitted, 2>;
+  Square normal = Square::Zero();
+  Parts right = Parts::Zero();
   for (std::size_t node = 0; node < positions_.size(); ++node) {
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm(), ahead = step.dot(tip.direction);
@@ -113,7 +153,7 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
     }
     if (r < inner_reach) continue;
     const double across = cross(tip.direction, step);
-    const Eigen::Matrix<double, 3, 6> terms = williams_stress(r, std::atan2(across, ahead));
+    const Eigen::Matrix<double, 3, amplitudes_fitted> terms = williams_stress(r, std::atan2(across, ahead));
     normal += r * terms.transpose() * terms;
     right += r * terms.transpose() * s;
   }
@@ -123,7 +163,7 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
     found.near = {opening * root / near_opening, shear * root / near_shear};
   }
   // The second term has no shear of its own: the decomposition leaves it out.
-  const Eigen::Matrix<double, 6, 2> amplitudes = normal.completeOrthogonalDecomposition().solve(right);
+  const Parts amplitudes = normal.completeOrthogonalDecomposition().solve(right);
   const double root = std::sqrt(2 * std::numbers::pi * law.horizon);
   found.fitted = {amplitudes.row(0) * root, -amplitudes.row(1) * root};
   return found;

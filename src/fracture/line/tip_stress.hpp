@@ -33,6 +33,9 @@ class TipStress {
   TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                   const Eigen::RowVector2d& pressure) const;
 
+  // Unit vector across the largest principal stress where a bond is.
+  Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
+
   // Bonds that are left at a node.
   template <class Visit>
   void for_each_bond(int node, const Visit& visit) const {
@@ -49,6 +52,7 @@ class TipStress {
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
+  std::vector<double> share_;             // of a full point's area
 };
 
 }  // namespace bempd::fracture

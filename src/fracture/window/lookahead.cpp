@@ -8,6 +8,7 @@
 #include "cancellation.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/loaded_body.hpp"
+#include "fracture/window/face_watch.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
 

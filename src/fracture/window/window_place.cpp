@@ -114,6 +114,7 @@ bool WindowPlace::still_holds(const std::vector<int>& hot) {
   mark_rim();
   const std::vector<char> kept = marks_of_nodes();
   std::vector<coupling::StageChange> next;
+  next.reserve(hot.size());
   for (const int b : hot) next.push_back(system_.after_critical(b));
   bool all_kept = true;
   for (const coupling::StageChange& c : system_.with_followers(std::move(next))) {

@@ -112,7 +112,7 @@ Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, 
   Network network;
   for (const Vector4d& r : missing_moments(surface, bonds))
     network.max_residual = std::max(network.max_residual, r.lpNorm<Eigen::Infinity>());
-  const double unit = elasticity.thickness * elasticity.c11();
+  const double unit = elasticity.thickness * bond_c1111(elasticity);
   network.min_weight_ratio = HUGE_VAL;
   for (const OutlinedBond& b : bonds.bonds) {
     network.bonds.push_back({b.first, b.second, unit * b.stiffness});
@@ -144,7 +144,6 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
-  assert(is_bond_based(elasticity));
   std::optional<OutlinedBody> best;
   for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed)) {
     OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, kernel);

@@ -14,7 +14,12 @@ const scene::OptionGroup boundary_group(scene::OptionPlace::boundaries, [] {
           "bem.grading",
           "Boundary elements of scheme symmetric near places where stress is singular: auto, smaller and smaller "
           "towards re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(); none.",
-          "auto | none", "auto"))};
+          "auto | none", "auto")),
+      scene::shaping(scene::text_option(
+          "bem.contact",
+          "What faces of cracks in BEM regions do where they meet: faces, they press on each other without friction; "
+          "none, they pass through each other, and a warning tells.",
+          "faces | none", "faces"))};
 });
 
 }  // namespace

@@ -116,6 +116,8 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
   }
   // Which nodes have interfaces is a matter of the region, not of its shape.
   stiffness_ = own_stiffness(preparation);
+  if (cracks_ && preparation.options.text_value("bem.contact") == "faces")
+    closing_ = std::make_unique<const bem::NormalOpenings>(cracked());
 }
 
 std::vector<LeadingElements> BoundaryRegion::leading_elements() const {
@@ -160,7 +162,7 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
   }
   const Eigen::MatrixXd half = mesh_stiffness() * trace_;
   return coupling::DenseOperator{nodes_, std::make_shared<const Eigen::MatrixXd>(trace_.transpose() * half),
-                                 &solution_method(), rest_};
+                                 &solution_method(), rest_, face_openings()};
 }
 
 std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {

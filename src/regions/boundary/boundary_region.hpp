@@ -6,6 +6,7 @@
 #include "bem/crack_tips.hpp"
 #include "bem/cracked_operator.hpp"
 #include "bem/interior.hpp"
+#include "bem/normal_openings.hpp"
 #include "elasticity/uniform_body_force.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "regions/boundary/boundary_description.hpp"
@@ -45,6 +46,9 @@ class BoundaryRegion : public Region {
 
   Eigen::Matrix2d work_within(const std::array<Point, 2>& body_force,
                               const std::vector<CrackLoad>& crack_loads) const override;
+
+  coupling::Affine face_offsets(const std::array<Point, 2>& body_force,
+                                const std::vector<CrackLoad>& crack_loads) const override;
 
   // Elements on the boundary know of strains that are linear, which the inside follows freely.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
@@ -98,7 +102,9 @@ class BoundaryRegion : public Region {
   Eigen::VectorXd displacement_of(const UniformBodyForce& particular) const;
   Eigen::VectorXd force_besides(const UniformBodyForce& particular) const;
   double work_within(const Point& body_force, const Point& other) const;
+  Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads) const;
   Eigen::Matrix2d work_within_cracks(const std::vector<CrackLoad>& loads) const;
+  std::shared_ptr<const coupling::FaceOpenings> face_openings() const;
   // Displacements of the mesh's nodes without those of swelling.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
   // And without those of the particular solution.
@@ -121,6 +127,7 @@ class BoundaryRegion : public Region {
   Eigen::SparseMatrix<double> trace_;                      // mesh displacements from those of the region's nodes
   std::shared_ptr<const bem::BoundaryOperator> operator_;  // shared by regions that are alike
   std::unique_ptr<RegionCracks> cracks_;                   // null without
+  std::unique_ptr<const bem::NormalOpenings> closing_;     // null unless cracks close
   Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
   std::optional<FreeSwelling> free_swelling_;
   coupling::Affine rest_{0, 2};      // of the region's nodes, if it has swollen

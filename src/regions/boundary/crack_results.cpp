@@ -33,12 +33,19 @@ bem::CrackedState BoundaryRegion::cracked_state(const Eigen::VectorXd& displacem
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size()));
   if (state.face_traction) forces = bem::crack_forces(cracks_->elements(), state.face_traction, elasticity().thickness);
   state.openings = cracked().openings(state.displacements, forces);
+  if (closing_) {
+    const std::vector<char>& closed = solution.closed_faces_of(id());
+    state.closed = closing_->closed_nodes(closed);
+    if (!closed.empty()) state.openings = closing_->held_shut(state.openings, closed);
+  }
   state.tractions = cracked().tractions(state.displacements, state.openings);
   return state;
 }
 
 bem::CrackedState BoundaryRegion::cracked_state(const Solution& solution) const {
-  return cracked_state(solution.displacement, solution, 1, solution.load_factor);
+  bem::CrackedState state = cracked_state(solution.displacement, solution, 1, solution.load_factor);
+  state.faces_press = closing_ != nullptr;
+  return state;
 }
 
 Eigen::VectorXd BoundaryRegion::tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const {
@@ -51,15 +58,39 @@ void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<
   scatter(trace_.transpose() * cracked().forces_on_boundary(forces), force);
 }
 
-// With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
-// the part that depends on u.
-Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::vector<CrackLoad>& loads) const {
+// Constant and proportional ones, on all openings.
+Eigen::MatrixX2d BoundaryRegion::forces_on_cracks(const std::vector<CrackLoad>& loads) const {
   const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
   Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
   for (int part = 0; part < 2; ++part) {
     const auto traction = cracks_->traction(loads, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
     if (traction) forces.col(part) = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
   }
+  return forces;
+}
+
+std::shared_ptr<const coupling::FaceOpenings> BoundaryRegion::face_openings() const {
+  if (!closing_) return nullptr;
+  return std::make_shared<const coupling::FaceOpenings>(
+      coupling::FaceOpenings{closing_->of_displacements() * trace_, closing_->of_forces()});
+}
+
+coupling::Affine BoundaryRegion::face_offsets(const std::array<Point, 2>& /*body_force*/,
+                                              const std::vector<CrackLoad>& crack_loads) const {
+  if (!closing_) return coupling::Affine(0, 2);
+  coupling::Affine gaps = coupling::Affine::Zero(static_cast<Eigen::Index>(closing_->size()), 2);
+  const Eigen::MatrixX2d forces = forces_on_cracks(crack_loads);
+  if (forces.isZero(0)) return gaps;
+  const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
+  const Eigen::MatrixXd openings = cracked().openings(held, forces);
+  for (int part = 0; part < 2; ++part) gaps.col(part) = closing_->gaps(openings.col(part));
+  return gaps;
+}
+
+// With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
+// the part that depends on u.
+Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::vector<CrackLoad>& loads) const {
+  const Eigen::MatrixX2d forces = forces_on_cracks(loads);
   if (forces.isZero(0)) return Eigen::Matrix2d::Zero();
   const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
   return forces.transpose() * cracked().openings(held, forces);
@@ -115,7 +146,7 @@ std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solutio
 const CrackLines* BoundaryRegion::crack_lines() const { return cracks_ ? &cracks_->lines() : nullptr; }
 
 std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {
-  if (!cracks_) return std::nullopt;
+  if (!cracks_ || closing_) return std::nullopt;
   return cracks_->overlap(cracked_state(solution).openings);
 }
 

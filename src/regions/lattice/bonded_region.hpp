@@ -19,7 +19,7 @@ struct RegionBonds {
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
   // Per point of a grid: the first of the squares of the cell whose lower left corner it is, a term of the scene; -1
-  // without a cell. Empty where bonds alone make the material.
+  // without a cell. With points on the outline: the first of each patch of cells. Empty where bonds alone make the material.
   std::vector<int> squares;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "pd/cell_squares.hpp"
 #include "regions/scheme.hpp"
 #include "scene/outline_rules.hpp"
 
@@ -65,11 +64,6 @@ void OutlinedDescription::identify(Hash& hash) const {
 
 std::unique_ptr<regions::Region> OutlinedDescription::build(int id, const Preparation& preparation) const {
   if (on_rows_) return LatticeDescription::build(id, preparation);
-  const PlaneElasticity& elasticity = preparation.scene.material(material()).elasticity;
-  require(pd::is_bond_based(elasticity), "region ", id, " has points on its outline and Poisson's ratio ",
-          elasticity.poisson_ratio, "; there bonds alone make the material, which needs ",
-          elasticity.state == PlaneState::stress ? "1/3 in plane stress" : "1/4 in plane strain",
-          ": set it, or give the region edges along the rows of its lattice");
   return preparation.scheme.outlined_region(id, *this, preparation.scene.material(material()));
 }
 

@@ -166,8 +166,15 @@ void OutlinedRegion::build(const Preparation& preparation, Contributions& contri
     nodes_.push_back(shared ? contributions.registry.add_shared(position(i), id())
                             : contributions.registry.add(position(i)));
   }
+  if (!pd::is_bond_based(elasticity())) {
+    stencils_ = pd::cell_stencils(body_);
+    require(stencils_.max_residual < 1e-11, "region ", id(), " has an outline beside which no cells were found that ",
+            "make Poisson's ratio ", elasticity().poisson_ratio, "; try a smaller spacing, or ",
+            elasticity().state == PlaneState::stress ? "1/3" : "1/4", ", which bonds alone make");
+  }
   bonds_.network = std::make_shared<const pd::Network>(std::move(body_.network));
   add_own_bonds(preparation, contributions);
+  add_squares(contributions);
 }
 
 std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "pd/outlined/cell_stencils.hpp"
 #include "pd/outlined/outlined_body.hpp"
 #include "regions/lattice/bonded_region.hpp"
 #include "regions/outlined/outlined_description.hpp"
@@ -33,6 +34,8 @@ class OutlinedRegion final : public BondedRegion {
     return pd::FaceLattice{from_grid(body_.place.origin), spacing(), choice_.angle};
   }
 
+  void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
+
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(body_.cells.size()); }
   Cells cells() const override;
   std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
@@ -49,6 +52,13 @@ class OutlinedRegion final : public BondedRegion {
     double from, to;
     Arc arc;  // in grid coordinates
   };
+
+  // outlined_squares.cpp
+  void add_squares(const Contributions& contributions);
+  void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
+                         const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
+  // Mean in a patch of cells [Pa].
+  Eigen::Vector3d stress_of_squares(const Solution& solution, std::size_t patch) const;
 
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   void divide_outline(const Preparation& preparation);
@@ -69,6 +79,7 @@ class OutlinedRegion final : public BondedRegion {
   std::vector<Piece> pieces_;
   std::vector<std::vector<Arc>> loops_;
   pd::OutlinedBody body_;
+  pd::CellStencils stencils_;  // empty where bonds alone make the material
 };
 
 }  // namespace bempd::regions

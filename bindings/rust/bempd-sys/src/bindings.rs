@@ -226,12 +226,13 @@ pub type bempd_plane = ::std::os::raw::c_uint;
 /// scheme "paper"); preparing fails as unsolvable where supports hold its whole boundary, which
 /// leaves the pressure undetermined. Peridynamic regions take Poisson's ratios from -0.2 to 0.49;
 /// bonds alone make 1/3 in plane stress and 1/4 in plane strain, up to 1e-6, and to any other ratio
-/// the cells of the lattice add the rest, each as long as the bonds along its edges and diagonals
-/// are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
-/// material that does not break. From the fracture energy G0, the horizon delta and E' = E, in
-/// plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta);
-/// where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) /
-/// 2 with Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress.
+/// the cells of the lattice, and triangles beside other outlines, add the rest, each as long as the
+/// bonds along its edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or
+/// fracture_energy, or neither for a material that does not break. From the fracture energy G0, the
+/// horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is
+/// 64 pi G0 / (105 E' delta); where nu is below the ratio that bonds make alone, times 3 E' / (8
+/// beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2 in plane
+/// stress.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -379,8 +380,7 @@ extern "C" {
     /// across.
     ///
     /// * model \[in\]: the model
-    /// * material \[in\]: id of a material with a Poisson's ratio from -0.2 to 0.49, or, with points on
-    ///   such an outline, of bonds alone, 1/3 in plane stress and 1/4 in plane strain
+    /// * material \[in\]: id of a material with a Poisson's ratio from -0.2 to 0.49
     /// * vertex_count \[in\]: number of vertices, \>= 3
     /// * vertices \[in\]: shape \[vertex_count\]\[2\], counter-clockwise \[m\]
     /// * spacing \[in\]: lattice spacing \[m\], \> 0

@@ -1,0 +1,197 @@
+"""The library's own lines (option pd.crack_rule) against boundary elements: bodies, what is measured, and the tables.
+
+Results are kept line by line in lines.txt; what is there is not run again."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import functools
+import json
+import math
+import pathlib
+from typing import Any
+
+import bempd
+import numpy as np
+
+SIDE = 80.0
+STEPS = 45
+HORIZONS = (3, 4, 5, 6)
+
+
+def plate(kind: str, crack: list[tuple[float, float]], m: int = 3, angle: float = 0) -> tuple[bempd.Model, int]:
+    """A plate between clamps that move apart; `kind` is "bem" or a crack rule, `angle` that of the lattice [deg]."""
+    model = bempd.Model()
+    if kind != "bem":
+        model.options["pd.crack_rule"] = kind
+        model.options["stepping.control"] = "path"
+        model.options["pd.lattice_angle"] = math.radians(angle)
+    material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
+    box = bempd.rectangle(0, -SIDE / 2, SIDE, SIDE / 2)
+    body = model.add_bem_region(material, box, SIDE / 16) if kind == "bem" else model.add_pd_region(material, box, 1.0, m)
+    if crack:
+        model.add_crack(crack)
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+        model.fix_edge(body, edge, "x")
+    return model, body
+
+
+def edge_crack(incline: float, start: float) -> list[tuple[float, float]]:
+    a = math.radians(incline)
+    return [(0, start), (SIDE / 5 * math.cos(a), start + SIDE / 5 * math.sin(a))]
+
+
+@functools.lru_cache(None)
+def reference(incline: float, start: float) -> tuple[np.ndarray, np.ndarray]:
+    """Tips and load factors of boundary elements with steps of one spacing, by the largest hoop stress as lines go."""
+    model, _ = plate("bem", edge_crack(incline, start))
+    model.step(1)
+    places, loads = [edge_crack(incline, start)[1]], []
+    for _ in range(STEPS + 6):
+        model.grow_cracks(1.0)
+        loads.append(model.load_factor)
+        last = model.extensions()[-1]
+        places.append((last.x, last.y))
+        if last.x > SIDE - 14:
+            break
+    return np.array(places), np.array(loads)
+
+
+def middles(model: bempd.Model, body: int) -> np.ndarray:
+    bonds, points = model.bonds(body), model.field(body, "position")
+    broken = bonds.points[bonds.states == bempd.BondState.BROKEN]
+    return (points[broken[:, 0]] + points[broken[:, 1]]) / 2
+
+
+def inclined(incline: float, m: int, angle: float, rule: str, start: float) -> dict[str, Any]:
+    places, known = reference(incline, start)
+    model, body = plate(rule, edge_crack(incline, start), m, angle)
+    loads, reached = [], 0.0
+    most = STEPS if rule == "line" else 20000
+    while len(loads) < most and reached < SIDE - 14:
+        report = model.step_to_next_event(1e6)
+        if report.stop_reason != bempd.StopReason.EVENT:
+            break
+        loads.append(report.load_factor)
+        if rule == "bond" and len(loads) % 50 == 0:
+            reached = middles(model, body)[:, 0].max()
+    found = middles(model, body)
+    off, ways = [], []
+    for x in np.arange(places[0, 0] + 3, min(found[:, 0].max() - m, places[-1, 0]), 2.0):
+        near = found[abs(found[:, 0] - x) < 1.5]
+        if len(near):
+            off.append(near[:, 1].mean() - np.interp(x, *places.T))
+            ways.append(x)
+    slope = np.polyfit(ways, off, 1)[0] if len(ways) > 2 else math.nan
+    result = {"first": loads[0] / known[0], "off": float(np.abs(off).max()), "degrees": math.degrees(math.atan(slope)),
+              "over": float(ways[-1] - ways[0])}
+    if rule == "line":
+        ratios = np.array(loads[:len(known)]) / known[:len(loads)]
+        energy = np.diff(model.history()["released_energy"][:len(loads)])
+        result |= {"early": float(abs(ratios[1:5] - 1).max()), "steady": float(abs(ratios[5:] - 1).max()), "energy": float(energy[4:].mean())}
+    return result
+
+
+def bar(m: int, angle: float, hole: bool) -> tuple[bempd.Model, int]:
+    """No crack: a strip with a round hole of 8 spacings, or with slanted sides, pulled at its ends."""
+    model = bempd.Model(options={"pd.crack_rule": "line", "pd.lattice_angle": math.radians(angle), "pd.outline_points": "always"})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    outline = bempd.rectangle(0, -24, 64, 24) if hole else [(0, -24), (32, -15), (64, -24), (64, 24), (32, 15), (0, 24)]
+    body = model.add_pd_region(material, outline, 1, m)
+    if hole:
+        model.add_circular_hole(body, (32, 0), 8)
+    right = 2 if hole else 3
+    left = 4 if hole else 6
+    model.prescribe_edge(body, left, "x", -1)
+    model.prescribe_edge(body, right, "x", 1)
+    model.fix_point((0, -24), "y")
+    return model, body
+
+
+def begun(m: int, angle: float, hole: bool) -> dict[str, Any]:
+    """Where a crack begins without one, its direction, and whether the body ends in two pieces."""
+    model, body = bar(m, angle, hole)
+    first = model.step_to_next_event(1e6)
+    start = middles(model, body)
+    for _ in range(400):
+        last = model.step_to_next_event(1e6)
+        if last.stop_reason != bempd.StopReason.EVENT:
+            break
+    found = middles(model, body)
+    if hole:
+        upper = found[(found[:, 1] > 9) & (found[:, 1] < 23)]
+        lower = found[(found[:, 1] < -9) & (found[:, 1] > -23)]
+        parts = [part for part in (upper, lower) if len(part)]
+    else:
+        parts = [found[abs(found[:, 1]) < 13]]
+    tilt = max(abs(math.degrees(math.atan(np.polyfit(part[:, 1], part[:, 0], 1)[0]))) for part in parts)
+    return {"load": first.load_factor, "x": float(start[:, 0].mean()), "y": float(abs(start[:, 1].mean())), "tilt": tilt,
+            "separated": model.piece_count > 1, "bonds": int(last.total_broken_bonds)}
+
+
+def jobs() -> list[list]:
+    found: list[list] = []
+    for m in HORIZONS:
+        for incline in (15.0, 30.0, 45.0, 60.0, 75.0):
+            for angle in (0.0, 20.0):
+                found.append(["inclined", incline, m, angle, "line", 0.513 if angle == 0 else 0.0])
+        for angle in (0.0, 7.5, 15.0, 22.5, 30.0, 45.0):
+            for start in (0.513, 0.237):
+                found.append(["inclined", 0.0, m, angle, "line", start])
+    for m in (3, 4):
+        for angle in (0.0, 20.0):
+            for hole in (True, False):
+                found.append(["begun", m, angle, hole])
+    for angle in (0.0, 20.0):
+        for incline in (15.0, 30.0, 45.0, 60.0, 75.0):
+            found.append(["inclined", incline, 3, angle, "bond", 0.513 if angle == 0 else 0.0])
+    return found
+
+
+def one(job: list) -> tuple[list, dict[str, Any]]:
+    try:
+        return job, {"inclined": inclined, "begun": begun}[job[0]](*job[1:])
+    except bempd.Error as failed:
+        return job, {"failed": str(failed)}
+
+
+def run(out: pathlib.Path, workers: int, only: str) -> None:
+    file = out / "lines.txt"
+    have = {json.dumps(json.loads(line)[0]) for line in file.read_text("ascii").splitlines()} if file.exists() else set()
+    chosen = [job for job in jobs() if json.dumps(job) not in have and only in json.dumps(job)]
+    with concurrent.futures.ProcessPoolExecutor(workers) as pool:
+        for answer in pool.map(one, chosen):
+            print(*answer, flush=True)
+            with file.open("a", encoding="ascii") as kept:
+                kept.write(json.dumps(answer) + "\n")
+
+
+def spread(values: list[float]) -> str:
+    return f"{min(values):.2f} .. {max(values):.2f}"
+
+
+def tables(out: pathlib.Path) -> dict[str, list[str]]:
+    rows = [json.loads(line) for line in (out / "lines.txt").read_text("ascii").splitlines()]
+    found = {tuple(job): result for job, result in rows if "failed" not in result}
+    straight = ["| m | runs | direction, mean error [deg] | worst | first load over boundary elements' | loads from 5 spacings on, worst | energy per length / G0 |",
+                "|---|---|---|---|---|---|---|"]
+    for m in HORIZONS:
+        some = [r for job, r in found.items() if job[0] == "inclined" and job[1] == 0 and job[2] == m]
+        if some:
+            errors = [abs(r["degrees"]) for r in some]
+            straight.append(f"| {m} | {len(some)} | {np.mean(errors):.1f} | {max(errors):.1f} | {spread([r['first'] for r in some])} |"
+                            f" {100 * max(r['steady'] for r in some):.0f} % | {spread([r['energy'] for r in some])} |")
+    inclines = ["| incline | lattice | m | first load | loads after 1 to 4 spacings, worst | after 5 and more | distance | direction off by [deg] | energy per length / G0 |",
+                "|---|---|---|---|---|---|---|---|---|"]
+    for job, r in sorted(found.items(), key=lambda item: str(item[0])):
+        if job[0] == "inclined" and job[1] > 0 and job[4] == "line":
+            inclines.append(f"| {job[1]:g} | {job[3]:g} | {job[2]} | {r['first']:.2f} | {100 * r['early']:.0f} % | {100 * r['steady']:.0f} % |"
+                            f" {r['off']:.1f} | {r['degrees']:.1f} | {r['energy']:.2f} |")
+    births = ["| strip without a crack | lattice | m | first load factor | begins at (x, y) | its way off by [deg] | in two pieces |",
+              "|---|---|---|---|---|---|---|"]
+    for job, r in sorted(found.items(), key=lambda item: str(item[0])):
+        if job[0] == "begun":
+            births.append(f"| {'round hole, radius 8' if job[3] else 'slanted sides, waist 30'} | {job[2]:g} | {job[1]} | {r['load']:.4f} |"
+                          f" {r['x']:.1f}, {r['y']:.1f} | {r['tilt']:.1f} | {'yes' if r['separated'] else 'no'} |")
+    return {"lines-straight": straight, "lines-inclined": inclines, "lines-begun": births}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "pd/outlined/filling_cells.hpp"
+
+namespace bempd::pd {
+
+inline int corner_count(const std::array<int, 4>& cell) { return is_triangle(cell) ? 3 : 4; }
+
+template <class Visit>
+void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
+  const int count = corner_count(cell);
+  for (int k = 0; k < count; ++k) visit(cell[k], cell[(k + 1) % count]);
+}
+
+// Numbers of cells that are taken together: every whole cell alone, triangles by two across their longest edges, those
+// that are left over with a pair beside them.
+struct CellPatches {
+  std::vector<std::vector<int>> cells;           // of each patch
+  std::vector<std::vector<int>> behind_an_edge;  // patches beside those that have points on the outline
+};
+
+CellPatches make_patches(const std::vector<Point>& points, const FillingCells& cells, int outline_count);
+
+}  // namespace bempd::pd

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pd/cell_squares.hpp"
+#include "pd/outlined/outlined_body.hpp"
+
+namespace bempd::pd {
+
+// What patches of cells of a body with any outline feel of a displacement, in units of the spacing: G_i with
+// sum of G_i u_i^T = the patch's area times the mean gradient of the displacement, exact for linear ones. For a cell
+// G_i is its polygon's surface vector at the point. Over all patches the G of a point add up to its surface vector: a
+// stress that is the same everywhere is balanced by its traction on the chords. Where the surface vectors have factors
+// (surface_balance.hpp) patches at the outline feel a little of their neighbours' points as well, so that they add up
+// to those.
+struct CellStencils {
+  std::vector<std::size_t> start{0}, bond_start{0};  // per patch, and the end of the last
+  std::vector<int> point;                            // the patch's own come first
+  std::vector<Eigen::Vector2d> gradient;             // G
+  std::vector<double> share;                         // of the patch's area that its point takes
+  std::vector<double> area;
+  std::vector<int> bond;  // with the first of which what a patch carries is gone
+  double max_residual = 0;
+
+  std::size_t count() const { return area.size(); }
+  std::span<const int> points(std::size_t patch) const { return of(patch, start, point); }
+  std::span<const Eigen::Vector2d> gradients(std::size_t patch) const { return of(patch, start, gradient); }
+  std::span<const double> shares(std::size_t patch) const { return of(patch, start, share); }
+  std::span<const int> bonds(std::size_t patch) const { return of(patch, bond_start, bond); }
+  // If bonds alone make the material.
+  bool empty() const { return area.empty(); }
+
+ private:
+  template <class Value>
+  static std::span<const Value> of(std::size_t patch, const std::vector<std::size_t>& starts,
+                                   const std::vector<Value>& values) {
+    return {values.data() + starts[patch], starts[patch + 1] - starts[patch]};
+  }
+};
+
+// Patches are the lattice's whole cells, and two or three triangles each: one by one they would be too many to let a
+// body change its shape where it hardly changes its volume.
+CellStencils cell_stencils(const OutlinedBody& body);
+
+// The squares of cells (cell_squares.hpp) of any shape: k/2 (sum of pull_i . u_i)^2 over the points of a stencil.
+struct StencilSquare {
+  std::vector<Eigen::Vector2d> pull;
+  double stiffness;  // k [N/m], thickness included
+};
+std::vector<StencilSquare> squares_of(const CellStencils& stencils, std::size_t patch,
+                                      const PlaneElasticity& elasticity);
+
+}  // namespace bempd::pd
