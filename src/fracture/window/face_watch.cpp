@@ -75,7 +75,7 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
       for (const coupling::TermEntry& e : place->contact.pull) {
         for (const int part : {0, 1}) gap[part] += e.x * value(2 * e.node, part) + e.y * value(2 * e.node + 1, part);
       }
-      if (!holds(*place, state, gap[0], gap[1], largest)) return std::max(state - 1, 0);
+      if (!holds(*place, state, gap[0], gap[1], largest)) last = std::min(last, std::max(state - 1, 0));
     }
   }
   return std::min(last, events_before_change(outside, std::span(kept).first(static_cast<std::size_t>(last) + 1)));
