@@ -173,12 +173,12 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
  * Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
- * strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the rest,
- * each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
- * material that does not break. From the fracture energy G0, the horizon delta and E' = E, in plane strain
- * E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that
- * bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2
- * in plane stress. @since 0.1 */
+ * strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the
+ * rest, each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give
+ * critical_stretch or fracture_energy, or neither for a material that does not break. From the fracture energy G0, the
+ * horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E'
+ * delta); where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with
+ * Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;      /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;     /**< Young's modulus E [Pa], > 0 */
@@ -476,13 +476,24 @@ BEMPD_API bempd_status bempd_add_point_force(bempd_model* model, double x, doubl
 
 /** @brief Add a force per volume on a whole region, such as its weight: constant over the region.
  *
- * In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the boundary.
- * A BEM region with cracks refuses it when the model is prepared. bempd_set_load_values() gives it a new value.
+ * In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the boundary
+ * and the faces of cracks. bempd_set_load_values() gives it a new value.
  * @param[in] model the model @param[in] region id of a region @param[in] component BEMPD_X or BEMPD_Y
  * @param[in] constant constant part, along the axis [N/m^3] @param[in] proportional part multiplied by the load factor
  * [N/m^3] @param[out] load its id; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_add_body_force(bempd_model* model, int32_t region, int32_t component, double constant,
                                             double proportional, int32_t* load);
+
+/** @brief Let a region turn about an axis at a place: a force per volume that drives it outwards and grows with the
+ * distance from there, its density times the square of the angular velocity times that.
+ *
+ * As bempd_add_body_force(); several add up. Supports are those of the turning body.
+ * @param[in] model the model @param[in] region id of a region @param[in] x axis [m] @param[in] y axis [m]
+ * @param[in] constant constant part of density times angular velocity squared [N/m^4]
+ * @param[in] proportional part multiplied by the load factor [N/m^4] @param[out] load its id; may be NULL
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_rotation(bempd_model* model, int32_t region, double x, double y, double constant,
+                                          double proportional, int32_t* load);
 
 /** @brief Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would
  * lengthen by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
@@ -741,8 +752,8 @@ typedef struct bempd_step_report {
   int32_t hanging;        /**< 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which
                              bears nothing, or less than the option stepping.separation_share of the peak */
   int32_t reserved;       /**< 0 */
-  int64_t closed_places;  /**< places at which faces of cracks in lattices press on each other at the end, about one a
-                             spacing (option pd.contact) */
+  int64_t closed_places;  /**< places at which faces of cracks press on each other at the end: about one a spacing in
+                             lattices (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact) */
   int64_t face_switches;  /**< how often such places have closed or opened in this step */
 } bempd_step_report;
 
@@ -1187,7 +1198,8 @@ typedef struct bempd_crack_tip {
   double y;                    /**< place [m] */
   double direction_x;          /**< unit vector in which the crack would go straight on [-] */
   double direction_y;          /**< [-] */
-  double stress_intensity_1;   /**< K_I [Pa m^(1/2)]; negative if the faces overlap at the tip */
+  double stress_intensity_1;   /**< K_I [Pa m^(1/2)]; 0 where faces press on each other at the tip,
+                                    negative if they overlap (option bem.contact = none) */
   double stress_intensity_2;   /**< K_II, positive if the left side, seen in the direction, moves forward
                                   [Pa m^(1/2)] */
   double energy_release_rate;  /**< G of growth straight on [J/m^2] */
@@ -1241,7 +1253,8 @@ BEMPD_API bempd_status bempd_get_tip_history(const bempd_model* model, int64_t i
  * from its first point, less that of the face on its right.
  * @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
  * @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
- * @param[out] normal shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+ * @param[out] normal shape [count], positive if it is open, negative if its faces overlap, which they
+ * do with the option bem.contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
  * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                            double* normal, double* tangential);

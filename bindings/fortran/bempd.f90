@@ -51,7 +51,7 @@ module bempd
     procedure :: region_count, edge_count, node_count, element_count, bond_count
     procedure :: fix_edge, fix_point, prescribe_edge, prescribe_edge_function, prescribe_point
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
-    procedure :: add_crack_pressure, add_body_force, add_temperature, add_temperature_function, set_load_values
+    procedure :: add_crack_pressure, add_body_force, add_rotation, add_temperature, add_temperature_function, set_load_values
     procedure :: set_support_values
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
@@ -95,7 +95,7 @@ module bempd
     remove_region, remove_crack, remove_support, remove_load, &
     region_count, edge_count, node_count, element_count, bond_count, fix_edge, fix_point, prescribe_edge, &
     prescribe_edge_function, prescribe_point, add_traction, add_traction_function, add_pressure, add_point_force, &
-    add_crack_pressure, add_body_force, add_temperature, add_temperature_function, set_load_values, &
+    add_crack_pressure, add_body_force, add_rotation, add_temperature, add_temperature_function, set_load_values, &
     set_support_values, set_progress, set_phase_progress, set_log, request_cancel, request_stop, prepare, step, &
     step_to_next_event, run_to_separation, step_to_values, run_program, &
     load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field, copy_elements, copy_bonds, &
@@ -383,6 +383,15 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_body_force
+    module subroutine add_rotation(self, region, axis, constant, proportional, load, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: region
+      real(c_double), intent(in) :: axis(2)
+      real(c_double), intent(in), optional :: constant, proportional
+      integer(c_int32_t), intent(out), optional :: load
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine add_rotation
     module subroutine add_temperature_function(self, region, function, user, load, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region

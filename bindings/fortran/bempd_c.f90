@@ -330,8 +330,8 @@ module bempd_c
     integer(c_int32_t) :: hanging
     !> 0
     integer(c_int32_t) :: reserved
-    !> places at which faces of cracks in lattices press on each other at the end, about one a spacing (option
-    !> pd.contact)
+    !> places at which faces of cracks press on each other at the end: about one a spacing in lattices (option
+    !> pd.contact), nodes of elements on cracks in BEM regions (bem.contact)
     integer(c_int64_t) :: closed_places
     !> how often such places have closed or opened in this step
     integer(c_int64_t) :: face_switches
@@ -432,7 +432,8 @@ module bempd_c
     real(c_double) :: direction_x
     !> [-]
     real(c_double) :: direction_y
-    !> K_I [Pa m^(1/2)]; negative if the faces overlap at the tip
+    !> K_I [Pa m^(1/2)]; 0 where faces press on each other at the tip, negative if they overlap (option bem.contact =
+    !> none)
     real(c_double) :: stress_intensity_1
     !> K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)]
     real(c_double) :: stress_intensity_2
@@ -1507,9 +1508,8 @@ module bempd_c
 
     !> Add a force per volume on a whole region, such as its weight: constant over the region.
     !>
-    !> In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the
-    !> boundary. A BEM region with cracks refuses it when the model is prepared. bempd_set_load_values() gives it a new
-    !> value.
+    !> In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off the boundary
+    !> and the faces of cracks. bempd_set_load_values() gives it a new value.
     !>
     !> model [in]: the model
     !> region [in]: id of a region
@@ -1530,6 +1530,32 @@ module bempd_c
       type(c_ptr), value :: load
       integer(c_int) :: bempd_add_body_force
     end function bempd_add_body_force
+
+    !> Let a region turn about an axis at a place: a force per volume that drives it outwards and grows with the
+    !> distance from there, its density times the square of the angular velocity times that.
+    !>
+    !> As bempd_add_body_force(); several add up. Supports are those of the turning body.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> x [in]: axis [m]
+    !> y [in]: axis [m]
+    !> constant [in]: constant part of density times angular velocity squared [N/m^4]
+    !> proportional [in]: part multiplied by the load factor [N/m^4]
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_rotation(model, region, x, y, constant, proportional, load) bind(c, name="bempd_add_rotation")
+      import :: c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      real(c_double), value :: x
+      real(c_double), value :: y
+      real(c_double), value :: constant
+      real(c_double), value :: proportional
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_rotation
+    end function bempd_add_rotation
 
     !> Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would lengthen
     !> by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
@@ -2692,7 +2718,8 @@ module bempd_c
     !> crack [in]: id of a crack
     !> count [in]: number of places
     !> fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1 [-]
-    !> normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+    !> normal [out]: shape [count], positive if it is open, negative if its faces overlap, which they do with the option
+    !>   bem.contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
     !> tangential [out]: shape [count], along the crack [m]; may be NULL
     !> return: status
     !> since: 0.3

@@ -283,6 +283,15 @@ contains
     call give(new, load)
   end procedure add_body_force
 
+  module procedure add_rotation
+    integer(c_int32_t), target :: new
+
+    new = 0
+    call finish(self, bempd_add_rotation(self%handle, region, axis(1), axis(2), value_or(constant, 0.0_c_double), &
+      value_or(proportional, 0.0_c_double), c_loc(new)), stat, errmsg)
+    call give(new, load)
+  end procedure add_rotation
+
   module procedure add_temperature_function
     integer(c_int32_t), target :: new
 

@@ -65,13 +65,14 @@ void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> 
   }
 }
 
-// div (r f) = 2 f + r . grad f = 4 f.
-double integral_of_quadratic(const BoundaryMesh& mesh, const Point& centre,
-                             const std::function<double(const Point&)>& function) {
+// div (r f) = 2 f + r . grad f = (2 + degree) f.
+double integral_of_homogeneous(const BoundaryMesh& mesh, const Point& centre, int degree,
+                               const std::function<double(const Point&)>& function) {
+  const double share = 1.0 / (2 + degree);
   double sum = 0;
   for (const BoundaryElement& element : mesh.elements) {
     at_gauss_points(mesh, element, [&](const std::array<double, 3>&, const Point& x, const Point& dx, double weight) {
-      sum += 0.25 * weight * function(x) * (x - centre).dot(scaled_normal(dx));
+      sum += share * weight * function(x) * (x - centre).dot(scaled_normal(dx));
     });
   }
   return sum;

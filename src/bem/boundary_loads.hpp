@@ -24,8 +24,8 @@ void add_stress_forces(const BoundaryMesh& mesh, const std::function<Eigen::Vect
 // Adds the integrals of N_a n ds, n being the outward normal.
 void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals);
 
-// Integral over the area of a function that is homogeneous of degree 2 in the distance from a centre.
-double integral_of_quadratic(const BoundaryMesh& mesh, const Point& centre,
-                             const std::function<double(const Point&)>& function);
+// Integral over the area of a function that is homogeneous of a degree in the distance from a centre.
+double integral_of_homogeneous(const BoundaryMesh& mesh, const Point& centre, int degree,
+                               const std::function<double(const Point&)>& function);
 
 }  // namespace bempd::bem

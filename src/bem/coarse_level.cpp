@@ -172,8 +172,9 @@ CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state
   const Eigen::VectorXd solution = values * stiffness.llt().solve(Eigen::VectorXd(values.transpose() * forces));
   const Eigen::VectorXd traction = tractions * single_layer.solve(coarse.double_layer.transpose() * solution);
   const Eigen::Index u = state.displacements.size();
-  return {solution.head(u), solution.tail(solution.size() - u), shear / length * traction, state.face_traction,
-          state.faces_press, state.closed};
+  return {solution.head(u),          solution.tail(solution.size() - u),
+          shear / length * traction, state.face_traction,
+          state.faces_press,         state.closed};
 }
 
 }  // namespace bempd::bem

@@ -9,6 +9,7 @@
 #include "regions/places/pressed_crack.hpp"
 #include "regions/places/pressed_edge.hpp"
 #include "regions/places/single_point.hpp"
+#include "regions/places/turning_region.hpp"
 #include "regions/places/whole_region.hpp"
 
 using namespace bempd;
@@ -163,6 +164,14 @@ bempd_status bempd_add_body_force(bempd_model* model, int32_t region, int32_t co
   return add_load(model, __func__, load, [&] {
     require_single(component);
     return Condition{std::make_shared<const regions::WholeRegion>(region), component, single(constant, proportional)};
+  });
+}
+
+bempd_status bempd_add_rotation(bempd_model* model, int32_t region, double x, double y, double constant,
+                                double proportional, int32_t* load) {
+  return add_load(model, __func__, load, [&] {
+    return Condition{std::make_shared<const regions::TurningRegion>(region, Point(x, y)), BEMPD_X,
+                     single(constant, proportional)};
   });
 }
 

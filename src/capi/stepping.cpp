@@ -61,7 +61,7 @@ void write_report(model::Model& m, const model::StepResult& result, bempd_step_r
   bempd_step_report r = report_of(result, m.prepared().evolution->progress());
   r.hanging = m.hangs() ? 1 : 0;
   r.closed_places = static_cast<std::int64_t>(m.prepared().system->contacts().closed_count() +
-                                           m.prepared().system->closed_face_count());
+                                              m.prepared().system->closed_face_count());
   write_struct(report, r, "report");
 }
 

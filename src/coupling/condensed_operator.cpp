@@ -37,12 +37,14 @@ void CondensedOperator::condense_load(const Affine& force, const Affine& prescri
     private_load_ = elimination_->solve_private(force(private_, Eigen::all) - reaction(private_local, Eigen::all));
     if (!shared_.empty()) {
       const Affine carried = stiffness(shared_local, private_local) * private_load_;
-      for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
+      for (std::size_t i = 0; i < shared_.size(); ++i)
+        load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
     }
   }
   if (pressing_.empty()) return;
   find_gaps_at_rest(support);
-  const Affine carried = gaps_by_shared_(pressing_, Eigen::all).transpose() * held_.solve(gaps_at_rest_(pressing_, Eigen::all));
+  const Affine carried =
+      gaps_by_shared_(pressing_, Eigen::all).transpose() * held_.solve(gaps_at_rest_(pressing_, Eigen::all));
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
 }
 
@@ -85,8 +87,7 @@ Eigen::VectorXd CondensedOperator::elastic(const Eigen::VectorXd& displacement, 
 void CondensedOperator::add_internal_force(const Eigen::VectorXd& displacement, double load_factor,
                                            Eigen::VectorXd& force) const {
   Eigen::VectorXd values = elimination_->stiffness() * elastic(displacement, load_factor);
-  if (!pressing_.empty())
-    values -= openings_->of_displacements.transpose() * face_forces(displacement, load_factor);
+  if (!pressing_.empty()) values -= openings_->of_displacements.transpose() * face_forces(displacement, load_factor);
   force(all_) += values;
 }
 

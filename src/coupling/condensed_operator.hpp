@@ -84,8 +84,8 @@ class CondensedOperator {
   Affine private_load_;                      // private displacements with the shared unknowns held at 0
 
   std::shared_ptr<const FaceOpenings> openings_;
-  Affine face_offsets_;               // of all places
-  std::vector<char> free_faces_;      // those that private displacements or openings of their own can shut
+  Affine face_offsets_;                        // of all places
+  std::vector<char> free_faces_;               // those that private displacements or openings of their own can shut
   std::vector<Eigen::Index> pressing_, shut_;  // closed places; those of them that have openings of their own
   // Per force at a place: private displacements, and gaps. Gaps per shared displacement. Once needed.
   Eigen::MatrixXd private_by_faces_, gaps_by_faces_, gaps_by_shared_;

@@ -52,7 +52,7 @@ std::vector<regions::BondState> Model::bond_states(int id) {
 
 regions::Solution Model::solution_of(const PreparedScene& prepared) {
   const fracture::EvolutionState& state = prepared.evolution->state();
-  std::vector<std::vector<char>> closed(prepared.conditions.body_force.rows() / 2);
+  std::vector<std::vector<char>> closed(prepared.conditions.body_force.rows() / 3);
   if (prepared.system->closed_face_count() > 0)
     for (const auto& region : prepared.discretization.regions)
       closed[static_cast<std::size_t>(region->id()) - 1] = prepared.system->closed_faces_on(region->nodes());
@@ -60,7 +60,7 @@ regions::Solution Model::solution_of(const PreparedScene& prepared) {
           prepared.system->intact(), prepared.conditions.body_forces(state.load_factor),
           &state.displacement,       &prepared.conditions.crack_loads,
           state.load_factor,         &prepared.system->stages(),
-          std::move(closed)};
+          std::move(closed),         &prepared.conditions.body_force};
 }
 
 const FieldValues& Model::field(int id, Field which) {

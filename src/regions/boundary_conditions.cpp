@@ -59,11 +59,17 @@ void apply_support(const scene::Scene& scene, const Discretization& d, int suppo
 
 }  // namespace
 
-std::vector<Point> DofConditions::body_forces(double load_factor) const {
-  const Eigen::VectorXd values = coupling::evaluate(body_force, load_factor);
-  std::vector<Point> per_region;
-  for (Eigen::Index i = 0; i < values.size(); i += 2) per_region.emplace_back(values.segment<2>(i));
+std::vector<BodyForce> DofConditions::body_forces(double load_factor) const {
+  std::vector<BodyForce> per_region;
+  for (Eigen::Index id = 1; 3 * id <= body_force.rows(); ++id)
+    per_region.push_back(body_force_of(body_force, static_cast<int>(id), {1, load_factor}));
   return per_region;
+}
+
+BodyForce body_force_of(const coupling::Affine& all, int region, const Eigen::Vector2d& parts) {
+  const Eigen::Vector3d values =
+      all.col(0).segment<3>(3 * (region - 1)) * parts[0] + all.col(1).segment<3>(3 * (region - 1)) * parts[1];
+  return {values.head<2>(), values[2]};
 }
 
 DofConditions apply_conditions(const scene::Scene& scene, const Discretization& d) {
@@ -71,20 +77,19 @@ DofConditions apply_conditions(const scene::Scene& scene, const Discretization& 
   const auto dofs = 2 * static_cast<Eigen::Index>(d.positions.size());
   c.prescribed.assign(dofs, 0);
   c.displacement = c.force = Affine::Zero(dofs, 2);
-  c.body_force = Affine::Zero(2 * scene.region_count(), 2);
+  c.body_force = Affine::Zero(3 * scene.region_count(), 2);
   c.reaction_dofs.resize(scene.supports().size());
   c.held_dofs.resize(scene.supports().size());
   SupportTable table(d, c);
   for (std::size_t s = 0; s < scene.supports().size(); ++s) apply_support(scene, d, static_cast<int>(s), table);
   for (std::size_t l = 0; l < scene.loads().size(); ++l)
     if (!scene.loads()[l].removed()) scene.loads()[l].place->add_load(scene, d, static_cast<int>(l), c);
-  for (int id : scene.region_ids()) {
-    const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (id - 1)); };
-    c.work_within += d.region(id).work_within({body_force(0), body_force(1)}, c.crack_loads);
-  }
+  const auto body_forces = [&](int id) -> std::array<BodyForce, 2> {
+    return {body_force_of(c.body_force, id, {1, 0}), body_force_of(c.body_force, id, {0, 1})};
+  };
+  for (int id : scene.region_ids()) c.work_within += d.region(id).work_within(body_forces(id), c.crack_loads);
   for (const auto& region : d.regions) {
-    const auto body_force = [&](int part) -> Point { return c.body_force.col(part).segment<2>(2 * (region->id() - 1)); };
-    const Affine own = region->face_offsets({body_force(0), body_force(1)}, c.crack_loads);
+    const Affine own = region->face_offsets(body_forces(region->id()), c.crack_loads);
     const Eigen::Index before = c.face_offsets.rows();
     c.face_offsets.conservativeResize(before + own.rows(), 2);
     c.face_offsets.bottomRows(own.rows()) = own;

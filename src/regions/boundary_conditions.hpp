@@ -17,11 +17,11 @@ struct CrackPressure {
 
 // Supports and loads as values on the degrees of freedom of the scene's nodes (2 * node + component).
 struct DofConditions {
-  std::vector<char> prescribed;                 // per degree of freedom
-  coupling::Affine displacement;                // of prescribed degrees of freedom [m]
-  coupling::Affine force;                       // [N]
-  coupling::Affine body_force;                  // [N/m^3], 2 * (region - 1) + component; part of `force`
-  std::vector<CrackLoad> crack_loads;           // their effect on nodes is part of `force`
+  std::vector<char> prescribed;        // per degree of freedom
+  coupling::Affine displacement;       // of prescribed degrees of freedom [m]
+  coupling::Affine force;              // [N]
+  coupling::Affine body_force;         // x, y, growth of every region, from 3 * (region - 1) on; part of `force`
+  std::vector<CrackLoad> crack_loads;  // their effect on nodes is part of `force`
   std::vector<CrackPressure> crack_pressures;   // follow as cracks grow; not part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
 
@@ -37,8 +37,11 @@ struct DofConditions {
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 
   // Of every region at a load factor.
-  std::vector<Point> body_forces(double load_factor) const;
+  std::vector<BodyForce> body_forces(double load_factor) const;
 };
+
+// Of one region in DofConditions::body_force, its two parts times these.
+BodyForce body_force_of(const coupling::Affine& all, int region, const Eigen::Vector2d& parts);
 
 // Throws Error (argument) for contradictory supports, tractions on interfaces, and places without a node.
 DofConditions apply_conditions(const scene::Scene& scene, const Discretization& discretization);

@@ -102,7 +102,7 @@ coupling::Affine loads_on(const scene::Scene& scene, const Discretization& d, co
   };
   DofConditions c;
   c.force = coupling::Affine::Zero(2 * static_cast<Eigen::Index>(d.positions.size()), 2);
-  c.body_force = coupling::Affine::Zero(2 * scene.region_count(), 2);
+  c.body_force = coupling::Affine::Zero(3 * scene.region_count(), 2);
   for (std::size_t l = 0; l < scene.loads().size(); ++l) {
     const scene::Condition& load = scene.loads()[l];
     if (!load.removed() && acts(*load.place)) load.place->add_load(scene, d, static_cast<int>(l), c);

@@ -7,6 +7,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
+#include "elasticity/linear_body_force.hpp"
 #include "geometry/point.hpp"
 
 namespace bempd::regions {
@@ -42,8 +43,8 @@ struct CrackLoad {
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
-  const std::vector<char>& intact;  // per bond
-  std::vector<Point> body_forces;   // [N/m^3], per region
+  const std::vector<char>& intact;     // per bond
+  std::vector<BodyForce> body_forces;  // per region
   // What cracks with elements need beside: null without them.
   const coupling::Affine* parts = nullptr;  // of the displacement
   const std::vector<CrackLoad>* crack_loads = nullptr;
@@ -52,13 +53,14 @@ struct Solution {
 
   // By region: which of the places on its cracks are closed; empty without.
   std::vector<std::vector<char>> closed_faces = {};
+  const coupling::Affine* body_force_parts = nullptr;  // DofConditions::body_force; null: none
 
   const std::vector<char>& closed_faces_of(int region) const {
     static const std::vector<char> none;
     const auto place = static_cast<std::size_t>(region) - 1;
     return place < closed_faces.size() ? closed_faces[place] : none;
   }
-  const Point& body_force(int region) const { return body_forces[static_cast<std::size_t>(region) - 1]; }
+  const BodyForce& body_force(int region) const { return body_forces[static_cast<std::size_t>(region) - 1]; }
 };
 
 struct PointValue {

@@ -11,9 +11,11 @@
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "elasticity/free_swelling.hpp"
+#include "elasticity/linear_body_force.hpp"
 #include "geometry/crack_lines.hpp"
 #include "geometry/edge.hpp"
 #include "output/vtu.hpp"
+#include "pd/crack.hpp"
 #include "pd/face_places.hpp"
 #include "pd/network.hpp"
 #include "pd/tip_law.hpp"
@@ -181,17 +183,17 @@ class Region {
   // Adds nodal forces [N] of a traction [Pa] on a part of a free edge. Forces are numbered 2 * scene node + component.
   virtual void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
-  // Adds nodal forces [N] of a constant force per volume [N/m^3].
-  virtual void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
+  // Adds nodal forces [N] of a force per volume.
+  virtual void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
   // What the constant and the proportional part of the loads on its inside, forces per volume and tractions on cracks,
   // do to each other's displacements [J] beside the work of the nodal forces, of which the nodes know nothing.
-  virtual Eigen::Matrix2d work_within(const std::array<Point, 2>& /*body_force*/,
+  virtual Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& /*body_force*/,
                                       const std::vector<CrackLoad>& /*crack_loads*/) const {
     return Eigen::Matrix2d::Zero();
   }
 
   // What these loads make of the gaps of its cracks that close, the openings of its dense operator [m].
-  virtual coupling::Affine face_offsets(const std::array<Point, 2>& /*body_force*/,
+  virtual coupling::Affine face_offsets(const std::array<BodyForce, 2>& /*body_force*/,
                                         const std::vector<CrackLoad>& /*crack_loads*/) const {
     return coupling::Affine(0, 2);
   }
@@ -222,6 +224,11 @@ class Region {
   virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
   // Where faces overlap most, if they do.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
+  // How a crack has to end so that its tip is felt at a place inside the region, to which it comes in a direction; at
+  // most so far behind it. Bonds are the scene's.
+  virtual pd::FeltEnd end_felt_at(const Point& tip, const Point& /*direction*/, double /*backward*/) const {
+    return {tip, {}};
+  }
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}

@@ -7,6 +7,7 @@ program fortran_new_values
   call a_way_stops_at_an_event_and_goes_on()
   call a_program_loads_unloads_and_goes_on()
   call a_pressure_follows_a_crack()
+  call a_region_turns_about_an_axis()
   call finish_checks()
 
 contains
@@ -82,5 +83,21 @@ contains
     call model%reaction(top, force)
     call check(abs(force(2) + 16) < 1e-9_dp, "pressure times length")
   end subroutine a_pressure_follows_a_crack
+
+  !> Held at its lower edge, by all that drives it away from the axis.
+  subroutine a_region_turns_about_an_axis()
+    type(bempd_model) :: model
+    integer :: material, region, edge
+    real(dp) :: force(2)
+
+    call model%create()
+    call model%add_material(1000._dp, 0.2_dp, material)
+    call model%add_bem_region(material, rectangle(1._dp, 0._dp, 9._dp, 10._dp), 2._dp, region)
+    call model%add_rotation(region, [1._dp, 0._dp], proportional=0.5_dp)
+    call model%fix_edge(region, 1, BEMPD_BOTH, edge)
+    call model%step(1._dp)
+    call model%reaction(edge, force)
+    call check(abs(force(1) + 160) < 1e-6_dp .and. abs(force(2) + 200) < 1e-6_dp, "reaction of a turning region")
+  end subroutine a_region_turns_about_an_axis
 
 end program fortran_new_values

@@ -47,6 +47,7 @@ static void both_components_only_where_the_function_says_so(void) {
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "function is NULL",
               bempd_add_temperature_function(model, 1, NULL, NULL, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "region 2", bempd_add_body_force(model, 2, BEMPD_Y, 0.0, 1.0, NULL));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "region 2", bempd_add_rotation(model, 2, 0.0, 0.0, 0.0, 1.0, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_fix_point(model, 10.0, 4.0, BEMPD_BOTH, NULL));
   bempd_model_free(model);
@@ -82,6 +83,10 @@ static void values_are_finite_and_counted(void) {
                 bempd_add_temperature(model, 1, wrong_values[k], 0.0, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite|nan|inf",
                 bempd_add_body_force(model, 1, BEMPD_Y, wrong_values[k], 0.0, NULL));
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite|nan|inf",
+                bempd_add_rotation(model, 1, 0.0, 0.0, wrong_values[k], 0.0, NULL));
+    CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "axis",
+                bempd_add_rotation(model, 1, wrong_values[k], 0.0, 1.0, 0.0, NULL));
     CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "finite|nan|inf",
                 bempd_fix_point(model, wrong_values[k], 4.0, BEMPD_X, NULL));
   }

@@ -54,6 +54,7 @@ static void null_model_is_refused_while_building(void) {
   NO_MODEL(bempd_add_temperature_function(NULL, 1, NULL, NULL, &id));
   NO_MODEL(bempd_add_crack_pressure(NULL, 1, 0.0, 1.0, &id));
   NO_MODEL(bempd_add_body_force(NULL, 1, BEMPD_X, 0.0, 1.0, &id));
+  NO_MODEL(bempd_add_rotation(NULL, 1, 0.0, 0.0, 0.0, 1.0, &id));
   NO_MODEL(bempd_set_load_values(NULL, 1, 1, &value, NULL));
   NO_MODEL(bempd_set_support_values(NULL, 1, 1, &value, NULL));
   NO_MODEL(bempd_set_option(NULL, "threads", 1.0));

@@ -96,8 +96,8 @@ TEST(ClosingCrack, an_inclined_one_under_pressure_only_slides) {
   }
 }
 
-// Bending closes a part of a crack; kinked, branched and edge cracks under uniform and linear stresses, with pressure in
-// them.
+// Bending closes a part of a crack; kinked, branched and edge cracks under uniform and linear stresses, with pressure
+// in them.
 TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
   const std::vector<std::vector<Point>> kinds[] = {{{{-1.2, 0.1}, {1.1, 0.1}}},
                                                    {{{-2, 0.3}, {-0.2, -0.1}}},
@@ -110,13 +110,14 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
   double worst = 0, balance = 0;
   std::size_t shut = 0, places = 0;
   for (const auto& cracks : kinds) {
-    for (int repeat = 0; repeat < 2; ++repeat) {
+    for (int repeat = 0; repeat < 1; ++repeat) {
       const auto model = plate(2, 1, cracks);
       double c[12];
       for (double& number : c) number = size(random);
       const double pressure = 0.3 * size(random), growing = 0.3 * size(random);
-      pull(*model, [&c](const Point& x) { return stress(c[0] + c[1] * x.y(), c[2] + c[3] * x.x(), c[4]); },
-           [&c](const Point& x) { return stress(c[6] + c[7] * x.y(), c[8] + c[9] * x.x(), c[10]); });
+      pull(
+          *model, [&c](const Point& x) { return stress(c[0] + c[1] * x.y(), c[2] + c[3] * x.x(), c[4]); },
+          [&c](const Point& x) { return stress(c[6] + c[7] * x.y(), c[8] + c[9] * x.x(), c[10]); });
       press_faces(*model, 1, pressure, growing);
       for (const double load_factor : {0.7, -1.5, 0.4}) {
         model->advance(load_factor, to_load_factor);
@@ -133,7 +134,7 @@ TEST(ClosingCrack, random_bodies_agree_with_a_quadratic_programme) {
       balance = std::max(balance, state(*model).worst_energy_balance_error);
     }
   }
-  std::printf("12 bodies at 3 load factors: %zu of %zu places closed, energy balance %.1e; differ by %.1e\n", shut,
+  std::printf("6 bodies at 3 load factors: %zu of %zu places closed, energy balance %.1e; differ by %.1e\n", shut,
               places, balance, worst);
   EXPECT_GT(shut, places / 10);
   EXPECT_LT(shut, places * 9 / 10);
@@ -251,8 +252,8 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   EXPECT_EQ(displacement(*plain), displacement(*other));
   // Straight across the pressure it is as if it were not there.
   const auto pressed = run("plain", {{{4, 4.5}, {20, 4.5}}});
-  pressed->editable_scene().add_support({std::make_shared<const regions::SinglePoint>(Point(0, 0)), 1,
-                                         scene::SampledValues{{0.0}, {0.0}}});
+  pressed->editable_scene().add_support(
+      {std::make_shared<const regions::SinglePoint>(Point(0, 0)), 1, scene::SampledValues{{0.0}, {0.0}}});
   pressed->editable_scene().add_load(
       {std::make_shared<const regions::EdgePart>(2, 3, 0, 1), 2, scene::SampledValues{{0.0}, {-1e-4}}});
   pressed->advance(1, to_load_factor);
@@ -272,8 +273,8 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
   double last = 0;
   const double first = 2 / std::sqrt(3) * 0.5 * std::sqrt(pi);  // largest hoop factor of pure sliding (Erdogan and Sih)
   EXPECT_NEAR(model->tips()[0].critical_load_factor * 0.5 * std::sqrt(pi), 1, 0.01);
-  for (int step = 0; step < 8; ++step) {
-    const model::GrowthResult grown = model->grow_cracks(0.15);
+  for (int step = 0; step < 6; ++step) {
+    const model::GrowthResult grown = model->grow_cracks(0.2);
     EXPECT_EQ(grown.tips, 2);
     EXPECT_GT(grown.load_factor, last);  // wings grow stably
     if (step == 0) {

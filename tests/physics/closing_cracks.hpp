@@ -2,11 +2,11 @@
 // matrices of displacements and openings, which knows nothing of how the library finds it.
 #pragma once
 
-#include "contact_bodies.hpp"
 #include "bem/crack_forces.hpp"
+#include "contact_bodies.hpp"
 #include "geometry/turning.hpp"
-#include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/boundary_description.hpp"
+#include "regions/boundary/boundary_region.hpp"
 #include "regions/places/crack_faces.hpp"
 #include "regions/places/single_point.hpp"
 

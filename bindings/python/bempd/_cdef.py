@@ -134,6 +134,8 @@ bempd_status bempd_add_point_force(bempd_model *model, double x, double y, int32
     double constant, double proportional, int32_t *load);
 bempd_status bempd_add_body_force(bempd_model *model, int32_t region, int32_t component,
     double constant, double proportional, int32_t *load);
+bempd_status bempd_add_rotation(bempd_model *model, int32_t region, double x, double y,
+    double constant, double proportional, int32_t *load);
 bempd_status bempd_add_temperature(bempd_model *model, int32_t region, double constant,
     double proportional, int32_t *load);
 bempd_status bempd_add_temperature_function(bempd_model *model, int32_t region,
@@ -1016,14 +1018,28 @@ since: 0.1""",
 Add a force per volume on a whole region, such as its weight: constant over the region.
 
 In BEM regions it takes no elements inside: a state of stress with the force everywhere is taken off
-the boundary. A BEM region with cracks refuses it when the model is prepared.
-bempd_set_load_values() gives it a new value.
+the boundary and the faces of cracks. bempd_set_load_values() gives it a new value.
 
 model [in]: the model
 region [in]: id of a region
 component [in]: BEMPD_X or BEMPD_Y
 constant [in]: constant part, along the axis [N/m^3]
 proportional [in]: part multiplied by the load factor [N/m^3]
+load [out]: its id; may be NULL
+return: status
+since: 0.3""",
+    "bempd_add_rotation": """\
+Let a region turn about an axis at a place: a force per volume that drives it outwards and grows
+with the distance from there, its density times the square of the angular velocity times that.
+
+As bempd_add_body_force(); several add up. Supports are those of the turning body.
+
+model [in]: the model
+region [in]: id of a region
+x [in]: axis [m]
+y [in]: axis [m]
+constant [in]: constant part of density times angular velocity squared [N/m^4]
+proportional [in]: part multiplied by the load factor [N/m^4]
 load [out]: its id; may be NULL
 return: status
 since: 0.3""",
@@ -1353,8 +1369,8 @@ forces and nodal loads, the pull in a tensile test; 0 before the first event [N]
 or less than the option stepping.separation_share of the peak""",
     "bempd_step_report.reserved": """0""",
     "bempd_step_report.closed_places": """\
-places at which faces of cracks in lattices press on each other at the end, about one a spacing
-(option pd.contact)""",
+places at which faces of cracks press on each other at the end: about one a spacing in lattices
+(option pd.contact), nodes of elements on cracks in BEM regions (bem.contact)""",
     "bempd_step_report.face_switches": """how often such places have closed or opened in this step""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
@@ -1911,7 +1927,9 @@ since: 0.3""",
     "bempd_crack_tip.y": """place [m]""",
     "bempd_crack_tip.direction_x": """unit vector in which the crack would go straight on [-]""",
     "bempd_crack_tip.direction_y": """[-]""",
-    "bempd_crack_tip.stress_intensity_1": """K_I [Pa m^(1/2)]; negative if the faces overlap at the tip""",
+    "bempd_crack_tip.stress_intensity_1": """\
+K_I [Pa m^(1/2)]; 0 where faces press on each other at the tip, negative if they overlap (option
+bem.contact = none)""",
     "bempd_crack_tip.stress_intensity_2": """\
 K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)]""",
     "bempd_crack_tip.energy_release_rate": """G of growth straight on [J/m^2]""",
@@ -1985,7 +2003,9 @@ model [in]: the model
 crack [in]: id of a crack
 count [in]: number of places
 fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1 [-]
-normal [out]: shape [count], positive if it is open, negative if its faces overlap [m]; may be NULL
+normal [out]: shape [count], positive if it is open, negative if its faces overlap, which they do
+  with the option bem.contact = none, and between nodes of elements beside closed ones a little [m];
+  may be NULL
 tangential [out]: shape [count], along the crack [m]; may be NULL
 return: status
 since: 0.3""",

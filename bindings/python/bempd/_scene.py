@@ -303,6 +303,10 @@ class Scene:
                            arguments.choice("add_body_force: component", component, ONE_COMPONENT), constant,
                            proportional)
 
+    def add_rotation(self, region: int, axis: Sequence[float], proportional: float = 0.0, *, constant: float = 0.0) -> int:
+        """Let a region turn about an axis: density times angular velocity squared [N/m^4]; returns the id of the load."""
+        return self._added("bempd_add_rotation", region, axis[0], axis[1], constant, proportional)
+
     def add_crack_pressure(self, crack: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Add a uniform pressure [Pa] in a crack that follows wherever it grows, in either kind of region; returns the id
         of the load."""

@@ -17,12 +17,6 @@ constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 // A node that a held motion takes along by less than this share of its largest displacement stays where it is.
 constexpr double taken_along = 1e-6;
 
-void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held) {
-  const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
-  for (std::size_t node = 0; node < held.nodes.size(); ++node)
-    if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) held.nodes[node] = 1;
-}
-
 void keep_least(std::vector<int>& first, std::vector<int>& second) {
   if (first.empty()) {
     second.erase(second.begin() + 1, second.end());
@@ -30,6 +24,12 @@ void keep_least(std::vector<int>& first, std::vector<int>& second) {
     first.erase(first.begin() + 1, first.end());
     second.clear();
   }
+}
+
+void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held) {
+  const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
+  for (std::size_t node = 0; node < held.nodes.size(); ++node)
+    if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) held.nodes[node] = 1;
 }
 
 }  // namespace

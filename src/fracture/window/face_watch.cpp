@@ -7,14 +7,6 @@
 
 namespace bempd::fracture {
 
-namespace {
-
-std::array<double, 2> largest_of(const coupling::Affine& u) {
-  return {u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
-}
-
-}  // namespace
-
 FaceWatch::FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events, double from, bool proportional) {
   if (!faces.are_none()) {
     std::vector<std::vector<int>> gone;
@@ -52,7 +44,7 @@ bool FaceWatch::overlaps(int state, double gap, double rate, const std::array<do
 int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
                                     const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
   int last = static_cast<int>(kept.size()) - 1;
-  if (is_idle() && outside.faces().places.empty()) return last;
+  if (is_idle() && outside.faces().empty()) return last;
   const coupling::Affine& prescribed = system.prescribed();
   std::vector<int> row(static_cast<std::size_t>(prescribed.rows()), -1);
   for (std::size_t i = 0; i < dofs.size(); ++i) row[dofs[i]] = static_cast<int>(i);
@@ -66,41 +58,33 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
       last = std::min(last, std::max(place.since - 1, 0));
     }
   }
+  std::array<Eigen::MatrixXd, 2> gaps;  // outside, of some states from `first` on
+  int first = 0;
   for (int state = 0; state <= last; ++state) {
     const coupling::Affine& u = kept[state];
-    const std::array<double, 2> largest = largest_of(u);
+    const std::array<double, 2> largest{u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
     const auto value = [&](int dof, int part) { return row[dof] >= 0 ? u(row[dof], part) : prescribed(dof, part); };
     for (const WatchedPlace* place : inside) {
       Eigen::RowVector2d gap = Eigen::RowVector2d::Zero();
       for (const coupling::TermEntry& e : place->contact.pull) {
         for (const int part : {0, 1}) gap[part] += e.x * value(2 * e.node, part) + e.y * value(2 * e.node + 1, part);
       }
-      if (!holds(*place, state, gap[0], gap[1], largest)) last = std::min(last, std::max(state - 1, 0));
+      if (!holds(*place, state, gap[0], gap[1], largest)) return std::max(state - 1, 0);
     }
-  }
-  return std::min(last, events_before_change(outside, std::span(kept).first(static_cast<std::size_t>(last) + 1)));
-}
-
-int FaceWatch::events_before_change(const OutsideGaps& outside, std::span<const coupling::Affine> kept) const {
-  constexpr std::size_t at_once = WindowSettings::states_swept_at_once;
-  for (std::size_t first = 0; first < kept.size(); first += at_once) {
-    const std::span<const coupling::Affine> some = kept.subspan(first, std::min(at_once, kept.size() - first));
-    const Eigen::MatrixXd constant = outside.places().at(some, 0), rate = outside.places().at(some, 1),
-                          face_constant = outside.faces().at(some, 0), face_rate = outside.faces().at(some, 1);
-    for (Eigen::Index k = 0; k < constant.cols(); ++k) {
-      const int state = static_cast<int>(first) + static_cast<int>(k);
-      const std::array<double, 2> largest = largest_of(kept[static_cast<std::size_t>(state)]);
-      bool hold = true;
-      for (Eigen::Index i = 0; i < constant.rows(); ++i) {
-        const WatchedPlace& place = places_[outside.places().places[static_cast<std::size_t>(i)]];
-        hold = hold && holds(place, state, constant(i, k), rate(i, k), largest);
-      }
-      for (Eigen::Index i = 0; i < face_constant.rows(); ++i)
-        hold = hold && !overlaps(state, face_constant(i, k), face_rate(i, k), largest);
-      if (!hold) return std::max(state - 1, 0);
+    if (state - first >= gaps[0].cols()) {
+      first = state;
+      const int count = std::min(last + 1 - first, WindowSettings::states_swept_at_once);
+      for (const int part : {0, 1}) gaps[part] = outside.at({kept.begin() + first, kept.begin() + first + count}, part);
     }
+    for (std::size_t k = 0; k < outside.places().size(); ++k) {
+      const auto of = static_cast<Eigen::Index>(k), at = static_cast<Eigen::Index>(state - first);
+      if (!holds(places_[outside.places()[k]], state, gaps[0](of, at), gaps[1](of, at), largest))
+        return std::max(state - 1, 0);
+    }
+    for (const OutsideGaps::Gap& gap : outside.faces())
+      if (overlaps(state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
   }
-  return static_cast<int>(kept.size()) - 1;
+  return last;
 }
 
 }  // namespace bempd::fracture

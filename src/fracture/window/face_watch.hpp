@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <span>
+#include <cmath>
 #include <vector>
 
 #include "coupling/affine.hpp"
@@ -29,7 +29,6 @@ class FaceWatch {
                            const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const;
 
  private:
-  int events_before_change(const OutsideGaps& outside, std::span<const coupling::Affine> kept) const;
   // Whether a place is in a state as it was at first, at the load factors from the event that led there to the one that
   // follows; the largest displacements of its parts are given.
   bool holds(const WatchedPlace& place, int state, double gap, double rate, const std::array<double, 2>& largest) const;

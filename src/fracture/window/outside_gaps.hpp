@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,32 +8,34 @@
 
 namespace bempd::fracture {
 
-// Gaps as functions of the displacements that a window keeps; each takes the part of half a solution that its points
-// reach.
-struct CondensedGaps {
-  std::vector<std::size_t> places;  // by their numbers in the system
-  Eigen::MatrixXd weights;          // of kept displacements, one column a place
-  coupling::Affine constant;        // one row a place
-
-  // One row a place, one column a state; `part`: of the load.
-  Eigen::MatrixXd at(std::span<const coupling::Affine> kept, int part) const;
-  // `weights_of(place)`: of all displacements.
-  void condense(const coupling::Condensation& condensation,
-                const std::function<Eigen::VectorXd(std::size_t)>& weights_of);
-};
-
-// Of all places that have points outside of a window, and of the faces inside operators, all of which are open where
-// windows are.
+// Gaps of all places that have points outside of a window, as functions of the displacements kept; each takes the part
+// of half a solution that its points reach.
 class OutsideGaps {
  public:
   OutsideGaps() = default;
   OutsideGaps(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
 
-  const CondensedGaps& places() const { return places_; }
-  const CondensedGaps& faces() const { return faces_; }
+  const std::vector<std::size_t>& places() const { return places_; }  // by their numbers in the system
+  // One row a place, one column a state; `part`: of the load.
+  Eigen::MatrixXd at(std::span<const coupling::Affine> kept, int part) const;
+
+  struct Gap {
+    coupling::CondensedFunction function;
+
+    double at(const coupling::Affine& kept, int part) const {
+      return function.constant[part] + function.weights.dot(kept.col(part));
+    }
+  };
+  // Of faces inside operators, all of which are open where windows are.
+  const std::vector<Gap>& faces() const { return faces_; }
 
  private:
-  CondensedGaps places_, faces_;
+  void add_faces(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation);
+
+  std::vector<std::size_t> places_;
+  Eigen::MatrixXd weights_;    // of kept displacements, one column a place
+  coupling::Affine constant_;  // one row a place
+  std::vector<Gap> faces_;
 };
 
 }  // namespace bempd::fracture

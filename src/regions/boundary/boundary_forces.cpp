@@ -54,7 +54,7 @@ std::vector<Point> BoundaryRegion::forces_on_edge(const EdgeSpan& span, const st
   return forces;
 }
 
-UniformBodyForce BoundaryRegion::particular(const Point& body_force) const {
+LinearBodyForce BoundaryRegion::particular(const BodyForce& body_force) const {
   Box box;
   for (const Point& node : mesh_.nodes) box.extend(node);
   return {elasticity(), body_force, box.center()};
@@ -62,44 +62,54 @@ UniformBodyForce BoundaryRegion::particular(const Point& body_force) const {
 
 // With u = u_p + u_0, where u_p has the body force and u_0 none, nodal forces of the surface are K u_0 + f(t_p), so
 // that in equilibrium  K u = f + K u_p - f(t_p)  (Brebbia and Dominguez, Boundary Elements, 2nd ed., section 3.9).
-void BoundaryRegion::add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
-  if (body_force == Point::Zero()) return;
-  require(!cracks_, "region ", id(), " has cracks and a force per volume; one of them has to go");
+void BoundaryRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
+  if (body_force.is_zero()) return;
   scatter(trace_.transpose() * force_besides(particular(body_force)), force);
 }
 
-Eigen::VectorXd BoundaryRegion::displacement_of(const UniformBodyForce& particular) const {
+Eigen::VectorXd BoundaryRegion::displacement_of(const LinearBodyForce& particular) const {
   Eigen::VectorXd displacement(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) = particular.displacement(mesh_.nodes[i]);
   return displacement;
 }
 
-Eigen::VectorXd BoundaryRegion::force_besides(const UniformBodyForce& particular) const {
+Eigen::VectorXd BoundaryRegion::force_besides(const LinearBodyForce& particular) const {
   const Eigen::VectorXd displacement = displacement_of(particular);
   Eigen::VectorXd of_tractions = Eigen::VectorXd::Zero(displacement.size());
   bem::add_stress_forces(
       mesh_, [&](const Point& place) { return particular.stress(place); }, elasticity().thickness, of_tractions);
-  return mesh_stiffness() * displacement - of_tractions;
+  Eigen::VectorXd forces = mesh_stiffness() * displacement - of_tractions;
+  if (cracks_) forces -= cracked().forces_on_boundary(face_forces_of(particular));
+  return forces;
 }
 
 // By Betti's theorem for u_p and what u_0 is beside it, the force b does on any state u of the body the work
 //   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f(t_p) on the boundary's nodes,
 // where u_p' is the particular part of u. The first term is what nodes know of; the rest is told here.
-double BoundaryRegion::work_within(const Point& body_force, const Point& other) const {
-  if (body_force == Point::Zero() || other == Point::Zero()) return 0;
-  const UniformBodyForce theirs = particular(other);
-  const double in_volume = bem::integral_of_quadratic(
-      mesh_, theirs.centre(), [&](const Point& x) { return body_force.dot(theirs.displacement(x)); });
+double BoundaryRegion::work_within(const BodyForce& body_force, const BodyForce& other) const {
+  if (body_force.is_zero() || other.is_zero()) return 0;
+  const LinearBodyForce own = particular(body_force), theirs = particular(other);
+  const Point& centre = theirs.centre();
+  double in_volume = bem::integral_of_homogeneous(
+      mesh_, centre, 2, [&](const Point& x) { return own.at_centre().dot(theirs.quadratic(x)); });
+  if (body_force.growth != 0 || other.growth != 0) {
+    const auto growth = [&](const Point& x) -> Point { return body_force.growth * (x - centre); };
+    in_volume += bem::integral_of_homogeneous(mesh_, centre, 3, [&](const Point& x) {
+      return own.at_centre().dot(theirs.cubic(x)) + growth(x).dot(theirs.quadratic(x));
+    });
+    in_volume +=
+        bem::integral_of_homogeneous(mesh_, centre, 4, [&](const Point& x) { return growth(x).dot(theirs.cubic(x)); });
+  }
   return elasticity().thickness * in_volume - force_besides(particular(body_force)).dot(displacement_of(theirs));
 }
 
-Eigen::Matrix2d BoundaryRegion::work_within(const std::array<Point, 2>& body_force,
+Eigen::Matrix2d BoundaryRegion::work_within(const std::array<BodyForce, 2>& body_force,
                                             const std::vector<CrackLoad>& crack_loads) const {
   Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) work(i, j) = work_within(body_force[i], body_force[j]);
-  return cracks_ ? Eigen::Matrix2d(work + work_within_cracks(crack_loads)) : work;
+  return cracks_ ? Eigen::Matrix2d(work + work_within_cracks(body_force, crack_loads)) : work;
 }
 
 void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
@@ -127,16 +137,16 @@ Eigen::VectorXd BoundaryRegion::elastic(const Eigen::VectorXd& displacement, dou
   return trace_ * own;
 }
 
-Eigen::VectorXd BoundaryRegion::displacement_without(const UniformBodyForce& particular,
+Eigen::VectorXd BoundaryRegion::displacement_without(const LinearBodyForce& particular,
                                                      const Solution& solution) const {
   Eigen::VectorXd displacement = elastic(solution.displacement, 1, solution.load_factor);
-  if (solution.body_force(id()) == Point::Zero()) return displacement;
+  if (solution.body_force(id()).is_zero()) return displacement;
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     displacement.segment<2>(2 * static_cast<Eigen::Index>(i)) -= particular.displacement(mesh_.nodes[i]);
   return displacement;
 }
 
-bem::InteriorEvaluator BoundaryRegion::interior_without(const UniformBodyForce& particular,
+bem::InteriorEvaluator BoundaryRegion::interior_without(const LinearBodyForce& particular,
                                                         const Solution& solution) const {
   const Eigen::VectorXd displacement = displacement_without(particular, solution);
   if (!cracks_) return {mesh_, elasticity(), displacement, operator_->tractions(displacement)};

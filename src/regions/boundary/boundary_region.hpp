@@ -7,7 +7,7 @@
 #include "bem/cracked_operator.hpp"
 #include "bem/interior.hpp"
 #include "bem/normal_openings.hpp"
-#include "elasticity/uniform_body_force.hpp"
+#include "elasticity/linear_body_force.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/boundary_meshing.hpp"
@@ -42,12 +42,12 @@ class BoundaryRegion : public Region {
   std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                     const FieldsOfRegion& fields) const override;
   // By a state of stress that has the body force everywhere: what is left to the boundary is free of it.
-  void add_body_force(const Point& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
+  void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
 
-  Eigen::Matrix2d work_within(const std::array<Point, 2>& body_force,
+  Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& body_force,
                               const std::vector<CrackLoad>& crack_loads) const override;
 
-  coupling::Affine face_offsets(const std::array<Point, 2>& body_force,
+  coupling::Affine face_offsets(const std::array<BodyForce, 2>& body_force,
                                 const std::vector<CrackLoad>& crack_loads) const override;
 
   // Elements on the boundary know of strains that are linear, which the inside follows freely.
@@ -97,19 +97,27 @@ class BoundaryRegion : public Region {
   void number_nodes(NodeRegistry& registry);
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
-  UniformBodyForce particular(const Point& body_force) const;
+  LinearBodyForce particular(const BodyForce& body_force) const;
   // Of the particular solution: the displacements of the mesh's nodes, and the nodal forces that are left for the rest.
-  Eigen::VectorXd displacement_of(const UniformBodyForce& particular) const;
-  Eigen::VectorXd force_besides(const UniformBodyForce& particular) const;
-  double work_within(const Point& body_force, const Point& other) const;
+  Eigen::VectorXd displacement_of(const LinearBodyForce& particular) const;
+  Eigen::VectorXd force_besides(const LinearBodyForce& particular) const;
+  double work_within(const BodyForce& body_force, const BodyForce& other) const;
+  // Of tractions on the faces of cracks: those that a particular solution has there, those of loads, and what all of
+  // these do to each other's displacements.
+  Eigen::VectorXd face_forces_of(const LinearBodyForce& particular) const;
   Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads) const;
-  Eigen::Matrix2d work_within_cracks(const std::vector<CrackLoad>& loads) const;
+  struct Particulars {
+    Eigen::MatrixX2d displacements, face_forces;
+  };
+  Particulars particulars(const std::array<BodyForce, 2>& body_force) const;
+  Eigen::Matrix2d work_within_cracks(const std::array<BodyForce, 2>& body_force,
+                                     const std::vector<CrackLoad>& loads) const;
   std::shared_ptr<const coupling::FaceOpenings> face_openings() const;
   // Displacements of the mesh's nodes without those of swelling.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
   // And without those of the particular solution.
-  Eigen::VectorXd displacement_without(const UniformBodyForce& particular, const Solution& solution) const;
-  bem::InteriorEvaluator interior_without(const UniformBodyForce& particular, const Solution& solution) const;
+  Eigen::VectorXd displacement_without(const LinearBodyForce& particular, const Solution& solution) const;
+  bem::InteriorEvaluator interior_without(const LinearBodyForce& particular, const Solution& solution) const;
   // Of a region with cracks: its operator, and its state under displacements of the scene and loads on faces.
   const bem::CrackedOperator& cracked() const;
   bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,

@@ -19,7 +19,7 @@ Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
 // Somigliana's identity for what is left without the body force and swelling, and the solutions that have them.
 class BoundaryEvaluator final : public Evaluator {
  public:
-  BoundaryEvaluator(const BoundaryRegion& region, bem::InteriorEvaluator interior, const UniformBodyForce& particular,
+  BoundaryEvaluator(const BoundaryRegion& region, bem::InteriorEvaluator interior, const LinearBodyForce& particular,
                     double load_factor, bool with_stress)
       : region_(region),
         interior_(std::move(interior)),
@@ -40,7 +40,7 @@ class BoundaryEvaluator final : public Evaluator {
  private:
   const BoundaryRegion& region_;
   bem::InteriorEvaluator interior_;
-  UniformBodyForce particular_;
+  LinearBodyForce particular_;
   double load_factor_;
   bool with_stress_;
 };
@@ -87,7 +87,7 @@ FieldValues BoundaryRegion::field(Field field, const Solution& solution) const {
 }
 
 FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
-  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const Eigen::VectorXd tractions = tractions_under(displacement_without(particular, solution), solution);
   FieldValues field{{}, 2};
   for (const BoundaryElement& element : mesh_.elements) {
@@ -105,7 +105,7 @@ FieldValues BoundaryRegion::element_tractions(const Solution& solution) const {
 
 // At the three nodes of every element, from its own traction and tangential strain.
 FieldValues BoundaryRegion::element_stress(const Solution& solution) const {
-  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const bem::InteriorEvaluator rest = interior_without(particular, solution);
   FieldValues field{{}, 3};
   for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
@@ -165,7 +165,7 @@ FieldValues BoundaryRegion::at_nodes(Field which, const FieldValues& values) con
 
 std::unique_ptr<Evaluator> BoundaryRegion::evaluator(const Solution& solution, const FieldsOfRegion&,
                                                      bool with_stress) const {
-  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const LinearBodyForce particular = this->particular(solution.body_force(id()));
   return std::make_unique<BoundaryEvaluator>(*this, interior_without(particular, solution), particular,
                                              solution.load_factor, with_stress);
 }

@@ -5,6 +5,7 @@
 #include "elasticity/kinked_tip.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
+#include "regions/boundary_conditions.hpp"
 
 namespace bempd::regions {
 
@@ -13,6 +14,22 @@ namespace {
 // Levels differ by more than the finer one is off (measured: 4 to 30 times that, less where the elements at tips count
 // most, which both levels have).
 constexpr double error_of_difference = 1.0 / 3;
+
+Point traction_of(const LinearBodyForce& particular, const Point& x, const Point& normal) {
+  const Eigen::Vector3d s = particular.stress(x);
+  return {s[0] * normal.x() + s[2] * normal.y(), s[2] * normal.x() + s[1] * normal.y()};
+}
+
+double stress_along(const LinearBodyForce& particular, const bem::CrackTip& tip) {
+  return tip.direction.dot(traction_of(particular, tip.place, tip.direction));
+}
+
+bem::FaceTraction without(const bem::FaceTraction& traction, const LinearBodyForce& particular) {
+  return [=](int line, const Point& x, const Point& normal) -> Point {
+    const Point own = -traction_of(particular, x, normal);
+    return traction ? Point(traction(line, x, normal) + own) : own;
+  };
+}
 
 const std::vector<CrackLoad>& loads_of(const Solution& solution) {
   static const std::vector<CrackLoad> none;
@@ -25,11 +42,20 @@ const bem::CrackedOperator& BoundaryRegion::cracked() const {
   return static_cast<const bem::CrackedOperator&>(*operator_);
 }
 
+// Of what is left without a force per volume, whose particular solution has tractions on faces too.
 bem::CrackedState BoundaryRegion::cracked_state(const Eigen::VectorXd& displacement, const Solution& solution,
                                                 double constant, double proportional) const {
   bem::CrackedState state;
   state.displacements = elastic(displacement, constant, proportional);
   state.face_traction = cracks_->traction(loads_of(solution), constant, proportional);
+  if (solution.body_force_parts) {
+    const BodyForce body_force = body_force_of(*solution.body_force_parts, id(), {constant, proportional});
+    if (!body_force.is_zero()) {
+      const LinearBodyForce particular = this->particular(body_force);
+      state.displacements -= displacement_of(particular);
+      state.face_traction = without(state.face_traction, particular);
+    }
+  }
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size()));
   if (state.face_traction) forces = bem::crack_forces(cracks_->elements(), state.face_traction, elasticity().thickness);
   state.openings = cracked().openings(state.displacements, forces);
@@ -75,25 +101,52 @@ std::shared_ptr<const coupling::FaceOpenings> BoundaryRegion::face_openings() co
       coupling::FaceOpenings{closing_->of_displacements() * trace_, closing_->of_forces()});
 }
 
-coupling::Affine BoundaryRegion::face_offsets(const std::array<Point, 2>& /*body_force*/,
+coupling::Affine BoundaryRegion::face_offsets(const std::array<BodyForce, 2>& body_force,
                                               const std::vector<CrackLoad>& crack_loads) const {
   if (!closing_) return coupling::Affine(0, 2);
   coupling::Affine gaps = coupling::Affine::Zero(static_cast<Eigen::Index>(closing_->size()), 2);
-  const Eigen::MatrixX2d forces = forces_on_cracks(crack_loads);
-  if (forces.isZero(0)) return gaps;
-  const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
-  const Eigen::MatrixXd openings = cracked().openings(held, forces);
+  const Particulars particular = particulars(body_force);
+  const Eigen::MatrixX2d forces = forces_on_cracks(crack_loads) - particular.face_forces;
+  if (forces.isZero(0) && particular.displacements.isZero(0)) return gaps;
+  const Eigen::MatrixXd openings = cracked().openings(-particular.displacements, forces);
   for (int part = 0; part < 2; ++part) gaps.col(part) = closing_->gaps(openings.col(part));
   return gaps;
 }
 
+Eigen::VectorXd BoundaryRegion::face_forces_of(const LinearBodyForce& particular) const {
+  const auto traction = [&](int, const Point& x, const Point& normal) { return traction_of(particular, x, normal); };
+  return bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
+}
+
+BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyForce, 2>& body_force) const {
+  Particulars all{Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2),
+                  Eigen::MatrixX2d::Zero(2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size()), 2)};
+  for (int part = 0; part < 2; ++part) {
+    if (body_force[part].is_zero()) continue;
+    const LinearBodyForce particular = this->particular(body_force[part]);
+    all.displacements.col(part) = displacement_of(particular);
+    all.face_forces.col(part) = face_forces_of(particular);
+  }
+  return all;
+}
+
 // With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
-// the part that depends on u.
-Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::vector<CrackLoad>& loads) const {
+// the part that depends on u. Where forces per volume have the particular solution u_p with forces f_p on faces, u and
+// f are without these, and by Betti's theorem such a force does the work -v.f beside what the boundary knows of, with
+// v = K_ww^-1 (f_p - K_wu u_p).
+Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::array<BodyForce, 2>& body_force,
+                                                   const std::vector<CrackLoad>& loads) const {
   const Eigen::MatrixX2d forces = forces_on_cracks(loads);
-  if (forces.isZero(0)) return Eigen::Matrix2d::Zero();
-  const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
-  return forces.transpose() * cracked().openings(held, forces);
+  Eigen::Matrix2d work = Eigen::Matrix2d::Zero();
+  if (!forces.isZero(0)) {
+    const Eigen::MatrixXd held = Eigen::MatrixXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()), 2);
+    work = forces.transpose() * cracked().openings(held, forces);
+  }
+  if (body_force[0].is_zero() && body_force[1].is_zero()) return work;
+  const Particulars own = particulars(body_force);
+  const Eigen::MatrixXd openings = cracked().openings(own.displacements, own.face_forces);
+  const Eigen::Matrix2d mixed = forces.transpose() * openings;
+  return work + openings.transpose() * own.face_forces - mixed - mixed.transpose();
 }
 
 std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail detail) const {
@@ -104,10 +157,12 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
   const auto factors = bem::stress_intensities(cracked(), states);
   std::vector<double> along(factors.size(), 0);
   if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
+  const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const double modulus = plane_modulus(elasticity()), toughness = std::sqrt(modulus * material().fracture_energy);
   std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
     const bem::CrackTip& tip = cracks_->elements().tips[t];
+    along[t] += stress_along(particular, tip);
     const bem::StressIntensity &constant = factors[t][0], &proportional = factors[t][1], &present = factors[t][2];
     values.push_back({cracks_->id_of(tip), tip.end == bem::TipEnd::end ? 1 : 0, tip.place, tip.direction,
                       present.factors, present.energy_release_rate, along[t],
@@ -131,7 +186,7 @@ std::vector<Point> BoundaryRegion::crack_openings(int crack, const std::vector<d
 std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solution) const {
   if (!cracks_) return {};
   std::vector<CrackPicture> pictures = cracks_->pictures(cracked_state(solution).openings);
-  const UniformBodyForce particular = this->particular(solution.body_force(id()));
+  const LinearBodyForce particular = this->particular(solution.body_force(id()));
   const bem::InteriorEvaluator rest = interior_without(particular, solution);
   for (CrackPicture& picture : pictures) {
     for (std::size_t k = 0; k < picture.places.size(); ++k) {

@@ -1,5 +1,7 @@
 #include "regions/places/whole_region.hpp"
 
+#include <cmath>
+
 #include "error.hpp"
 #include "regions/boundary_conditions.hpp"
 
@@ -18,10 +20,12 @@ void WholeRegion::add_load(const scene::Scene& scene, const Discretization& d, i
       scene.loads()[load].acting_value(bounding_box(scene.region(region_).outline()).center(), 0.0);
   const Region& region = d.region(region_);
   for (int column = 0; column < 2; ++column) {
-    const Point& body_force = column == 0 ? value.constant : value.proportional;
-    require(body_force.allFinite(), "load ", load + 1, " on region ", region_, " is not a finite number");
+    const BodyForce body_force = force(column == 0 ? value.constant : value.proportional);
+    require(body_force.uniform.allFinite() && std::isfinite(body_force.growth), "load ", load + 1, " on region ",
+            region_, " is not a finite number");
     region.add_body_force(body_force, conditions.force.col(column));
-    conditions.body_force.col(column).segment<2>(2 * (region_ - 1)) += body_force;
+    conditions.body_force.col(column).segment<3>(3 * (region_ - 1)) +=
+        Eigen::Vector3d(body_force.uniform.x(), body_force.uniform.y(), body_force.growth);
   }
 }
 

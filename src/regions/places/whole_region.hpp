@@ -1,11 +1,12 @@
 #pragma once
 
+#include "elasticity/linear_body_force.hpp"
 #include "regions/places/off_edges.hpp"
 
 namespace bempd::regions {
 
 // All of a region; loads on it are forces per volume [N/m^3], the same everywhere.
-class WholeRegion final : public OffEdges {
+class WholeRegion : public OffEdges {
  public:
   explicit WholeRegion(int region) : region_(region) {}
 
@@ -19,6 +20,10 @@ class WholeRegion final : public OffEdges {
                                      int support) const override;
   void add_load(const scene::Scene& scene, const Discretization& discretization, int load,
                 DofConditions& conditions) const override;
+
+ protected:
+  // The force per volume that values of a load mean.
+  virtual BodyForce force(const Point& value) const { return value; }
 
  private:
   int region_;

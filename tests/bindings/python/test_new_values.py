@@ -99,3 +99,18 @@ def test_a_pressure_goes_with_its_crack():
     model.set_load_values(load, constant=3.0)
     model.step(2)
     np.testing.assert_allclose(model.reaction(bottom), [0, 24], atol=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["bem", "pd"])
+def test_a_region_turns_about_an_axis(kind):
+    model = bempd.Model()
+    solid = model.add_material(young_modulus=1000, poisson_ratio=0.2)
+    add = model.add_bem_region if kind == "bem" else model.add_pd_region
+    body = add(solid, bempd.rectangle(1, 0, 9, 10), 1)
+    load = model.add_rotation(body, (1, 0), 0.5)
+    bottom = model.fix_edge(body, 1)
+    model.step(1)
+    np.testing.assert_allclose(model.reaction(bottom), [-160, -200], rtol=1e-8)
+    model.set_load_values(load, constant=1.0)
+    model.step(2)
+    np.testing.assert_allclose(model.reaction(bottom), [-320, -400], rtol=1e-8)

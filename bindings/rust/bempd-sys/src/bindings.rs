@@ -921,8 +921,8 @@ extern "C" {
     /// Add a force per volume on a whole region, such as its weight: constant over the region.
     ///
     /// In BEM regions it takes no elements inside: a state of stress with the force everywhere is
-    /// taken off the boundary. A BEM region with cracks refuses it when the model is prepared.
-    /// bempd_set_load_values() gives it a new value.
+    /// taken off the boundary and the faces of cracks. bempd_set_load_values() gives it a new
+    /// value.
     ///
     /// * model \[in\]: the model
     /// * region \[in\]: id of a region
@@ -936,6 +936,32 @@ extern "C" {
         model: *mut bempd_model,
         region: i32,
         component: i32,
+        constant: f64,
+        proportional: f64,
+        load: *mut i32,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Let a region turn about an axis at a place: a force per volume that drives it outwards and
+    /// grows with the distance from there, its density times the square of the angular velocity
+    /// times that.
+    ///
+    /// As bempd_add_body_force(); several add up. Supports are those of the turning body.
+    ///
+    /// * model \[in\]: the model
+    /// * region \[in\]: id of a region
+    /// * x \[in\]: axis \[m\]
+    /// * y \[in\]: axis \[m\]
+    /// * constant \[in\]: constant part of density times angular velocity squared \[N/m^4\]
+    /// * proportional \[in\]: part multiplied by the load factor \[N/m^4\]
+    /// * load \[out\]: its id; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_add_rotation(
+        model: *mut bempd_model,
+        region: i32,
+        x: f64,
+        y: f64,
         constant: f64,
         proportional: f64,
         load: *mut i32,
@@ -1438,8 +1464,8 @@ pub struct bempd_step_report {
     pub hanging: i32,
     /// 0
     pub reserved: i32,
-    /// places at which faces of cracks in lattices press on each other at the end, about one a
-    /// spacing (option pd.contact)
+    /// places at which faces of cracks press on each other at the end: about one a spacing in
+    /// lattices (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact)
     pub closed_places: i64,
     /// how often such places have closed or opened in this step
     pub face_switches: i64,
@@ -2295,7 +2321,8 @@ pub struct bempd_crack_tip {
     pub direction_x: f64,
     /// \[-\]
     pub direction_y: f64,
-    /// K_I \[Pa m^(1/2)\]; negative if the faces overlap at the tip
+    /// K_I \[Pa m^(1/2)\]; 0 where faces press on each other at the tip, negative if they overlap
+    /// (option bem.contact = none)
     pub stress_intensity_1: f64,
     /// K_II, positive if the left side, seen in the direction, moves forward \[Pa m^(1/2)\]
     pub stress_intensity_2: f64,
@@ -2400,8 +2427,9 @@ extern "C" {
     /// * crack \[in\]: id of a crack
     /// * count \[in\]: number of places
     /// * fractions \[in\]: shape \[count\], places as fractions of the crack's length, 0 .. 1 \[-\]
-    /// * normal \[out\]: shape \[count\], positive if it is open, negative if its faces overlap \[m\]; may
-    ///   be NULL
+    /// * normal \[out\]: shape \[count\], positive if it is open, negative if its faces overlap, which
+    ///   they do with the option bem.contact = none, and between nodes of elements beside closed
+    ///   ones a little \[m\]; may be NULL
     /// * tangential \[out\]: shape \[count\], along the crack \[m\]; may be NULL
     /// * return: status
     /// * since: 0.3

@@ -182,6 +182,17 @@ impl Model {
         self.handle.add_body_force(region.0, component as i32, constant, proportional).map(LoadId)
     }
 
+    /// Lets a region turn about an axis [m]: density times angular velocity squared [N/m^4].
+    pub fn add_rotation(
+        &mut self,
+        region: RegionId,
+        axis: [f64; 2],
+        constant: f64,
+        proportional: f64,
+    ) -> Result<LoadId> {
+        self.handle.add_rotation(region.0, axis, constant, proportional).map(LoadId)
+    }
+
     /// Changes the temperature [K] of a region by a function of the position `x, y` [m]: the first numbers of what it
     /// gives count. In a boundary element region it has to be linear.
     pub fn add_temperature_function(

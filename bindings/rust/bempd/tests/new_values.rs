@@ -86,3 +86,15 @@ fn a_pressure_acts_along_the_cut_that_it_is_in() {
     model.step(1.0).unwrap();
     assert!((model.reaction(top).unwrap()[1] + 0.8).abs() < 1e-9);
 }
+
+#[test]
+fn a_region_turns_about_an_axis() {
+    let mut model = Model::new().unwrap();
+    let solid = model.add_material(&brittle()).unwrap();
+    let body = model.add_bem_region(solid, &rectangle(1.0, 0.0, 9.0, 10.0), 2.0).unwrap();
+    model.add_rotation(body, [1.0, 0.0], 0.0, 0.5).unwrap();
+    let bottom = model.fix_edge(body, 1, Component::Both).unwrap();
+    model.step(1.0).unwrap();
+    let force = model.reaction(bottom).unwrap();
+    assert!((force[0] + 160.0).abs() < 1e-6 && (force[1] + 200.0).abs() < 1e-6);
+}

@@ -148,6 +148,17 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_rotation(
+        &mut self,
+        region: i32,
+        axis: [f64; 2],
+        constant: f64,
+        proportional: f64,
+    ) -> Result<i32> {
+        let [x, y] = axis;
+        self.output(|model, load| unsafe { sys::bempd_add_rotation(model, region, x, y, constant, proportional, load) })
+    }
+
     pub(crate) fn add_temperature_function(&mut self, region: i32, function: BoundaryFunction) -> Result<i32> {
         self.with_boundary_function(function, |model, function, user, load| unsafe {
             sys::bempd_add_temperature_function(model, region, function, user, load)

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "regions/places/whole_region.hpp"
+
+namespace bempd::regions {
+
+// All of a region that turns about an axis: loads on it are the force per volume that drives it outwards, per distance
+// from the axis (component x of a condition), its density times the square of the angular velocity [N/m^4].
+class TurningRegion final : public WholeRegion {
+ public:
+  TurningRegion(int region, const Point& axis) : WholeRegion(region), axis_(axis) {}
+
+  void check(const scene::Scene& scene) const override;
+  void identify(Hash& hash) const override {
+    hash.add(std::string_view("turning region"));
+    hash.add(axis_.x()), hash.add(axis_.y());
+    WholeRegion::identify(hash);
+  }
+
+ protected:
+  BodyForce force(const Point& value) const override { return {-value.x() * axis_, value.x()}; }
+
+ private:
+  Point axis_;
+};
+
+}  // namespace bempd::regions
