@@ -256,22 +256,17 @@ void Lookahead::certify(double from) {
   if (!events_.empty()) check_whole_body();
 }
 
-// Forces of the whole body are known before the first and after the last of the events. Where rounding has grown too
-// large on the way half of them is taken, then half of that: a new window begins without it.
+// Forces of the whole body are known before the first and after the last of the events.
 void Lookahead::check_whole_body() {
   const Affine before = std::move(whole_);  // in state 0
-  while (!events_.empty()) {
-    whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
-    ForeseenEvent& last = events_.back();
-    const double f = last.event.load_factor;
-    const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, f));
-    last.largest_force =
-        std::max({last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
-    residual_ = fracture::residual(system_, force, f, last.largest_force);
-    if (residual_ <= WindowSettings::acceptable_residual) return;
-    keep_first(static_cast<int>(events_.size()) / 2);
-    faces_move_ = false;
-  }
+  whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
+  ForeseenEvent& last = events_.back();
+  const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, last.event.load_factor));
+  last.largest_force = std::max(
+      {last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, last.event.load_factor)});
+  residual_ = fracture::residual(system_, force, last.event.load_factor, last.largest_force);
+  if (residual_ <= WindowSettings::acceptable_residual) return;
+  keep_first(0);
   whole_ = before;
 }
 
