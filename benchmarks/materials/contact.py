@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 
 import bempd
 import numpy as np
@@ -136,6 +137,54 @@ def wing_rows() -> list[list[str]]:
     return found
 
 
+def torn_plate(model: bempd.Model) -> float:
+    """Lattice plate of 100 points a side with a central crack, as in the speed benchmark; a load factor without breaks."""
+    solid = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    region = model.add_pd_region(solid, bempd.rectangle(0, 0, 99, 99), 1, 4)
+    model.add_crack([(49.5, 39.500001), (49.5, 59.499999)])
+    for edge, pull in ((4, -1.0), (2, 1.0)):
+        model.prescribe_edge(region, edge, "x", pull)
+        model.prescribe_edge(region, edge, "y", 0.0)
+    return 1e-3
+
+
+def torn_strip(model: bempd.Model) -> float:
+    """README's strip with a finer lattice."""
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=5e-3, fracture_energy=300)
+    left = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.02, 0.02), 0.005)
+    model.add_pd_region(acrylic, bempd.rectangle(0.02, 0, 0.04, 0.02), 0.00025, 4)
+    right = model.add_bem_region(acrylic, bempd.rectangle(0.04, 0, 0.06, 0.02), 0.005)
+    model.add_crack([(0.029625, 0), (0.029625, 0.007)])
+    model.fix_edge(left, 4, "both")
+    model.prescribe_edge(right, 2, "x", 1e-6)
+    return 1.0
+
+
+def cost_rows() -> list[list[str]]:
+    """Processor seconds of whole runs, the least of three, over those of an elastic solve."""
+    found = []
+    for name, build in (("plate of 100 x 100", torn_plate), ("README's strip, spacing 0.25 mm", torn_strip)):
+        for rule in ("none", "faces"):
+            elastic = torn = np.inf
+            for _ in range(3):
+                model = bempd.Model(options={"pd.contact": rule, "threads": 1})
+                began = time.process_time()
+                model.step(build(model))
+                elastic = min(elastic, time.process_time() - began)
+                model = bempd.Model(options={"pd.contact": rule, "threads": 1})
+                began = time.process_time()
+                build(model)
+                report = model.run_to_separation(1e9)
+                torn = min(torn, time.process_time() - began)
+            s = model.statistics()
+            found.append([name, rule, f"{report.total_events}", f"{report.face_switches}", f"{torn / elastic:.1f}",
+                          f"{s.sparse_factorizations}", f"{s.factor_updates}", f"{s.solves}"])
+            print(found[-1], flush=True)
+    return found
+
+
+COST_HEADS = ["run until it is in two", "pd.contact", "events", "places switched", "elastic solves' time", "factorizations",
+              "changes of rank one", "solutions"]
 HEADS = ["m", "pd.contact", "pressed across", "pressed both ways", "slip at shear / pressure 0.3", "1", "3", "first break"]
 WING_HEADS = ["m", "pd.contact", "largest hoop strain at the horizon", "bond: 1 to 3 spacings", "3 to 6", "6 to 9",
               "line: 1 to 3", "3 to 6", "6 to 9"]

@@ -1,5 +1,6 @@
 """Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; the tables of docs/materials.md.
-Run it with benchmarks/run.sh materials, those of contact alone with benchmarks/run.sh materials contact."""
+Run it with benchmarks/run.sh materials, those of contact alone with benchmarks/run.sh materials contact,
+what contact costs with benchmarks/run.sh materials contact-cost."""
 
 from __future__ import annotations
 
@@ -343,6 +344,9 @@ def write(tables: dict[str, str]) -> None:
 
 
 def main() -> None:
+    write({"contact cost": table(contact.COST_HEADS, contact.cost_rows())})
+    if sys.argv[1:] == ["contact-cost"]:
+        return
     write({"contact": table(contact.HEADS, contact.rows()), "wings": table(contact.WING_HEADS, contact.wing_rows())})
     if sys.argv[1:] == ["contact"]:
         return
