@@ -27,8 +27,8 @@ struct DenseOperator {
   std::shared_ptr<const FaceOpenings> openings = nullptr;  // null: without cracks that close
 };
 
-// What terms and operators want to be like without force: rest elongations of terms, constant and proportional parts, and
-// what each operator has at rest.
+// What terms and operators want to be like without force: rest elongations of terms, constant and proportional parts,
+// and what each operator has at rest.
 struct Rests {
   std::array<std::vector<double>, 2> of_terms;
   std::vector<Affine> of_operators;
