@@ -173,12 +173,12 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
  * Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
- * strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the rest,
- * each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or fracture_energy, or neither for a
- * material that does not break. From the fracture energy G0, the horizon delta and E' = E, in plane strain
- * E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta); where nu is below the ratio that
- * bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2
- * in plane stress. @since 0.1 */
+ * strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the
+ * rest, each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give
+ * critical_stretch or fracture_energy, or neither for a material that does not break. From the fracture energy G0, the
+ * horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E'
+ * delta); where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with
+ * Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;      /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;     /**< Young's modulus E [Pa], > 0 */
@@ -725,7 +725,8 @@ typedef struct bempd_step_report {
   int64_t broken_bonds;        /**< bonds broken in this step */
   int64_t total_events;        /**< events since the beginning */
   int64_t total_broken_bonds;  /**< bonds broken since the beginning, without those cut by initial cracks */
-  int64_t fragments;           /**< pieces come free of all supports, or loaded ones that swing on a hinge */
+  int64_t fragments;           /**< pieces come free of all supports, as which faces that press do not count, or
+                                  loaded ones that swing on a hinge */
   double load_factor;          /**< load factor reached [-] */
   double stored_energy;        /**< elastic energy at the end [J] */
   double released_energy;      /**< energy released by breaking bonds since the beginning [J]; where equilibrium is lost
@@ -1034,7 +1035,11 @@ BEMPD_API bempd_status bempd_copy_edge_forces(bempd_model* model, int32_t region
                                               double* forces);
 
 /** @brief Number of pieces that the body consists of: material points and boundary elements that intact bonds,
- * interfaces and BEM regions join. A point without any bond is a piece too. Prepares the model.
+ * interfaces and BEM regions join. A point without any bond is a piece too. Faces that press on each other (option
+ * pd.contact) join nothing, as they part under the first pull: two held pieces that press feel each other's force and
+ * bear, so that the body is not separated, but bempd_are_connected() tells 0. A piece that nothing but pressed faces
+ * would hold counts as come free of all supports (fragments in reports): it stays where it is, and its loads are
+ * dropped. Prepares the model.
  * @param[in] model the model @param[out] count their number @return status @since 0.3 */
 BEMPD_API bempd_status bempd_piece_count(bempd_model* model, int64_t* count);
 

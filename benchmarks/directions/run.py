@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import sys
 
-import lines
+import lines as own_lines
 import report
 
 OUT = pathlib.Path(os.environ.get("BEMPD_OUTPUT", "out/directions"))
@@ -119,8 +119,8 @@ def main() -> None:
     OUT.mkdir(parents=True, exist_ok=True)
     if options.lines or not options.only:
         if not options.table:
-            lines.run(OUT, options.jobs, options.only)
-        report.put(lines.tables(OUT))
+            own_lines.run(OUT, options.jobs, options.only)
+        report.put(own_lines.tables(OUT))
     if options.lines:
         return
     file = OUT / "results.csv"

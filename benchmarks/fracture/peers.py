@@ -55,7 +55,7 @@ def problems() -> list[Problem]:
                 tuple((f"{h:g} W beside it", lambda h=h: scenes.graded_edge(a, h)) for h in (0.6, 0.4, 0.3, 0.2)), a),
         Problem("inclined, 20 degrees", "inclined", 20, 1, ("whole",), SQUARE, lambda: scenes.inclined(20, 1),
                 tuple((f"{h:g} a", lambda h=h: scenes.inclined(20, h)) for h in (40.0, 10.0, 5.0)), 1.0),
-        Problem("from a hole, a/R = 1.5", "hole", hole, 0, ("symmetric",), SQUARE, lambda: scenes.from_hole(hole, 20, 2),
+        Problem("from a hole, a/R = 1.5", "hole", hole, 0, ("whole", "symmetric"), SQUARE, lambda: scenes.from_hole(hole, 20, 2),
                 tuple((f"{h:g} R on the hole", lambda h=h: scenes.from_hole(hole, 20, 40, h)) for h in (0.8, 0.6, 0.4)), hole),
     ]
 

@@ -17,6 +17,7 @@ import growth
 import lattice
 import peers
 import scenes
+import tip_places
 
 REPEATS = 5
 LATTICES = """Whole plates of lattice, and patches of lattice around the crack in boundary elements, against cracks in
@@ -271,7 +272,7 @@ def main() -> None:
     sections.append(f"## Beside finite elements\n\n{PEERS}\n\n{peers.side_by_side()}\n")
     sections.append(f"## Order\n\nCentre crack, a/W = 0.5, eight elements on the crack.\n\n{convergence()}\n")
     sections.append(f"## Curved cracks\n\n{CHORDS}\n\n{arcs()}\n")
-    sections.append(f"## Cracks in lattices\n\n{LATTICES}\n\n{lattice.section()}\n")
+    sections.append(f"## Cracks in lattices\n\n{LATTICES}\n\n{lattice.section()}\n\n{tip_places.section()}\n")
     sections.append(f"## Contours around tips in lattices\n\n{CONTOURS}\n\n{contours.section()}\n")
     text = "\n".join(sections)
     (folder / "tables.md").write_text(text)

@@ -74,15 +74,29 @@ def part_outline(case, point, join):
     return tip
 
 
+def whole_with_hole(case, point, edges):
+    shapes = gmsh.model.geo
+    centre, around = point(0, 0), [point(*p) for p in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    arcs = [shapes.addCircleArc(p, centre, q) for p, q in zip(around, around[1:] + around[:1])]
+    surface = shapes.addPlaneSurface([shapes.addCurveLoop(edges), shapes.addCurveLoop(arcs)])
+    tips, mouths = [point(*case.tip), point(-case.tip[0], 0)], around[::2]
+    lines = [shapes.addLine(mouth, tip) for mouth, tip in zip(mouths, tips)]
+    shapes.synchronize()
+    gmsh.model.mesh.embed(1, lines, 2, surface)
+    return tips, mouths, lines
+
+
 def outline(case):
-    """Surface with the crack's line; points of its tips and mouth, and the line if it has two faces."""
+    """Surface with the cracks' lines; points of their tips and mouths, and the lines if they have two faces."""
     shapes = gmsh.model.geo
     point = lambda x, y: shapes.addPoint(x, y, 0)
     join = lambda points: [shapes.addLine(p, q) for p, q in zip(points, points[1:] + points[:1])]
     if not case.whole:
-        return [part_outline(case, point, join)], None, None
+        return [part_outline(case, point, join)], [], []
     corners = [point(x, y) for x, y in ((case.left, -case.height), (case.width, -case.height), (case.width, case.height),
                                         (case.left, case.height))]
+    if case.kind == "hole":
+        return whole_with_hole(case, point, join(corners))
     inner = case.kind != "edge"
     start, tip = point(-case.tip[0], -case.tip[1]) if inner else point(0, 0), point(*case.tip)
     edges = join(corners if inner else [*corners, start])
@@ -90,16 +104,16 @@ def outline(case):
     line = shapes.addLine(start, tip)
     shapes.synchronize()
     gmsh.model.mesh.embed(1, [line], 2, surface)
-    return ([start, tip], None, line) if inner else ([tip], start, line)
+    return ([start, tip], [], [line]) if inner else ([tip], [start], [line])
 
 
-def part_faces(line, mouth):
-    """Doubles the nodes of the crack."""
-    faces = gmsh.model.addPhysicalGroup(1, [line])
+def part_faces(lines, mouths):
+    """Doubles the nodes of the cracks."""
+    faces = gmsh.model.addPhysicalGroup(1, lines)
     gmsh.plugin.setNumber("Crack", "Dimension", 1)
     gmsh.plugin.setNumber("Crack", "PhysicalGroup", faces)
-    if mouth:
-        gmsh.plugin.setNumber("Crack", "OpenBoundaryPhysicalGroup", gmsh.model.addPhysicalGroup(0, [mouth]))
+    if mouths:
+        gmsh.plugin.setNumber("Crack", "OpenBoundaryPhysicalGroup", gmsh.model.addPhysicalGroup(0, mouths))
     gmsh.plugin.run("Crack")
     gmsh.model.mesh.renumberNodes()
 
@@ -107,7 +121,7 @@ def part_faces(line, mouth):
 def make_mesh(case, size, at_tip, slope):
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
-    tips, mouth, line = outline(case)
+    tips, mouths, lines = outline(case)
     gmsh.model.geo.synchronize()
     gmsh.option.setNumber("Mesh.MeshSizeMax", size)
     gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 0)
@@ -123,8 +137,8 @@ def make_mesh(case, size, at_tip, slope):
     gmsh.model.mesh.generate(2)
     gmsh.model.mesh.setOrder(2)
     quarter_points({gmsh.model.mesh.getNodes(0, tip)[0][0] for tip in tips})
-    if line:
-        part_faces(line, mouth)
+    if lines:
+        part_faces(lines, mouths)
     mesh, _, _ = gmshio.model_to_mesh(gmsh.model, MPI.COMM_SELF, 0, gdim=2)
     gmsh.finalize()
     return mesh

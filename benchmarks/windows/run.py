@@ -38,7 +38,7 @@ SCENES = {
     "the paper's crack": ["paper_crack", {}],
 }
 # What acts in lattices with squares of cells, which follow their bonds, and where faces of cracks meet.
-BESIDES = ("hot_in_present", "opening_all_around", "reach_of_followers", "events_beside_faces", "gap_at_risk")
+BESIDES = ("hot_in_present", "opening_all_around", "reach_of_followers", "events_beside_faces")
 SCENES_BESIDES = {
     "plate of 50 x 50, Poisson's ratio 0.45": ["plate", {"n": 50, "ratio": 0.45}],
     "plate of 100 x 100, whose faces meet": ["plate", {"n": 100}],

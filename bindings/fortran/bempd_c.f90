@@ -289,7 +289,7 @@ module bempd_c
     integer(c_int64_t) :: total_events
     !> bonds broken since the beginning, without those cut by initial cracks
     integer(c_int64_t) :: total_broken_bonds
-    !> pieces come free of all supports, or loaded ones that swing on a hinge
+    !> pieces come free of all supports, as which faces that press do not count, or loaded ones that swing on a hinge
     integer(c_int64_t) :: fragments
     !> load factor reached [-]
     real(c_double) :: load_factor
@@ -2425,7 +2425,11 @@ module bempd_c
     end function bempd_copy_edge_forces
 
     !> Number of pieces that the body consists of: material points and boundary elements that intact bonds, interfaces
-    !> and BEM regions join. A point without any bond is a piece too. Prepares the model.
+    !> and BEM regions join. A point without any bond is a piece too. Faces that press on each other (option pd.contact)
+    !> join nothing, as they part under the first pull: two held pieces that press feel each other's force and bear, so
+    !> that the body is not separated, but bempd_are_connected() tells 0. A piece that nothing but pressed faces would
+    !> hold counts as come free of all supports (fragments in reports): it stays where it is, and its loads are dropped.
+    !> Prepares the model.
     !>
     !> model [in]: the model
     !> count [out]: their number

@@ -80,7 +80,7 @@ def three_holes(short: bool) -> tuple[list[str], dict]:
         lines.append(f"three holes, notch {known['notch']}, offset {known['offset']:g}, after {known['steps']} steps of "
                      f"{known['step']}: K_I {tip.stress_intensity_1:.4f}, code_aster {known['K_I']:.4f}")
     drawn = {}
-    for notch, offset in ((1.5, 5.0), (1.0, 6.0), (1.5, 4.95), (1.5, 5.05)):
+    for notch, offset in ((1.5, 5.0), (1.0, 6.0), *(() if short else ((1.5, 4.95), (1.5, 5.05)))):
         model = cases.run(cases.three_holes(notch, offset), 0.2 if short else 0.05, 40 if short else 160)
         way = cases.path(model, 1, [(10 - offset, 0), (10 - offset, notch)])
         gaps = ", ".join(f"{gap_to_hole(way, hole):.2f}" for hole in cases.HOLES)

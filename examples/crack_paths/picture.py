@@ -47,7 +47,7 @@ def draw(drawn, folder: pathlib.Path) -> pathlib.Path:
             line(ax, way)
         else:
             ax.plot(*zip(*way), color=OURS, linewidth=0.8, linestyle=":")
-    ax.set_title("beam with three holes: notches 6 and 5 inches beside the middle; dotted: 4.95 and 5.05", fontsize=9)
+    ax.set_title("notches 6 and 5 inches off the middle (dotted: 4.95 and 5.05)", fontsize=9)
     ax = axes[1, 1]
     body(ax, (0, 0), (140, 70), (((95, 35), 15),))
     line(ax, drawn["compressed_plate"]["way"], "bempd")

@@ -24,8 +24,9 @@ def placed(x: float, y: float) -> tuple[float, float]:
     return c * x - s * y, s * x + c * y
 
 
-def build(spacing: float, horizon_ratio: int, lattice_angle: float) -> tuple[bempd.Model, int]:
+def build(spacing: float, horizon_ratio: int, lattice_angle: float, rule: str) -> tuple[bempd.Model, int]:
     model = bempd.Model()
+    model.options["pd.crack_rule"] = rule
     model.options["pd.lattice_angle"] = lattice_angle
     glass = model.add_material(young_modulus=70e9, poisson_ratio=1 / 3, thickness=1e-3, fracture_energy=10)
     corners = [placed(x, y) for x, y in bempd.rectangle(0, 0, WIDTH, HEIGHT)]
@@ -47,8 +48,8 @@ def places_of_broken(model: bempd.Model, plate: int) -> np.ndarray:
     return middles @ np.array([[c, -s], [s, c]])
 
 
-def run(spacing: float, horizon_ratio: int, lattice_angle: float) -> tuple[bempd.Model, int, list[str]]:
-    model, plate = build(spacing, horizon_ratio, lattice_angle)
+def run(spacing: float, horizon_ratio: int, lattice_angle: float, rule: str) -> tuple[bempd.Model, int, list[str]]:
+    model, plate = build(spacing, horizon_ratio, lattice_angle, rule)
     start, entered, left = None, None, None
     while left is None and model.step_to_next_event(10).stop_reason != bempd.StopReason.LOAD_FACTOR:
         start = start or model.load_factor
@@ -58,11 +59,15 @@ def run(spacing: float, horizon_ratio: int, lattice_angle: float) -> tuple[bempd
         if (broken[:, 0] > CENTRE[0] + RADIUS).any():
             left = model.load_factor
     report = model.run_to_separation(10)
+    broken = places_of_broken(model, plate)
     if start is None or entered is None or left is None:
         raise SystemExit("not so: the crack runs into the hole and out again")
     names = {"first bond breaks": start, "crack enters the hole": entered, "leaves it": left}
-    lines = [f"lattice turned by {math.degrees(lattice_angle):.0f} degrees:"]
+    way = broken[broken[:, 0] > CENTRE[0] + RADIUS + 2 * spacing]
+    tilt = math.degrees(math.atan(np.polyfit(*way.T, 1)[0])) if len(way) else math.nan
+    lines = [f"{'bond by bond' if rule == 'bond' else 'as a line'}, lattice turned by {math.degrees(lattice_angle):.0f} degrees:"]
     lines += [f"    {name:24s} load factor {value:.3f}" for name, value in names.items()]
+    lines.append(f"    its way behind the hole, from the middle line of the plate: {tilt:.1f} degrees")
     lines.append(f"    bonds broken {report.total_broken_bonds}, energy balance error {report.energy_balance_error:.0e}")
     return model, plate, lines
 
@@ -73,8 +78,8 @@ def draw(models: list[tuple[bempd.Model, int]], path: pathlib.Path) -> None:
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(1, len(models), figsize=(5 * len(models), 4), layout="constrained")
-    for (model, _), one in zip(models, axes):
+    figure, axes = plt.subplots(2, 2, figsize=(10, 8), layout="constrained")
+    for (model, _), one in zip(models, axes.flat):
         model.plot("damage", axes=one)
     figure.savefig(path, dpi=110)
 
@@ -86,10 +91,11 @@ def main() -> None:
     arguments = parser.parse_args()
     spacing, horizon_ratio = (1.5e-3, 3) if arguments.short else (0.75e-3, 4)
     models = []
-    for angle in (0.0, TURNED):
-        model, plate, lines = run(spacing, horizon_ratio, angle)
-        print("\n".join(lines))
-        models.append((model, plate))
+    for rule in ("bond", "line"):
+        for angle in (0.0, TURNED):
+            model, plate, lines = run(spacing, horizon_ratio, angle, rule)
+            print("\n".join(lines))
+            models.append((model, plate))
     if not arguments.short:
         arguments.folder.mkdir(parents=True, exist_ok=True)
         draw(models, arguments.folder / "round_hole.png")

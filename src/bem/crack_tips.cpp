@@ -60,7 +60,7 @@ class MovedTips {
     for (int e = 0; e < count; ++e) {
       const int outer = e == own ? variant : e;
       const GalerkinElement& x = elements_[outer];
-      const PairMoments m = blocks_.moments(outer, variant, PairPart::everything);
+      const PairMoments m = blocks_.moments(outer, variant, x.crack ? PairPart::derivative_only : PairPart::everything);
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) {
           const auto w = values.middleRows<2>(2 * tip.nodes[b]);

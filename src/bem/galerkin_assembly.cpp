@@ -59,10 +59,12 @@ class Assembler {
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
       if (inner % 32 == 0) check_cancelled();
       if (kept_ && kept_->has(x, elements_[inner])) continue;
-      const PairPart part = inner >= outer ? PairPart::everything : PairPart::double_layer_only;
+      const PairPart part = inner < outer ? PairPart::double_layer_only
+                            : x.crack     ? PairPart::derivative_only
+                                          : PairPart::everything;
       const PairMoments moments = blocks_.moments(outer, inner, part);
       if (!x.crack) add_double_layer(outer, inner, moments);
-      if (part == PairPart::everything) add_weakly_singular(outer, inner, moments);
+      if (part != PairPart::double_layer_only) add_weakly_singular(outer, inner, moments);
       evaluations += moments.evaluations;
     }
     return evaluations;

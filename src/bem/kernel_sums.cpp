@@ -28,24 +28,26 @@ class Sums {
  public:
   using Values = typename Lanes<lanes>::Values;
 
-  [[gnu::always_inline]] static void add(const ElementPoints& outer, const ElementPoints& inner, bool weak,
+  [[gnu::always_inline]] static void add(const ElementPoints& outer, const ElementPoints& inner, PairPart part,
                                          PairMoments& moments) {
     KernelTable table;
     evaluate(outer, inner, table);
     alignas(64) NodeWeights mass, derivative;
     gather(outer.count, outer.mass, mass);
     Row rows[6];
-    for (int k = 0; k < strong_count; ++k) {
+    for (int k = 0; k < strong_count && part != PairPart::derivative_only; ++k) {
       sum_inner(outer.count, inner.count, table.at[weak_count + k], inner.shape, rows);
       append_own_nodes(outer, rows);
       sum_outer(outer.count, rows, mass, &moments.double_layer[k][0]);
       sum_outer(outer.count, rows + 3, mass, &moments.double_layer[k][3]);
     }
-    if (!weak) return;
+    if (part == PairPart::double_layer_only) return;
     gather(outer.count, outer.derivative, derivative);
     for (int k = 0; k < weak_count; ++k) {
-      sum_inner(outer.count, inner.count, table.at[k], inner.mass, rows);
-      sum_outer(outer.count, rows, mass, moments.mass[k].data());
+      if (part == PairPart::everything) {
+        sum_inner(outer.count, inner.count, table.at[k], inner.mass, rows);
+        sum_outer(outer.count, rows, mass, moments.mass[k].data());
+      }
       sum_inner(outer.count, inner.count, table.at[k], inner.derivative, rows);
       complete_derivatives(outer.count, rows);
       sum_outer(outer.count, rows, derivative, moments.derivative[k].data());
@@ -144,9 +146,9 @@ class Sums {
 };
 
 #if defined(__x86_64__)
-[[gnu::target("avx2,fma")]] void add_with_avx2(const ElementPoints& outer, const ElementPoints& inner, bool weak,
+[[gnu::target("avx2,fma")]] void add_with_avx2(const ElementPoints& outer, const ElementPoints& inner, PairPart part,
                                                PairMoments& moments) {
-  Sums<4>::add(outer, inner, weak, moments);
+  Sums<4>::add(outer, inner, part, moments);
 }
 const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
@@ -154,12 +156,11 @@ const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("
 }  // namespace
 
 void add_kernel_sums(const ElementPoints& outer, const ElementPoints& inner, PairPart part, PairMoments& moments) {
-  const bool weak = part == PairPart::everything;
   moments.evaluations += static_cast<std::int64_t>(outer.count) * inner.count;
 #if defined(__x86_64__)
-  if (has_avx2) return add_with_avx2(outer, inner, weak, moments);
+  if (has_avx2) return add_with_avx2(outer, inner, part, moments);
 #endif
-  Sums<2>::add(outer, inner, weak, moments);
+  Sums<2>::add(outer, inner, part, moments);
 }
 
 }  // namespace bempd::bem

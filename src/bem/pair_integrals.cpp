@@ -37,11 +37,7 @@ double closest_singularity(const ElementGeometry& element, const Interval& inter
 
 PairIntegrator::PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance)
     : elements_(elements), tolerance_(tolerance), rules_(tolerance), whole_(elements.size()) {
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    whole_stretches_.push_back(stretch({static_cast<int>(e), {}}));
-    for (std::size_t rule = 0; rule < regular_point_counts.size(); ++rule)
-      fill_points(elements[e], {}, regular_point_counts[rule], whole_[e][rule]);
-  }
+  for (std::size_t e = 0; e < elements.size(); ++e) whole_stretches_.push_back(stretch({static_cast<int>(e), {}}));
 }
 
 PairIntegrator::Stretch PairIntegrator::stretch(const Side& side) const {
@@ -53,7 +49,8 @@ PairIntegrator::Stretch PairIntegrator::stretch(const Side& side) const {
 }
 
 const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementPoints& scratch) const {
-  if (side.interval.from == -1 && side.interval.to == 1) return whole_[side.element][rule];
+  if (side.interval.from == -1 && side.interval.to == 1)
+    return whole_[side.element][rule].of(elements_[side.element], regular_point_counts[rule]);
   fill_points(elements_[side.element], side.interval, regular_point_counts[rule], scratch);
   return scratch;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "bem/boundary_elements.hpp"
@@ -27,8 +29,29 @@ struct PairMoments {
   std::int64_t evaluations = 0;             // point pairs at which kernels were evaluated
 };
 
-// Which integrals a pair needs: the weakly singular kernels are symmetric, so one order of the pair is enough.
-enum class PairPart { everything, double_layer_only };
+// Which integrals a pair needs: the weakly singular kernels are symmetric, so one order of the pair is enough; two
+// elements of cracks, which have no tractions, need `derivative` only.
+enum class PairPart { everything, double_layer_only, derivative_only };
+
+// The points of a rule on a whole element, found when they are first asked for by whichever thread: few rules are.
+class PointTable {
+ public:
+  PointTable() = default;
+  ~PointTable() { delete points_.load(std::memory_order_relaxed); }
+  PointTable(const PointTable&) = delete;
+  PointTable& operator=(const PointTable&) = delete;
+
+  const ElementPoints& of(const ElementGeometry& element, int count) const {
+    if (const ElementPoints* known = points_.load(std::memory_order_acquire)) return *known;
+    auto own = std::make_unique_for_overwrite<ElementPoints>();
+    fill_points(element, {}, count, *own);
+    const ElementPoints* first = nullptr;
+    return points_.compare_exchange_strong(first, own.get(), std::memory_order_acq_rel) ? *own.release() : *first;
+  }
+
+ private:
+  mutable std::atomic<const ElementPoints*> points_{nullptr};
+};
 
 // How two elements meet; the outer element's end is named first.
 enum class Contact { none, same, end_to_start, start_to_end, both_ends };
@@ -93,7 +116,7 @@ class PairIntegrator {
   double tolerance_;
   RegularRules rules_;
   std::vector<Stretch> whole_stretches_;
-  std::vector<std::array<ElementPoints, regular_point_counts.size()>> whole_;  // tables for whole elements
+  std::vector<std::array<PointTable, regular_point_counts.size()>> whole_;
 };
 
 }  // namespace bempd::bem

@@ -21,24 +21,25 @@ struct PointPair {
   std::array<double, 6> difference{};  // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
 };
 
-void add_weakly_singular(const PointPair& p, double cosine, double sine, PairMoments& moments) {
+void add_weakly_singular(const PointPair& p, double cosine, double sine, bool mass, PairMoments& moments) {
   const double jacobians = p.outer.derivative.norm() * p.inner.derivative.norm();
   const double kernels[3] = {p.log_weight + p.weight * 0.5 * std::log(p.chord.squaredNorm()), p.weight * cosine,
                              p.weight * sine};
   for (int c = 0; c < 3; ++c)
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
-        moments.mass[c][b][a] += kernels[c] * jacobians * p.outer.shape[a] * p.inner.shape[b];
+        if (mass) moments.mass[c][b][a] += kernels[c] * jacobians * p.outer.shape[a] * p.inner.shape[b];
         moments.derivative[c][b][a] += kernels[c] * p.outer.shape_derivative[a] * p.inner.shape_derivative[b];
       }
 }
 
-void add_point(const PointPair& p, bool weak, PairMoments& moments) {
+void add_point(const PointPair& p, PairPart part, PairMoments& moments) {
   ++moments.evaluations;
   const double inverse = 1 / p.chord.squaredNorm();
   const double cosine = 0.5 * (p.chord.x() * p.chord.x() - p.chord.y() * p.chord.y()) * inverse;
   const double sine = p.chord.x() * p.chord.y() * inverse;
-  if (weak) add_weakly_singular(p, cosine, sine, moments);
+  if (part != PairPart::double_layer_only) add_weakly_singular(p, cosine, sine, part == PairPart::everything, moments);
+  if (part == PairPart::derivative_only) return;
 
   const Point normal = scaled_normal(p.inner.derivative);
   const double along = p.chord.dot(normal) * inverse, across = cross(normal, p.chord) * inverse;
@@ -69,9 +70,18 @@ std::array<double, 6> separate_node_difference(const PointPair& p, double radius
           -outer[0] / radius, -outer[1] / radius, -outer[2] / radius};
 }
 
-// Polynomials of straight elements reach degree five in the radius; curved ones need more, having sines or Jacobians
-// that are roots.
-int radial_points(bool straight) { return straight ? 6 : 18; }
+// Polynomials of straight elements reach degree five in the radius and two along an element; curved ones need more,
+// having sines or Jacobians that are roots, the fewer the looser they may be.
+struct PointCounts {
+  int radial = 6, along = 3, extra_angular = 1;
+
+  PointCounts(bool straight, double tolerance) {
+    constexpr double loose = 1e-8;
+    if (straight) return;
+    const bool few = tolerance >= loose;
+    radial = few ? 10 : 18, along = few ? 7 : 12, extra_angular = few ? 2 : 5;
+  }
+};
 
 // Angular variable w on [0, 1]: the chord vanishes at one complex w, so intervals shrink towards it.
 struct AngularRule {
@@ -111,13 +121,14 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
   const double a0 = outer.interval.from, a_length = outer.interval.to - a0;
   const double b0 = inner.interval.from, b_length = inner.interval.to - b0;
   const bool straight = a.straight() && b.straight();
-  const GaussRule& radial = gauss_rule(radial_points(straight));
+  const PointCounts counts(straight, tolerance_);
+  const GaussRule& radial = gauss_rule(counts.radial);
   const Point a_tangent = a_length * a.derivative(a0), b_tangent = b_length * b.derivative(b0);
   const std::complex<double> ratio =
       std::complex<double>(a_tangent.x(), a_tangent.y()) / std::complex<double>(b_tangent.x(), b_tangent.y());
 
   for (const bool inner_is_nearer : {true, false}) {
-    const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, straight ? 1 : 5);
+    const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, counts.extra_angular);
     for (std::size_t j = 0; j < angular.points.size(); ++j) {
       const double s_over_radius = inner_is_nearer ? 1 : angular.points[j];
       const double t_over_radius = inner_is_nearer ? angular.points[j] : 1;
@@ -133,7 +144,7 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
         p.log_weight = radial.log_weights[i] * area;
         p.difference = common_node ? common_node_difference(from_b.shape, inner_way, from_a.shape, outer_way)
                                    : separate_node_difference(p, radius);
-        add_point(p, part == PairPart::everything, moments);
+        add_point(p, part, moments);
       }
     }
   }
@@ -143,8 +154,8 @@ void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_
 void PairIntegrator::same(int element, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   if (geometry.tip != TipEnd::none) return same_tip(element, moments);
-  const GaussRule& radial = gauss_rule(radial_points(geometry.straight()));
-  const GaussRule& along = gauss_rule(geometry.straight() ? 3 : 12);
+  const PointCounts counts(geometry.straight(), tolerance_);
+  const GaussRule &radial = gauss_rule(counts.radial), &along = gauss_rule(counts.along);
   const double log_two = std::log(2.0);
   for (std::size_t i = 0; i < radial.points.size(); ++i)
     for (std::size_t j = 0; j < along.points.size(); ++j) {
@@ -163,7 +174,7 @@ void PairIntegrator::same(int element, PairMoments& moments) const {
           p.difference[k] = quotients.shape[k];
           p.difference[3 + k] = 0;
         }
-        add_point(p, true, moments);
+        add_point(p, PairPart::everything, moments);
       }
     }
 }

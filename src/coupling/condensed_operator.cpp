@@ -68,6 +68,7 @@ void CondensedOperator::recover(Affine& displacement) const {
 void CondensedOperator::condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const {
   if (private_.empty()) return;
   const Eigen::VectorXd own = weights(private_);
+  if (own.isZero(0)) return;
   constant += own.transpose() * private_load_;
   weights(private_).setZero();
   if (!shared_.empty()) weights(shared_) -= (elimination_->transfer().transpose() * own).eval();

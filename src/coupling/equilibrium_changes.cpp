@@ -3,8 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "cancellation.hpp"
 #include "coupling/equilibrium_system.hpp"
 #include "error.hpp"
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::coupling {
 
@@ -13,6 +15,9 @@ namespace {
 // The answer of a broken term to a pull of its own, relative to what it would have been on its own, from which on a
 // motion has lost its resistance.
 constexpr double suspicious_response = 1e8;
+
+// Springs alone resist a motion if terms take less than this share of its energy.
+constexpr double resisted_by_others = 1e-6;
 
 }  // namespace
 
@@ -151,6 +156,7 @@ void EquilibriumSystem::restore(std::vector<std::uint8_t> stages, std::vector<Ho
   for (std::size_t t = 0; t < stages.size(); ++t) enter({static_cast<int>(t), stages[t]});
   springs_ = std::move(springs);
   forget_factor();
+  forget_places_met();
   condense();  // internal forces of a restored displacement are asked for without a solution
 }
 
@@ -182,13 +188,32 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   return true;
 }
 
-Eigen::VectorXd EquilibriumSystem::response_to(const HoldingSpring& spring) {
+// Let K be the matrix with the springs, roots of whose stiffnesses scale the columns of S, and m a motion that nothing
+// else resists: K m = S S^T m, so that m = K^-1 S y and S^T K^-1 S y = y with y = S^T m. All other eigenvalues are
+// less.
+std::vector<Eigen::VectorXd> EquilibriumSystem::motions_held_by(std::span<const HoldingSpring> springs) {
   condense();
-  factorize();
-  Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
-  pull.segment<2>(2 * spring.node) = Eigen::Vector2d(spring.cosine, spring.sine);
-  ties_.collect(pull);
-  return displacement_of(solve_column(pull(unknowns_.dof_of)));
+  assemble();
+  const Eigen::SparseMatrix<double>& matrix = assembly_->sum(present_stiffness_, springs_);
+  // Parts that nothing but faces hold are free in it.
+  const std::unique_ptr<SystemSolver> solver = shifted_solver(method_, matrix, stiff_diagonal(matrix));
+  Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(unknowns_.count(), static_cast<Eigen::Index>(springs.size()));
+  for (Eigen::Index k = 0; k < pulls.cols(); ++k) {
+    const HoldingSpring& spring = springs[static_cast<std::size_t>(k)];
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
+    pull.segment<2>(2 * spring.node) = std::sqrt(spring.stiffness) * Eigen::Vector2d(spring.cosine, spring.sine);
+    ties_.collect(pull);
+    pulls.col(k) = pull(unknowns_.dof_of);
+  }
+  Eigen::MatrixXd answers = pulls;
+  check_cancelled();
+  solver->factorization().solve_in_place(answers);
+  const linalg::SymmetricModes modes = linalg::symmetric_modes(pulls.transpose() * answers);
+  std::vector<Eigen::VectorXd> motions;
+  for (Eigen::Index k = 0; k < pulls.cols(); ++k) {
+    if (modes.values[k] >= 1 - resisted_by_others) motions.push_back(displacement_of(answers * modes.vectors.col(k)));
+  }
+  return motions;
 }
 
 SoftMotion EquilibriumSystem::softest_motion() {

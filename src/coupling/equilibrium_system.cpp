@@ -225,6 +225,7 @@ const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
   const auto make = [&](const Contacts& with_room) {
     assembly_ =
         std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(), with_room);
+    pattern_has_places_ = with_room.size() > 0;
   };
   // Faces that never touch leave the pattern as it is.
   if (!assembly_) make({});

@@ -161,6 +161,10 @@ class EquilibriumSystem {
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
   void forget_factor() { factor_.forget(); }
+  // Which entries of the matrix places of contact have needed so far: rounding depends on it.
+  void forget_places_met() {
+    if (pattern_has_places_) assembly_.reset();
+  }
   bool has_current_factor() const { return factor_.is_current(); }
 
   // True if the factor is that of the present matrix, with these nodes' unknowns last.
@@ -179,8 +183,8 @@ class EquilibriumSystem {
   // present load; softest_motion() tells.
   bool resists_all_motions(std::span<const int> broken);
 
-  // How all nodes answer to a pull on a spring: where nothing else resists, they move with it.
-  Eigen::VectorXd response_to(const HoldingSpring& spring);
+  // The motions that nothing but these springs resists while no faces press, whichever of them holds which.
+  std::vector<Eigen::VectorXd> motions_held_by(std::span<const HoldingSpring> springs);
 
   // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
   SoftMotion softest_motion();
@@ -271,6 +275,7 @@ class EquilibriumSystem {
   std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0
   Condensed condensed_ = Condensed::nothing;
   mutable std::unique_ptr<StiffnessAssembly> assembly_;  // once condensed
+  mutable bool pattern_has_places_ = false;
   SolverCounters counters_;
   SystemFactor factor_;
 };

@@ -117,12 +117,8 @@ bool SystemFactor::pivots_are_sound() const {
   return solver_->factorization().smallest_pivot_ratio() > suspicious_pivot_ratio;
 }
 
-Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
-                               double& resistance) {
-  // Relative to the diagonal, which neither units nor stiff neighbours spoil. The shift makes a singular matrix
-  // factorizable without hiding its null space behind motions that are merely soft, such as those of slender parts.
-  const double unit = matrix.diagonal().maxCoeff();
-  const Eigen::VectorXd diagonal = matrix.diagonal().cwiseMax(no_stiffness * unit);
+std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
+                                             const Eigen::VectorXd& diagonal) {
   std::unique_ptr<SystemSolver> solver = method.make_solver();
   const auto factorize = [&](double shift) {
     Eigen::SparseMatrix<double> shifted;  // assigned: Eigen's constructor keeps a part of its memory if the rest fails
@@ -133,6 +129,18 @@ Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::Sparse
   if (!factorize(small_shift) && !factorize(safe_shift)) {
     fail(Failure::unsolvable, "the stiffness matrix is indefinite");
   }
+  return solver;
+}
+
+Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix) {
+  return matrix.diagonal().cwiseMax(no_stiffness * matrix.diagonal().maxCoeff());
+}
+
+Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
+                               double& resistance) {
+  const double unit = matrix.diagonal().maxCoeff();
+  const Eigen::VectorXd diagonal = stiff_diagonal(matrix);
+  const std::unique_ptr<SystemSolver> solver = shifted_solver(method, matrix, diagonal);
   Eigen::VectorXd vector =
       Eigen::VectorXd::LinSpaced(matrix.rows(), 1.0, 2.0 * static_cast<double>(matrix.rows())).array().sin();
   for (int iteration = 0; iteration < inverse_iterations; ++iteration) {

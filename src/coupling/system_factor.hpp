@@ -71,6 +71,15 @@ class SystemFactor {
   double largest_diagonal_ = 0;  // of the matrix last factorized
 };
 
+// The diagonal, next to nothing where it has none.
+Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix);
+
+// Of the matrix and a small share of that diagonal, which neither units nor stiff neighbours spoil: a singular matrix
+// can be factorized so, without hiding its null space behind motions that are merely soft, such as those of slender
+// parts. Throws Error (unsolvable).
+std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
+                                             const Eigen::VectorXd& diagonal);
+
 // A vector that a matrix hardly resists, largest entry 1: inverse iteration.
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance);

@@ -238,6 +238,7 @@ void CrackEvolution::synchronize() {
   body_.update_faces();
   system_.bar_contacts({});  // they are found anew, as by a run that goes on from the state
   system_.forget_factor();
+  system_.forget_places_met();
 }
 
 }  // namespace bempd::fracture

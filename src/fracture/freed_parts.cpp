@@ -77,8 +77,11 @@ bool FreedPartFinder::frees_nothing(const std::vector<int>& removed, const Eigen
   return is_nothing() && found.fragments == 0;
 }
 
-void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {
-  if (system_.in_dense_body(node)) return;
+bool FreedPartFinder::Resistance::is_loose() const {
+  return modes.values[0] <= collinearity_tolerance * modes.values[1];
+}
+
+FreedPartFinder::Resistance FreedPartFinder::resistance_of(int node) const {
   Eigen::Matrix2d resistance = Eigen::Matrix2d::Zero();
   const auto add = [&](double c, double s, double k) {
     const Eigen::Vector2d direction(c, s);
@@ -89,12 +92,17 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
       if (at == node) add(x, y, system_.present_stiffness()[t]);
     });
   }
-  if (resistance.isZero(0)) return;  // a piece of its own
+  const bool has_terms = !resistance.isZero(0);
   if (system_.is_prescribed(2 * node)) add(1, 0, spring_stiffness_);
   if (system_.is_prescribed(2 * node + 1)) add(0, 1, spring_stiffness_);
-  const linalg::SymmetricModes modes = linalg::symmetric_modes(resistance);
-  const double limit = collinearity_tolerance * modes.values[1];
-  if (modes.values[0] > limit) return;
+  return {linalg::symmetric_modes(resistance), has_terms};
+}
+
+void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const {
+  if (system_.in_dense_body(node)) return;
+  const Resistance resistance = resistance_of(node);
+  if (!resistance.has_terms || !resistance.is_loose()) return;  // without terms it is a piece of its own
+  const linalg::SymmetricModes& modes = resistance.modes;
   const Eigen::Vector2d weak = modes.vectors.col(0);
   const Eigen::RowVector2d push = weak.transpose() * system_.force().middleRows<2>(2 * node);
   auto& lost = found.nodes_with_lost_loads;
@@ -107,7 +115,8 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
   for (const HoldingSpring& s : system_.springs()) {
     if (s.node == node) held += s.stiffness * std::pow(s.cosine * weak.x() + s.sine * weak.y(), 2);
   }
-  if (held <= limit) found.springs.push_back(spring(node, weak.x(), weak.y(), displacement));
+  if (held <= collinearity_tolerance * modes.values[1])
+    found.springs.push_back(spring(node, weak.x(), weak.y(), displacement));
 }
 
 // Forces that have no equilibrium on a piece that can move.
@@ -163,8 +172,19 @@ FreedPartFinder::Held FreedPartFinder::held_parts() const {
     if (std::any_of(nodes.begin(), nodes.end(), is_supported)) continue;
     for (const int node : nodes) held.nodes[node] = 1;
   }
-  for (const HoldingSpring& s : system_.springs())
-    if (!held.nodes[s.node]) held.others.push_back(s);
+  std::vector<int> loose;
+  for (const HoldingSpring& s : system_.springs()) {
+    if (held.nodes[s.node]) continue;
+    const linalg::SymmetricModes modes = resistance_of(s.node).modes;
+    const Eigen::Vector2d along = modes.vectors.transpose() * Eigen::Vector2d(s.cosine, s.sine);
+    const double resistance = modes.values.dot(along.cwiseAbs2());
+    if (!system_.in_dense_body(s.node) && resistance <= collinearity_tolerance * modes.values[1]) {
+      loose.push_back(s.node);
+    } else {
+      held.others.push_back(s);
+    }
+  }
+  for (const int node : loose) held.nodes[node] = 1;
   return held;
 }
 

@@ -7,6 +7,7 @@
 #include "coupling/rigid_motion.hpp"
 #include "fracture/connectivity.hpp"
 #include "geometry/point.hpp"
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::fracture {
 
@@ -33,7 +34,8 @@ class FreedPartFinder {
   // True if after_break() would find nothing; mostly without a look at the whole body.
   bool frees_nothing(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
-  // Nodes of pieces that springs hold and no support does; and springs that hold a part of another piece.
+  // Nodes of pieces that springs hold and no support does, and held points whose terms pull on one line; and springs
+  // that hold a part of another piece.
   struct Held {
     std::vector<char> nodes;
     std::vector<coupling::HoldingSpring> others;
@@ -44,6 +46,13 @@ class FreedPartFinder {
   coupling::HoldingSpring against(const Eigen::VectorXd& motion, const Eigen::VectorXd& displacement) const;
 
  private:
+  // What terms and supports of a point resist with; its weakest direction has next to nothing in a loose point.
+  struct Resistance {
+    linalg::SymmetricModes modes;
+    bool has_terms;
+    bool is_loose() const;
+  };
+  Resistance resistance_of(int node) const;
   void hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const;
   void hold_piece(const std::vector<int>& nodes, const Eigen::VectorXd& displacement, FreedParts& found) const;
   bool is_pushed(const coupling::RigidMotion& motion, const std::vector<int>& nodes) const;

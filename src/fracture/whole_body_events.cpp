@@ -80,8 +80,8 @@ void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
 bool WholeBodyEvents::runs_away() {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried none
-  // of them.
+  // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried
+  // none of them.
   double largest = elongation_rounding * body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   for (const Changing& one : changing_) largest = std::max(largest, std::abs(one.elastic));
   for (std::size_t i = 0; i < changing_.size(); ++i) {

@@ -152,12 +152,21 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
 LeastChangeResult solve_long_least_change(const LeastChange& problem) {
   if (problem.target.size() <= 80) return solve_least_change(problem);
   constexpr double shift = 3e-15;
-  constexpr int rough_rounds = 5;
+  constexpr int rough_rounds = 5, last_round = 29;
   SparseMinimumNorm solver(shift);
   Candidate c;
   std::vector<char> held(problem.start.size(), 0);
-  for (int round = 0; round < 30; ++round) {
+  std::vector<std::vector<char>> seen;  // after rough rounds, when one follows from the other
+  for (int round = 0; round <= last_round; ++round) {
     check_cancelled();
+    if (round >= rough_rounds) {
+      const auto same = std::find(seen.begin(), seen.end(), held);
+      if (same != seen.end()) {  // for ever: what the last round would have is known
+        held = same[(last_round - round) % (seen.end() - same)];
+        round = last_round;
+      }
+      seen.push_back(held);
+    }
     c = starting_candidate(problem, held);
     const VectorXd free_scale = free_scales(problem, held);
     Sparse scaled;

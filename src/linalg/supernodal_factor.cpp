@@ -51,6 +51,7 @@ void SupernodalFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> x) {
     const int columns = columns_of(s), rows = rows_of(s), below = rows - columns;
     const double* const panel = values_ + values_begin_[s];
     double* const own = x.data() + first_column_[s];
+    if (x.middleRows(first_column_[s], columns).isZero(0)) continue;  // as where few unknowns have loads
     if (sides == 1)
       dtrsv_("L", "N", "N", &columns, panel, &rows, own, &one);
     else

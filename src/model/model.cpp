@@ -64,19 +64,24 @@ void Model::check_mechanism(const PreparedScene& p) const {
 
 void Model::grow_lines(PreparedScene& p) const {
   require(options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event",
-          "pd.crack_rule is line, by which cracks grow in scheme symmetric and stepping.mode event; choose these, or "
+          "pd.crack_rule is line or tips, by which cracks grow in scheme symmetric and stepping.mode event; choose "
+          "these, or "
           "pd.crack_rule = bond");
   pd::TipLaws laws;
   std::vector<fracture::GrowingTip> tips;
-  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.discretization, options_)) {
+  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_)) {
     tips.push_back({tip.place, tip.direction, static_cast<int>(laws.laws.size()), {}});
     laws.laws.push_back(tip.law);
   }
-  laws.of_node.assign(p.discretization.positions.size(), -1);
+  // Without any of these nothing but the tips that there are grows.
+  const bool more_begin = options_.text_value("pd.crack_rule") == "line";
+  if (more_begin) laws.of_node.assign(p.discretization.positions.size(), -1);
   for (const auto& region : p.discretization.regions) {
+    if (!more_begin) break;
     const std::optional<pd::TipLaw> law = region->tip_law(options_);
     if (!law) continue;
-    for (const int node : region->nodes()) laws.of_node[static_cast<std::size_t>(node)] = static_cast<int>(laws.laws.size());
+    for (const int node : region->nodes())
+      laws.of_node[static_cast<std::size_t>(node)] = static_cast<int>(laws.laws.size());
     laws.laws.push_back(*law);
   }
   p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
@@ -93,7 +98,7 @@ fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
   if (rule == "rough") return {ContactRule::rough, {}, {}};
   pd::FacePlaces lattices = regions::face_lattices(p.discretization);
   if (lattices.lattice_count() == 0) return {};
-  std::vector<pd::FacePlace> places = regions::places_on_cracks(scene_, p.discretization, lattices);
+  std::vector<pd::FacePlace> places = regions::places_on_cracks(p.cracks, p.discretization, lattices);
   return {ContactRule::faces, std::move(lattices), std::move(places)};
 }
 
@@ -115,14 +120,17 @@ std::unique_ptr<PreparedScene> Model::build() const {
   p->conditions = regions::apply_conditions(scene_, d);
   regions::swell(d, p->conditions.swelling);
   regions::require_determined_pressure(d, p->conditions.prescribed);
-  p->cut_bonds = regions::bonds_cut_by_cracks(scene_, d, d.warnings);
+  regions::LatticeCracks in_lattices = regions::cracks_in_lattices(scene_, d, options_);
+  for (const auto& [bond, share] : in_lattices.weakened) d.bonds.stiffness[static_cast<std::size_t>(bond)] *= share;
+  p->cracks = std::move(in_lattices.cracks);
+  p->cut_bonds = regions::bonds_cut_by_cracks(p->cracks, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
-  if (options_.text_value("pd.crack_rule") == "line") grow_lines(*p);
+  if (options_.text_value("pd.crack_rule") != "bond") grow_lines(*p);
   let_fluid_in(*p);
   p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,

@@ -40,12 +40,13 @@ struct PreparedScene {
   SceneFingerprint fingerprint;
   regions::Discretization discretization;
   regions::DofConditions conditions;
+  std::vector<scene::Crack> cracks;  // as they are in lattices
   std::vector<int> cut_bonds;
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
   std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines; one law for each of the former comes first
-  int anchored_pieces = 0;                  // at first
+  int anchored_pieces = 0;                   // at first
   std::int64_t interior_kernel_evaluations = 0;
   std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
 };

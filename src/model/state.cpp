@@ -27,7 +27,8 @@ void require_fit(const fracture::EvolutionState& state, const PreparedScene& sce
        state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
   fits(state.tips.size() >= scene.first_tips && (scene.tip_laws > 0 || state.tips.empty()));
   for (std::size_t k = 0; k < state.tips.size(); ++k) {
-    const auto law = static_cast<std::size_t>(std::max(state.tips[k].law, 0));
+    const int number = state.tips[k].law;
+    const auto law = static_cast<std::size_t>(number < 0 ? -1 - number : number);  // negative: it has ended
     const bool is_first = k < scene.first_tips;
     fits(is_sound(state.tips[k]) && (is_first ? law == k : law >= scene.first_tips && law < scene.tip_laws));
   }

@@ -1,5 +1,6 @@
 #include "pd/crack.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -88,6 +89,48 @@ std::vector<int> points_on(const std::vector<Point>& points, const Polyline& pol
   return found;
 }
 
+// A bond that crosses the line of a crack: how far ahead of the tip, and its stiffness across the line.
+struct LineCrossing {
+  int bond;
+  double place, weight;
+};
+
+// Up to `reach` from the tip, ascending.
+std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, const std::vector<Bond>& bonds,
+                                            const Point& tip, const Point& direction, double reach) {
+  std::vector<LineCrossing> found;
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    const Bond& bond = bonds[b];
+    const Point from = points[bond.first] - tip, to = points[bond.second] - tip;
+    const double below = cross(direction, from), above = cross(direction, to);
+    if (below * above >= 0) continue;
+    const double part = below / (below - above), place = direction.dot(from + part * (to - from));
+    if (std::abs(place) > reach) continue;
+    const double across = above - below;
+    found.push_back({static_cast<int>(b), place, bond.stiffness * across * across / (to - from).squaredNorm()});
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+  return found;
+}
+
+// Straight line a + b s that stiffness crossed so far follows, most closely in the middle of the reach.
+Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double reach) {
+  constexpr int samples = 400;
+  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d right = Eigen::Vector2d::Zero();
+  double sum = 0;
+  auto next = crossings.begin();
+  for (int k = 0; k < samples; ++k) {
+    const double t = (2 * k + 1.0) / samples - 1, place = reach * t;
+    for (; next != crossings.end() && next->place <= place; ++next) sum += next->weight;
+    const double weight = (1 - t * t) * (1 - t * t);
+    const Eigen::Vector2d row(1, place);
+    normal += weight * row * row.transpose();
+    right += weight * sum * row;
+  }
+  return normal.inverse() * right;
+}
+
 // Whether the segment from c to d meets the bond from a to b in a place between its ends and not along it.
 bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!segments_meet(a, b, c, d)) return false;
@@ -117,6 +160,41 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
     if (polyline.any_near(from, to, meets)) cut.push_back(static_cast<int>(b));
   }
   return cut;
+}
+
+FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& bonds, const Point& tip,
+                    const Point& direction, int horizon_ratio, double backward) {
+  constexpr double largest_move = 1.5, same_place = 1e-6, whole = 1e-3;
+  constexpr double weakened_more = 0.03;  // spacings by which a bond holds more than its share does, measured
+  constexpr std::size_t fewest = 20;
+  double reach = 3 * horizon_ratio;
+  std::vector<LineCrossing> crossings = crossings_of_line(points, bonds, tip, direction, reach);
+  if (crossings.size() < fewest) return {tip, {}};
+  reach = std::min({reach, -crossings.front().place, crossings.back().place});
+  if (reach < 1) return {tip, {}};
+  std::erase_if(crossings, [&](const LineCrossing& c) { return std::abs(c.place) > reach; });
+  const Eigen::Vector2d even = even_growth(crossings, reach);
+  const double wanted = even[0] - (felt_ahead_of_cut(horizon_ratio) - weakened_more) * even[1];
+  double sum = 0, before = crossings.front().place - 1;
+  for (std::size_t k = 0, next = 0; k < crossings.size(); k = next) {
+    const double place = crossings[k].place;
+    FeltEnd found;
+    double there = 0;
+    for (; next < crossings.size() && crossings[next].place - place < same_place; ++next) {
+      there += crossings[next].weight;
+      found.weakened.push_back(crossings[next].bond);
+    }
+    const double end = 0.5 * (before + place);
+    if (sum + (1 - whole) * there > wanted) {
+      if (end < -std::min(backward, largest_move) || end > largest_move) break;
+      found.end = tip + end * direction;
+      found.share = 1 - std::max(0.0, wanted - sum) / there;
+      if (found.share > 1 - whole) found.weakened.clear();
+      return found;
+    }
+    sum += there, before = crossings[next - 1].place;
+  }
+  return {tip, {}};
 }
 
 std::vector<int> points_on(const std::vector<Point>& points, const std::vector<Point>& vertices) {

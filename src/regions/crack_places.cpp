@@ -17,8 +17,8 @@ bool cross_each_other(const Point& a, const Point& b, const Point& c, const Poin
   return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
 }
 
-bool is_crossed(const scene::Scene& scene, const Point& from, const Point& to) {
-  return std::any_of(scene.cracks().begin(), scene.cracks().end(), [&](const scene::Crack& crack) {
+bool is_crossed(const std::vector<scene::Crack>& cracks, const Point& from, const Point& to) {
+  return std::any_of(cracks.begin(), cracks.end(), [&](const scene::Crack& crack) {
     for (std::size_t k = 0; k + 1 < crack.points.size(); ++k)
       if (cross_each_other(from, to, crack.points[k], crack.points[k + 1])) return true;
     return false;
@@ -42,15 +42,15 @@ pd::FacePlaces face_lattices(const Discretization& d) {
   return {d.positions, bodies};
 }
 
-std::vector<pd::FacePlace> places_on_cracks(const scene::Scene& scene, const Discretization& d,
+std::vector<pd::FacePlace> places_on_cracks(const std::vector<scene::Crack>& cracks, const Discretization& d,
                                             const pd::FacePlaces& lattices) {
   std::vector<pd::FacePlace> found;
   const auto reaches = [&](int node, const Point& place) {
     const Point& to = d.positions[static_cast<std::size_t>(node)];
-    return !is_crossed(scene, place + off_the_crack * (to - place), to);
+    return !is_crossed(cracks, place + off_the_crack * (to - place), to);
   };
-  for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
-    const std::vector<Point>& points = scene.cracks()[c].points;
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    const std::vector<Point>& points = cracks[c].points;
     if (d.crack_regions[c] > 0) continue;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
       check_cancelled();

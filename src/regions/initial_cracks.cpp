@@ -78,22 +78,46 @@ std::vector<int> regions_of_cracks(const Preparation& preparation) {
   return regions;
 }
 
-std::vector<int> bonds_cut_by_cracks(const Scene& scene, const Discretization& d, std::vector<std::string>& warnings) {
+LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, const scene::Options& options) {
+  LatticeCracks found{scene.cracks(), {}};
+  if (options.text_value("pd.crack_tip") == "ahead") return found;
+  for (std::size_t c = 0; c < found.cracks.size(); ++c) {
+    const std::vector<Point> points = found.cracks[c].points;
+    if (d.crack_regions[c] > 0 || points.size() < 2) continue;
+    const auto move = [&](const Point& tip, const Point& before, Point& end) {
+      // Both ends of a single piece may move.
+      const double length = (tip - before).norm(), backward = (points.size() > 2 ? 0.9 : 0.45) * length;
+      for (const auto& region : d.regions) {
+        if (locate(scene.region(region->id()).outline(), tip, d.tolerance) != Location::inside) continue;
+        const pd::FeltEnd felt = region->end_felt_at(tip, (tip - before) / length, backward);
+        end = felt.end;
+        for (const int bond : felt.weakened) found.weakened.emplace_back(bond, felt.share);
+      }
+    };
+    move(points.front(), points[1], found.cracks[c].points.front());
+    move(points.back(), points.end()[-2], found.cracks[c].points.back());
+  }
+  return found;
+}
+
+std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, const Discretization& d,
+                                     std::vector<std::string>& warnings) {
   std::vector<int> cut;
-  for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
     if (d.crack_regions[c] > 0) continue;
     const int id = static_cast<int>(c) + 1;
-    for (const auto& region : d.regions) region->cut(scene.cracks()[c], id, cut, warnings);
+    for (const auto& region : d.regions) region->cut(cracks[c], id, cut, warnings);
   }
   std::sort(cut.begin(), cut.end());
   cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
   return cut;
 }
 
-std::vector<StartingTip> tips_of_cracks(const Scene& scene, const Discretization& d, const scene::Options& options) {
+std::vector<StartingTip> tips_of_cracks(const Scene& scene, const std::vector<scene::Crack>& cracks,
+                                        const Discretization& d, const scene::Options& options) {
   std::vector<StartingTip> tips;
-  for (std::size_t c = 0; c < scene.cracks().size(); ++c) {
-    const std::vector<Point>& points = scene.cracks()[c].points;
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    const std::vector<Point>& points = cracks[c].points;
     if (d.crack_regions[c] > 0 || points.size() < 2) continue;
     for (const auto& [end, before] : {std::pair(points.front(), points[1]), std::pair(points.back(), points.end()[-2])})
       for (const auto& region : d.regions) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "regions/discretization.hpp"
@@ -10,10 +11,19 @@ namespace bempd::regions {
 // for a crack that leaves the body, runs along an interface, or goes from one region to another.
 std::vector<int> regions_of_cracks(const Preparation& preparation);
 
-// Bonds (of the whole scene) cut by the scene's cracks, ascending. Throws Error (argument) for one that passes through
+// The scene's cracks as they are in lattices: as described, or, with pd.crack_tip = stated, ending so that their tips
+// are felt at the described places. There some bonds have a share of their stiffness only.
+struct LatticeCracks {
+  std::vector<scene::Crack> cracks;
+  std::vector<std::pair<int, double>> weakened;  // of the whole scene, and their shares
+};
+LatticeCracks cracks_in_lattices(const scene::Scene& scene, const Discretization& discretization,
+                                 const scene::Options& options);
+
+// Bonds (of the whole scene) cut by them, ascending. Throws Error (argument) for one that passes through
 // material points, but for cell-centred points, which a crack at 45 degrees cannot miss: there the points stay bonded
 // to both faces, with a warning.
-std::vector<int> bonds_cut_by_cracks(const scene::Scene& scene, const Discretization& discretization,
+std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, const Discretization& discretization,
                                      std::vector<std::string>& warnings);
 
 // Where cracks that cut bonds end inside a region, and what their growth as a line asks of it.
@@ -21,7 +31,7 @@ struct StartingTip {
   Point place, direction;
   pd::TipLaw law;
 };
-std::vector<StartingTip> tips_of_cracks(const scene::Scene& scene, const Discretization& discretization,
-                                        const scene::Options& options);
+std::vector<StartingTip> tips_of_cracks(const scene::Scene& scene, const std::vector<scene::Crack>& cracks,
+                                        const Discretization& discretization, const scene::Options& options);
 
 }  // namespace bempd::regions

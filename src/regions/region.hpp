@@ -15,6 +15,7 @@
 #include "geometry/crack_lines.hpp"
 #include "geometry/edge.hpp"
 #include "output/vtu.hpp"
+#include "pd/crack.hpp"
 #include "pd/face_places.hpp"
 #include "pd/network.hpp"
 #include "pd/tip_law.hpp"
@@ -225,6 +226,11 @@ class Region {
   virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
   // Where faces overlap most, if they do.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
+  // How a crack has to end so that its tip is felt at a place inside the region, to which it comes in a direction; at
+  // most so far behind it. Bonds are the scene's.
+  virtual pd::FeltEnd end_felt_at(const Point& tip, const Point& /*direction*/, double /*backward*/) const {
+    return {tip, {}};
+  }
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}

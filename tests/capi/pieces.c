@@ -107,6 +107,41 @@ static void a_loose_piece_moves_as_its_edge_does(void) {
   bempd_model_free(model);
 }
 
+/** A block cut in two: its halves are held and press, or one of them has nothing but the other to lean on. */
+static void pressed_faces_join_nothing(void) {
+  const double cut[] = {6.5, 0.0, 6.5, 8.0}, push = -1e-3, none = 0.0;
+  double force[2];
+  int held;
+  for (held = 0; held < 2; ++held) {
+    bempd_model* model = pd_block();
+    bempd_step_report report = new_report();
+    int64_t pieces = 0;
+    int32_t left = 0, right = 0;
+    CHECK_OK(model, bempd_add_crack(model, 2, cut, NULL));
+    CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, &left));
+    if (held) {
+      CHECK_OK(model, bempd_prescribe_edge(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &push, &right));
+      CHECK_OK(model, bempd_prescribe_edge(model, 1, 2, 0.0, 1.0, BEMPD_Y, 1, NULL, &none, NULL));
+    } else {
+      CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_X, 1, NULL, &push, NULL));
+    }
+    CHECK_OK(model, bempd_step(model, 1.0, &report));
+    CHECK_OK(model, bempd_piece_count(model, &pieces));
+    CHECK_OK(model, bempd_reaction(model, left, force));
+    CHECK(pieces == 2);
+    CHECK(report.separated == 0);
+    if (held) {
+      CHECK(report.closed_places > 0 && report.fragments == 0 && force[0] > 0.0 && connected(model, left, right) == 0);
+      CHECK_OK(model, bempd_step(model, -1.0, &report));
+      CHECK_OK(model, bempd_reaction(model, left, force));
+      CHECK(report.closed_places == 0 && fabs(force[0]) < 1e-15);
+    } else {
+      CHECK(report.closed_places == 0 && report.fragments == 1 && force[0] == 0.0);
+    }
+    bempd_model_free(model);
+  }
+}
+
 static void last_bonds_do_not_decide_the_end(const char* accuracy) {
   const double pull = 1e-6;
   int32_t pulled = 0;
@@ -225,6 +260,7 @@ static void what_is_no_piece_is_refused(void) {
 int main(void) {
   a_torn_plate_is_in_pieces();
   a_loose_piece_moves_as_its_edge_does();
+  pressed_faces_join_nothing();
   last_bonds_do_not_decide_the_end("standard");
   last_bonds_do_not_decide_the_end("fine");
   constant_values_separate_too();

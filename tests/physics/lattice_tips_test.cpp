@@ -24,17 +24,26 @@ struct Plate {
   double spacing = 0;
   int horizon_ratio = 0;
   int32_t plane = BEMPD_PLANE_STRESS;
+  const char* crack_tip = "ahead";
+  std::array<double, 3> stress{0, 1, 0};  // xx, yy, xy
 
   std::vector<bempd_crack_tip> tips_of(const Outline& crack) const {
     Model model;
+    model.set_text("pd.crack_tip", crack_tip);
     const int32_t id = model.add(material(1, bond_poisson(plane), plane));
     const Outline box = rectangle(-2, -3, 2, 3);
     const int32_t body = spacing > 0 ? model.pd(id, box, spacing, horizon_ratio) : model.bem(id, box, 0.25);
     model.crack(crack);
     model.fix_point({-2, -3}, BEMPD_BOTH);
     model.fix_point({2, -3}, BEMPD_Y);
-    model.traction(body, 3, 0, 1, BEMPD_Y, 0, 1);
-    model.traction(body, 1, 0, 1, BEMPD_Y, 0, -1);
+    for (const auto& [edge, sign] : {std::pair(3, 1.0), std::pair(1, -1.0)}) {
+      model.traction(body, edge, 0, 1, BEMPD_Y, 0, sign * stress[1]);
+      if (stress[2] != 0) model.traction(body, edge, 0, 1, BEMPD_X, 0, sign * stress[2]);
+    }
+    for (const auto& [edge, sign] : {std::pair(2, 1.0), std::pair(4, -1.0)}) {
+      if (stress[0] != 0) model.traction(body, edge, 0, 1, BEMPD_X, 0, sign * stress[0]);
+      if (stress[2] != 0) model.traction(body, edge, 0, 1, BEMPD_Y, 0, sign * stress[2]);
+    }
     model.step(1);
     return tips(model);
   }
@@ -70,6 +79,37 @@ void compare(const Plate& lattice, double degrees, double half_length, Vector ce
 
 TEST(LatticeTips, of_a_centre_crack_have_its_factors) {
   for (const int m : {3, 4, 5}) compare({0.05, m}, 0, 0.475, {0, 0.025}, 4e-3, 0.06);
+}
+
+// With pd.crack_tip = stated, wherever they are within a spacing and for any direction of the crack.
+TEST(LatticeTips, are_felt_where_they_are_stated) {
+  struct Case {
+    int horizon_ratio;
+    double degrees;
+    Vector shift;
+  };
+  double largest = 0;
+  for (const Case& c : {Case{3, 0, {0.03, 0.5}},
+                        {3, 0, {0.42, 0.5}},
+                        {3, 0, {0.8, 0.5}},
+                        {4, 0, {0.2, 0.5}},
+                        {4, 0, {0.6, 0.5}},
+                        {4, 30, {0.11, 0.42}},
+                        {5, 20, {0.7, 0.13}}}) {
+    constexpr double dx = 0.05;
+    Plate lattice{dx, c.horizon_ratio};
+    lattice.crack_tip = "stated";
+    const double angle = c.degrees * 3.14159265358979323846 / 180;
+    Vector normal{-std::sin(angle), std::cos(angle)};
+    lattice.stress = {normal[0] * normal[0], normal[1] * normal[1], normal[0] * normal[1]};
+    const auto found = lattice.tips_of(inclined(c.degrees, -15 * dx, 15 * dx, {c.shift[0] * dx, c.shift[1] * dx}));
+    ASSERT_EQ(found.size(), 2u);
+    for (const bempd_crack_tip& tip : found) {
+      std::printf("m %d, %.0f degrees: felt %+.3f spacings ahead\n", c.horizon_ratio, c.degrees, tip.felt_ahead / dx);
+      largest = std::max(largest, std::abs(tip.felt_ahead) / dx);
+    }
+  }
+  EXPECT_LT(report("felt ahead, spacings", largest, 0, "the stated place"), 0.1);
 }
 
 TEST(LatticeTips, of_an_inclined_crack_have_both_modes) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "bem/boundary_elements.hpp"
 #include "bem/lanes.hpp"
@@ -117,6 +118,42 @@ TEST(PairIntegrator, logarithm_agrees_with_closed_form_for_equal_touching_near_a
     const PairIntegrator apart(collinear(start), 1e-14);
     const double value = total(apart.integrate(0, 1, Contact::none, PairPart::everything).mass[0]);
     EXPECT_NEAR(value / log_double_integral(start), 1, 2e-14) << gap;
+  }
+}
+
+// Neighbours on a circle of four to thirty-two arcs, and each with itself: what a loose tolerance says holds.
+TEST(PairIntegrator, curved_elements_that_touch_keep_loose_tolerances_too) {
+  for (const int arcs : {4, 8, 32}) {
+    const double step = 2 * std::numbers::pi / arcs;
+    const auto on_circle = [](double angle) { return Point(std::cos(angle), std::sin(angle)); };
+    std::vector<ElementGeometry> elements;
+    for (int k = 0; k < 2; ++k)
+      elements.push_back(
+          element_through(on_circle(k * step), on_circle((k + 0.5) * step), on_circle((k + 1) * step), step));
+    for (const auto& [inner, contact] : {std::pair(0, Contact::same), {1, Contact::end_to_start}}) {
+      const PairMoments tight = PairIntegrator(elements, 1e-14).integrate(0, inner, contact, PairPart::everything);
+      for (const double tolerance : {1e-6, 1e-3}) {
+        const PairMoments loose =
+            PairIntegrator(elements, tolerance).integrate(0, inner, contact, PairPart::everything);
+        const auto difference = [](const auto& one, const auto& other) {
+          double largest = 0, off = 0;
+          for (std::size_t c = 0; c < one.size(); ++c)
+            for (std::size_t b = 0; b < one[c].size(); ++b)
+              for (std::size_t a = 0; a < 3; ++a) {
+                largest = std::max(largest, std::abs(one[c][b][a]));
+                off = std::max(off, std::abs(one[c][b][a] - other[c][b][a]));
+              }
+          return off / largest;
+        };
+        const double mass = difference(tight.mass, loose.mass), slopes = difference(tight.derivative, loose.derivative);
+        const double layer = difference(tight.double_layer, loose.double_layer);
+        std::printf("%2d arcs, contact %d, tolerance %g: off by %.1e, %.1e, %.1e with %.2f of the points\n", arcs,
+                    static_cast<int>(contact), tolerance, mass, slopes, layer,
+                    static_cast<double>(loose.evaluations) / tight.evaluations);
+        EXPECT_LE(std::max({mass, slopes, layer}), tolerance);
+        EXPECT_LT(loose.evaluations, 0.5 * tight.evaluations);
+      }
+    }
   }
 }
 

@@ -1333,7 +1333,9 @@ since: 0.1""",
     "bempd_step_report.total_events": """events since the beginning""",
     "bempd_step_report.total_broken_bonds": """\
 bonds broken since the beginning, without those cut by initial cracks""",
-    "bempd_step_report.fragments": """pieces come free of all supports, or loaded ones that swing on a hinge""",
+    "bempd_step_report.fragments": """\
+pieces come free of all supports, as which faces that press do not count, or loaded ones that swing
+on a hinge""",
     "bempd_step_report.load_factor": """load factor reached [-]""",
     "bempd_step_report.stored_energy": """elastic energy at the end [J]""",
     "bempd_step_report.released_energy": """\
@@ -1720,7 +1722,11 @@ return: status; another edge is an argument error
 since: 0.3""",
     "bempd_piece_count": """\
 Number of pieces that the body consists of: material points and boundary elements that intact bonds,
-interfaces and BEM regions join. A point without any bond is a piece too. Prepares the model.
+interfaces and BEM regions join. A point without any bond is a piece too. Faces that press on each
+other (option pd.contact) join nothing, as they part under the first pull: two held pieces that
+press feel each other's force and bear, so that the body is not separated, but bempd_are_connected()
+tells 0. A piece that nothing but pressed faces would hold counts as come free of all supports
+(fragments in reports): it stays where it is, and its loads are dropped. Prepares the model.
 
 model [in]: the model
 count [out]: their number

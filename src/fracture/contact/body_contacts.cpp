@@ -26,6 +26,12 @@ void keep_least(std::vector<int>& first, std::vector<int>& second) {
   }
 }
 
+void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held) {
+  const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
+  for (std::size_t node = 0; node < held.nodes.size(); ++node)
+    if (motion.segment<2>(2 * static_cast<Eigen::Index>(node)).norm() > limit) held.nodes[node] = 1;
+}
+
 }  // namespace
 
 // What springs hold where it is would be pushed away.
@@ -35,11 +41,9 @@ void LoadedBody::bar_contacts_of_held_parts() {
   if (system_.contacts().barred_count() == count && springs_that_bar_ == springs) return;
   springs_that_bar_ = springs;
   FreedPartFinder::Held held = freed_parts_.held_parts();
-  for (const coupling::HoldingSpring& spring : held.others) {
-    const Eigen::VectorXd motion = system_.response_to(spring);
-    const double limit = taken_along * motion.lpNorm<Eigen::Infinity>();
-    for (int node = 0; node < system_.node_count(); ++node)
-      if (motion.segment<2>(2 * node).norm() > limit) held.nodes[node] = 1;
+  if (!held.others.empty()) {
+    // Without the faces that press now, so that what may press does not depend on them.
+    for (const Eigen::VectorXd& motion : system_.motions_held_by(held.others)) hold_what_moves(motion, held);
   }
   std::vector<char> barred;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,6 +1,7 @@
 #include "fracture/line/line_events.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -35,6 +36,37 @@ double correction(const GrowingTip& tip) {
 
 // Positive where c lies to the left of the way from a to b.
 double side(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
+
+// A tip that has run into a face keeps its law as the number before -1 that stands for it.
+bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
+int ended(int law) { return -1 - law; }
+
+// Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
+constexpr int stations = 10;
+constexpr double beside = 1, least_cosine = 0.8;
+constexpr int enough_bonds = 2;
+
+// How far from a tip its way meets the face of a crack: there all bonds along the way are gone.
+std::optional<double> face_ahead(const LoadedBody& body, const coupling::EquilibriumSystem& system, const Point& tip,
+                                 const Point& way, const pd::TipLaw& law) {
+  const coupling::Terms& terms = system.terms();
+  std::array<int, stations> present{}, left{};
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    const Point from = body.positions()[static_cast<std::size_t>(terms.first[t])] - tip;
+    if (terms.is_wide(t) || from.norm() > law.horizon + law.spacing) continue;
+    const Point bond = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
+    if (std::abs(bond.dot(way)) < least_cosine * terms.length[t]) continue;
+    for (int k = 0; k < stations; ++k) {
+      const double at = (k + 1) * law.spacing / stations, part = (at - from.dot(way)) / bond.dot(way);
+      if (part <= 0 || part >= 1 || std::abs(cross(way, from + part * bond)) > beside * law.spacing) continue;
+      ++present[static_cast<std::size_t>(k)];
+      left[static_cast<std::size_t>(k)] += system.intact()[t] != 0 ? 1 : 0;
+    }
+  }
+  for (std::size_t k = 0; k < stations; ++k)
+    if (present[k] >= enough_bonds && left[k] == 0) return static_cast<double>(k + 1) * law.spacing / stations;
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -82,7 +114,13 @@ std::optional<LineEvents::Step> LineEvents::step_of(std::size_t number) const {
     load_factor = (1 - step.constant) / step.growing;
   }
   step.load_factor = load_factor;
-  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) {
+  const std::optional<double> face = face_ahead(body_, body_.system(), tip.place, step.direction, law);
+  if (face) {
+    // As far as the row of points behind the face may lie.
+    step.length = *face + law.spacing / 2;
+    step.bonds = across(tip.place, tip.place + step.length * step.direction, law.horizon);
+  }
+  for (int k = 1; !face && k <= most_empty_steps && step.bonds.empty(); ++k) {
     step.length = k * law.spacing;
     step.bonds = across(tip.place, tip.place + step.length * step.direction, law.horizon);
   }
@@ -154,6 +192,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   const bool path = options.control == Control::path;
   std::vector<char> growing(state.tips.size(), 0);
   for (std::size_t k = 0; k < state.tips.size(); ++k) {
+    if (has_ended(state.tips[k])) continue;
     std::optional<Step> step = step_of(k);
     growing[k] = step.has_value();
     if (step && (!step_ || step->load_factor < step_->load_factor)) step_ = std::move(step);
@@ -161,9 +200,10 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   const double infinity = std::numeric_limits<double>::infinity();
   double at = infinity;
   if (step_) at = path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
-  const std::vector<char> intact = intact_away_from_tips(growing);
-  const std::optional<double> bonds = path ? body_.ratios().admissible(intact).next(true)
-                                           : body_.ratios().next_break(intact, state.load_factor, infinity);
+  const std::vector<char> intact = laws_.of_node.empty() ? std::vector<char>() : intact_away_from_tips(growing);
+  const std::optional<double> bonds = laws_.of_node.empty() ? std::nullopt
+                                      : path                ? body_.ratios().admissible(intact).next(true)
+                                             : body_.ratios().next_break(intact, state.load_factor, infinity);
   if (bonds && *bonds < at) {
     step_.reset();
     const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 1);
@@ -180,6 +220,11 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
 }
 
 Outcome LineEvents::perform() {
+  bool arrives = false;
+  if (step_) {
+    const GrowingTip& tip = body_.state().tips[step_->tip];
+    arrives = face_ahead(body_, body_.system(), tip.place, step_->direction, law_of(tip)).has_value();
+  }
   const Outcome outcome = whole_body_.perform(event_);
   std::vector<GrowingTip>& tips = body_.state().tips;
   if (birth_) {
@@ -198,6 +243,7 @@ Outcome LineEvents::perform() {
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
   tip.place += step_->length * step_->direction;
   tip.direction = step_->direction;
+  if (arrives) tip.law = ended(tip.law);
   return outcome;
 }
 

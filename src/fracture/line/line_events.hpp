@@ -10,9 +10,9 @@ namespace bempd::fracture {
 
 // Cracks that grow as lines: the tip that reaches its toughness first goes on by a spacing towards the largest hoop
 // stress, and all bonds across this step break at one event, whatever the lattice. The load factor is corrected by what
-// the last steps released, so that a length of crack takes the fracture energy. Away from tips a crack begins where a bond
-// reaches its critical stretch: a line of a spacing through its middle, across the largest principal stress, with a tip
-// at either end.
+// the last steps released, so that a length of crack takes the fracture energy. Away from tips a crack begins where a
+// bond reaches its critical stretch: a line of a spacing through its middle, across the largest principal stress, with
+// a tip at either end.
 class LineEvents final : public EventSource {
  public:
   LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);

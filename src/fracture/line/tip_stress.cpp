@@ -13,8 +13,8 @@ namespace {
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
-// Where the first terms of Williams' series are fitted, and how many: with three terms, or farther out, the load at which
-// an inclined crack first grows comes out too small (docs/directions.md).
+// Where the first terms of Williams' series are fitted, and how many: with three terms, or farther out, the load at
+// which an inclined crack first grows comes out too small (docs/directions.md).
 constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
 constexpr int fitted_terms = 5, amplitudes_fitted = 2 * fitted_terms;
 
@@ -38,8 +38,8 @@ Eigen::Matrix<double, 3, amplitudes_fitted> williams_stress(double r, double t) 
   return stress;
 }
 
-// Of the area that a point inside has: the bonds of one on the outline pull it inwards under constant stress, as those of
-// a point inside do not.
+// Of the area that a point inside has: the bonds of one on the outline pull it inwards under constant stress, as those
+// of a point inside do not.
 std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nodes) {
   std::vector<Point> pull(nodes, Point(0, 0));
   std::vector<double> sum(nodes, 0);
@@ -71,11 +71,13 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
                                            add(terms.second[t], static_cast<int>(t));
                                          }
                                        })),
-      wide_at_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
-        const coupling::Terms& terms = system.terms();
-        for (const int t : terms.wide.term)
-          terms.for_each_node(static_cast<std::size_t>(t), [&](int node) { add(node, t); });
-      })),
+      wide_at_(linalg::make_adjacency(positions.size(),
+                                      [&](const auto& add) {
+                                        const coupling::Terms& terms = system.terms();
+                                        for (const int t : terms.wide.term)
+                                          terms.for_each_node(static_cast<std::size_t>(t),
+                                                              [&](int node) { add(node, t); });
+                                      })),
       share_(shares_of_area(system.terms(), positions.size())) {}
 
 Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
@@ -124,9 +126,9 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
   const coupling::Terms& terms = system_.terms();
   const auto b = static_cast<std::size_t>(bond);
   const Point axis(1, 0);
-  const Eigen::Vector3d s = (stress(terms.first[b], axis, law, displacement) +
-                             stress(terms.second[b], axis, law, displacement)) *
-                            Eigen::Vector2d(1, load_factor);
+  const Eigen::Vector3d s =
+      (stress(terms.first[b], axis, law, displacement) + stress(terms.second[b], axis, law, displacement)) *
+      Eigen::Vector2d(1, load_factor);
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
   return {-std::sin(angle), std::cos(angle)};
 }

@@ -1,9 +1,9 @@
 #include "fracture/window/face_watch.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "fracture/window/lookahead.hpp"
+#include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
@@ -58,19 +58,31 @@ int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, c
       last = std::min(last, std::max(place.since - 1, 0));
     }
   }
+  std::array<Eigen::MatrixXd, 2> gaps;  // outside, of some states from `first` on
+  int first = 0;
   for (int state = 0; state <= last; ++state) {
     const coupling::Affine& u = kept[state];
     const std::array<double, 2> largest{u.col(0).lpNorm<Eigen::Infinity>(), u.col(1).lpNorm<Eigen::Infinity>()};
-    const auto part = [&](int column) {
-      return [&, column](int dof) { return row[dof] >= 0 ? u(row[dof], column) : prescribed(dof, column); };
-    };
-    const std::function<double(int)> constant = part(0), proportional = part(1);
-    for (const WatchedPlace* place : inside)
-      if (!holds(*place, state, constant, proportional, largest)) return std::max(state - 1, 0);
+    const auto value = [&](int dof, int part) { return row[dof] >= 0 ? u(row[dof], part) : prescribed(dof, part); };
+    for (const WatchedPlace* place : inside) {
+      Eigen::RowVector2d gap = Eigen::RowVector2d::Zero();
+      for (const coupling::TermEntry& e : place->contact.pull) {
+        for (const int part : {0, 1}) gap[part] += e.x * value(2 * e.node, part) + e.y * value(2 * e.node + 1, part);
+      }
+      if (!holds(*place, state, gap[0], gap[1], largest)) return std::max(state - 1, 0);
+    }
+    if (state - first >= gaps[0].cols()) {
+      first = state;
+      const int count = std::min(last + 1 - first, WindowSettings::states_swept_at_once);
+      for (const int part : {0, 1}) gaps[part] = outside.at({kept.begin() + first, kept.begin() + first + count}, part);
+    }
+    for (std::size_t k = 0; k < outside.places().size(); ++k) {
+      const auto of = static_cast<Eigen::Index>(k), at = static_cast<Eigen::Index>(state - first);
+      if (!holds(places_[outside.places()[k]], state, gaps[0](of, at), gaps[1](of, at), largest))
+        return std::max(state - 1, 0);
+    }
     for (const OutsideGaps::Gap& gap : outside.faces())
       if (overlaps(state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
-    for (const OutsideGaps::Gap& gap : outside.gaps())
-      if (!holds(places_[gap.place], state, gap.at(u, 0), gap.at(u, 1), largest)) return std::max(state - 1, 0);
   }
   return last;
 }

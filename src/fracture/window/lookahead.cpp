@@ -8,6 +8,7 @@
 #include "cancellation.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/loaded_body.hpp"
+#include "fracture/window/face_watch.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
 
@@ -33,7 +34,7 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   options_ = options;
   if (!has_window_form(system_) || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
   try {
-    build_window(state, load_factor);
+    build_window(state);
   } catch (...) {
     close();
     throw;
@@ -41,7 +42,7 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   return true;
 }
 
-void Lookahead::build_window(const BodyState& state, double load_factor) {
+void Lookahead::build_window(const BodyState& state) {
   const Phase phase("window around what breaks", 3);
   has_ended_ = needs_whole_body_ = faces_move_ = system_has_changed_ = false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
@@ -53,7 +54,7 @@ void Lookahead::build_window(const BodyState& state, double load_factor) {
   phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
   certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
-  outside_gaps_ = OutsideGaps(system_, *condensation_, state.displacement, load_factor);
+  outside_gaps_ = OutsideGaps(system_, *condensation_);
   whole_ = state.displacement;
   any_displacement_ = state.total_displacement;
   position_ = 0;
@@ -249,9 +250,9 @@ void Lookahead::certify(double from) {
   for (const ForeseenEvent& foreseen : events_) {
     breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
-  const int kept = certificate_->first_violation(states_, breaks, checks_, whole_, watch);
+  const int kept = certificate_->first_violation(states_, breaks, checks_, whole_);
+  faces_move_ = faces_move_ && kept >= unchanged;
   keep_first(kept);
-  faces_move_ = faces_move_ || certificate_->ended_at_faces();
   if (!events_.empty()) check_whole_body();
 }
 

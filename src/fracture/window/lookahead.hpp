@@ -10,6 +10,7 @@
 #include "fracture/freed_parts.hpp"
 #include "fracture/window/active_window.hpp"
 #include "fracture/window/narrowing.hpp"
+#include "fracture/window/outside_gaps.hpp"
 #include "fracture/window/window_certificate.hpp"
 #include "fracture/window/window_functions.hpp"
 #include "fracture/window/window_place.hpp"
@@ -78,7 +79,7 @@ class Lookahead {
   double residual() const { return residual_; }
 
  private:
-  void build_window(const BodyState& state, double load_factor);
+  void build_window(const BodyState& state);
   bool foresee(double from, const BodyState& start);
   std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;

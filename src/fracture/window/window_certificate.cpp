@@ -85,7 +85,6 @@ void WindowCertificate::take_together(const std::vector<int>& states) {
   std::vector<int> solved = states;
   std::erase(solved, 0);
   Eigen::MatrixXd whole = solve(solved);
-  look_at_faces(solved, whole);
   // Values at the load factors of interest: the ends of their range, then the state's own checks.
   std::vector<std::pair<int, double>> wanted;
   for (int state : states) {
@@ -230,12 +229,9 @@ Affine WindowCertificate::last_displacement(int state) const {
 }
 
 int WindowCertificate::first_violation(const std::vector<Affine>& states, const std::vector<int>& breaks,
-                                       const std::vector<OutsideCheck>& checks, const Affine& first,
-                                       const FaceWatch& faces) {
+                                       const std::vector<OutsideCheck>& checks, const Affine& first) {
   states_ = &states;
   whole_first_ = &first;
-  faces_ = &faces;
-  ended_at_faces_ = false;
   snapshots_.clear();
   solved_state_ = -1;
   checks_.assign(states.size(), {});
@@ -260,7 +256,6 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
     for (auto s = snapshots_.begin(); s != snapshots_.end() && s->first < end; ++s) {
       if (is_exceeded(s->first)) end = s->first;
     }
-    const int between = next_between_faces(end);
     snapshots_.erase(snapshots_.upper_bound(end), snapshots_.end());
     const std::vector<int> doubtful = uncertified();
     // Further snapshots take nothing away from what is proven.
@@ -270,8 +265,6 @@ int WindowCertificate::first_violation(const std::vector<Affine>& states, const 
       }
     }
     wanted = between_snapshots(doubtful, round);
-    if (between >= 0 && !std::binary_search(wanted.begin(), wanted.end(), between))
-      wanted.insert(std::upper_bound(wanted.begin(), wanted.end(), between), between);
   }
   return end;
 }

@@ -7,7 +7,6 @@
 
 #include "coupling/condensation.hpp"
 #include "fracture/window/active_window.hpp"
-#include "fracture/window/face_watch.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -26,13 +25,9 @@ class WindowCertificate {
                     const ActiveWindow& window, const StretchRatios& ratios, bool proportional);
 
   // `states` are the kept displacements after 0, 1, ... events, `breaks` the bonds broken until each; `first` is the
-  // state 0 of the whole body. Returns the first state with a check that fails, or the last one before places of
-  // `faces` open or close in one of the states computed for the whole body; or the number of states.
+  // state 0 of the whole body. Returns the first state with a check that fails, or the number of states.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<int>& breaks,
-                      const std::vector<OutsideCheck>& checks, const coupling::Affine& first,
-                      const FaceWatch& faces = FaceWatch());
-
-  bool ended_at_faces() const { return ended_at_faces_; }  // in the last question
+                      const std::vector<OutsideCheck>& checks, const coupling::Affine& first);
 
   // Displacements of the whole body in one of the states of the last question.
   coupling::Affine last_displacement(int state) const;
@@ -45,7 +40,6 @@ class WindowCertificate {
   struct Snapshot {
     Classes bound;                // of the stretch ratios at all load factors checked
     std::vector<double> largest;  // per own check
-    bool faces_hold = true;
   };
 
   void collect_bonds(const coupling::EquilibriumSystem& system, const StretchRatios& ratios);
@@ -57,8 +51,6 @@ class WindowCertificate {
   Eigen::MatrixXd values(const std::vector<std::pair<int, double>>& wanted, const std::vector<int>& solved,
                          const Eigen::MatrixXd& whole) const;
   bool is_exceeded(int state) const;
-  void look_at_faces(const std::vector<int>& solved, const Eigen::MatrixXd& whole);
-  int next_between_faces(int& end);
   std::vector<int> uncertified() const;
   std::vector<int> between_snapshots(const std::vector<int>& uncertified, int round) const;
   Eigen::VectorXd on_boundary(int state, double load_factor) const;
@@ -75,8 +67,6 @@ class WindowCertificate {
   // Of the present question.
   const std::vector<coupling::Affine>* states_ = nullptr;
   const coupling::Affine* whole_first_ = nullptr;
-  const FaceWatch* faces_ = nullptr;
-  bool ended_at_faces_ = false;
   std::vector<std::vector<OutsideCheck>> checks_;  // per state
   double lowest_ = 0, highest_ = 0;                // load factors checked
   std::map<int, Snapshot> snapshots_;

@@ -76,9 +76,6 @@ struct WindowSettings {
   static constexpr std::size_t states_solved_at_once = 64;
   static constexpr int states_swept_at_once = 16;
 
-  // Places of faces outside of a window whose gaps are smaller than this share of the largest one are followed in it.
-  static constexpr double gap_at_risk = 0.05;
-
   // What rounding may do to what the certificate compares, and to energies, relative to the stiffness around a window.
   static constexpr double certificate_margin = 1e-9;
   static constexpr double energy_rounding = 1e-13;

@@ -94,6 +94,20 @@ void BondedRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen:
   }
 }
 
+std::vector<Point> BondedRegion::bond_ends() const {
+  std::vector<Point> ends = points_;
+  ends.insert(ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
+  return ends;
+}
+
+pd::FeltEnd BondedRegion::end_felt_at(const Point& tip, const Point& direction, double backward) const {
+  pd::FeltEnd found =
+      pd::end_felt_at(bond_ends(), network()->bonds, to_grid(tip), direction, horizon_ratio(), backward / spacing());
+  found.end = from_grid(found.end);
+  for (int& bond : found.weakened) bond = static_cast<int>(scene_bond(static_cast<std::size_t>(bond)));
+  return found;
+}
+
 void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                        std::vector<std::string>& warnings) const {
   std::vector<Point> polyline;
@@ -110,9 +124,7 @@ void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& 
     warnings.push_back(finding + "; they stay bonded to both of its faces and bridge it");
   }
   const pd::Touching touching = cracks_may_meet_points() ? pd::Touching::of_ends_keeps : pd::Touching::cuts;
-  std::vector<Point> ends = points_;
-  ends.insert(ends.end(), bonds_.far_points.begin(), bonds_.far_points.end());
-  for (int bond : pd::bonds_cut_by(ends, network()->bonds, polyline, touching))
+  for (int bond : pd::bonds_cut_by(bond_ends(), network()->bonds, polyline, touching))
     bonds.push_back(static_cast<int>(scene_bond(bond)));
 }
 

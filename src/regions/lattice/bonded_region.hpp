@@ -19,7 +19,8 @@ struct RegionBonds {
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
   // Per point of a grid: the first of the squares of the cell whose lower left corner it is, a term of the scene; -1
-  // without a cell. With points on the outline: the first of each patch of cells. Empty where bonds alone make the material.
+  // without a cell. With points on the outline: the first of each patch of cells. Empty where bonds alone make the
+  // material.
   std::vector<int> squares;
 };
 
@@ -37,6 +38,7 @@ class BondedRegion : public Region {
 
   bool takes_cracks() const override { return true; }
   std::optional<pd::TipLaw> tip_law(const scene::Options& options) const override;
+  pd::FeltEnd end_felt_at(const Point& tip, const Point& direction, double backward) const override;
   void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
            std::vector<std::string>& warnings) const override;
   std::optional<std::span<const pd::Bond>> bonds() const override {
@@ -105,6 +107,8 @@ class BondedRegion : public Region {
     return bonds_.of_scene.empty() ? bonds_.first + bond : static_cast<std::size_t>(bonds_.of_scene[bond]);
   }
   pd::BondStates bond_states(const Solution& solution) const;
+  // Of its own points, then of the far ones, in grid coordinates.
+  std::vector<Point> bond_ends() const;
   FieldValues stress(const Solution& solution) const;
   FieldValues bond_stretch(const Solution& solution) const;
 

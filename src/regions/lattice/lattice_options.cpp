@@ -32,6 +32,13 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "with horizons of 3 to 5 spacings, and starts earlier by as much; or as printed by Yang and Liu 2021, Eq. 15 "
           "(plane stress only).",
           "exact | running | printed", "exact")),
+      scene::shaping(scene::text_option("pd.crack_tip",
+                                        "Where tips of initial cracks in peridynamic regions are felt by a load that "
+                                        "opens them: ahead, all bonds that meet the crack are cut, so that it acts as "
+                                        "if its tip were up to 0.6 spacings ahead, by its place between points; "
+                                        "stated, fewer are, and the last ones are weaker, so that it acts as if its "
+                                        "tip were where it is, within 0.15 spacings.",
+                                        "ahead | stated", "ahead")),
       scene::shaping(
           scene::text_option("pd.criterion",
                              "What counts of a bond's stretch in peridynamic regions: stretch, all of it; opening, all "
@@ -40,10 +47,11 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
                              "stretch | opening", "stretch")),
       scene::shaping(scene::text_option(
           "pd.crack_rule",
-          "How initial cracks in peridynamic regions of scheme symmetric grow: bond, their bonds break one by one by "
-          "their own stretch and the way prefers rows of the lattice; line, by a spacing at a time towards the largest "
-          "hoop stress, all bonds across it at once. Away from tips bonds break one by one in both.",
-          "bond | line", "bond")),
+          "How cracks in peridynamic regions of scheme symmetric grow: bond, bonds break one by one by their own "
+          "stretch and the way prefers rows of the lattice; line, by a spacing at a time towards the largest hoop "
+          "stress, all bonds across it at once, from initial cracks and from places where a bond reaches its critical "
+          "stretch; tips, the same from initial cracks only, and nothing else breaks.",
+          "bond | line | tips", "bond")),
       scene::shaping(scene::text_option(
           "pd.contact",
           "What faces of cracks in peridynamic regions of scheme symmetric do where they meet: faces, they press on "

@@ -68,6 +68,75 @@ def test_a_line_follows_the_path_of_boundary_elements(incline: float) -> None:
     assert max(map(abs, off)) < 1.5  # spacings
 
 
+@pytest.mark.parametrize("incline", [15, 60])
+def test_an_inclined_crack_first_grows_at_the_load_of_boundary_elements(incline: float) -> None:
+    elements, _ = plate(incline, "bem")
+    elements.step(1.0)
+    elements.grow_cracks(1.0)
+    model, _ = plate(incline, "line")
+    assert model.step_to_next_event(1e6).load_factor == pytest.approx(elements.load_factor, rel=0.05)
+
+
+def test_a_line_ends_at_the_face_of_another_crack() -> None:
+    model = bempd.Model(options={"pd.crack_rule": "tips", "stepping.control": "path"})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
+    body = model.add_pd_region(material, bempd.rectangle(0, -12, 32, 12), 1.0, 3)
+    model.add_crack([(0, 0.5), (12.5, 0.5)])
+    model.add_crack([(20.47, -7.5), (20.47, 7.5)])
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+    model.fix_point((0, -12), "x")
+    before = len(middles(model, body))
+    reached = []
+    for _ in range(12):
+        model.step_to_next_event(1e6)
+        reached.append(middles(model, body))
+    beside = reached[-1][abs(reached[-1][:, 1] - 0.5) < 2]
+    assert len(reached[-1]) > before and beside[beside[:, 0] < 20.4][:, 0].max() > 19  # it has come there
+    assert not ((beside[:, 0] > 22.5)).any()  # bonds of the crack that it meets end before
+
+
+def holed_strip() -> tuple[bempd.Model, int]:
+    model = bempd.Model(options={"pd.crack_rule": "line", "pd.lattice_angle": 0.3})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    body = model.add_pd_region(material, bempd.rectangle(0, 0, 32, 24), 1, 3)
+    model.add_circular_hole(body, (16, 12), 5)
+    model.prescribe_edge(body, 4, "x", -1)
+    model.prescribe_edge(body, 2, "x", 1)
+    model.fix_point((0, 0), "y")
+    return model, body
+
+
+def test_cracks_begin_at_a_hole_and_run_straight_to_the_edges() -> None:
+    model, body = holed_strip()
+    model.step_to_next_event(1e6)
+    first = middles(model, body).mean(axis=0)
+    assert abs(first[0] - 16) < 1.5 and 4 < abs(first[1] - 12) < 7
+    model.run_to_separation(1e6)
+    assert model.piece_count > 1
+    found = middles(model, body)
+    for part in (found[found[:, 1] > 18], found[found[:, 1] < 6]):
+        assert len(part) > 20 and abs(part[:, 0] - 16).max() < 4  # bonds reach over three spacings
+
+
+def test_a_state_remembers_cracks_that_have_begun() -> None:
+    model, _ = holed_strip()
+    for _ in range(4):
+        model.step_to_next_event(1e6)
+    state = model.save()
+    first = [model.step_to_next_event(1e6).total_broken_bonds for _ in range(5)]
+    other, _ = holed_strip()
+    other.restore(bempd.State.from_bytes(state.to_bytes()))
+    assert [other.step_to_next_event(1e6).total_broken_bonds for _ in range(5)] == first
+
+
+def test_with_tips_nothing_else_breaks() -> None:
+    model, body = holed_strip()
+    model.options["pd.crack_rule"] = "tips"
+    assert model.step_to_next_event(1e6).stop_reason == bempd.StopReason.NO_FURTHER_EVENT
+    assert model.step(1.0).total_broken_bonds == 0
+
+
 def test_growth_costs_the_fracture_energy() -> None:
     model, _ = plate(0, "line")
     for _ in range(18):
@@ -93,5 +162,5 @@ def test_lines_need_a_scheme_and_a_mode_that_have_them() -> None:
         model, _ = plate(0, "line")
         model.options["stepping.control"] = "load"
         model.options[name] = "paper"
-        with pytest.raises(bempd.ArgumentError, match="pd.crack_rule is line"):
+        with pytest.raises(bempd.ArgumentError, match="pd.crack_rule is line or tips"):
             model.step(1.0)

@@ -1419,7 +1419,8 @@ pub struct bempd_step_report {
     pub total_events: i64,
     /// bonds broken since the beginning, without those cut by initial cracks
     pub total_broken_bonds: i64,
-    /// pieces come free of all supports, or loaded ones that swing on a hinge
+    /// pieces come free of all supports, as which faces that press do not count, or loaded ones
+    /// that swing on a hinge
     pub fragments: i64,
     /// load factor reached \[-\]
     pub load_factor: f64,
@@ -2005,7 +2006,11 @@ extern "C" {
 extern "C" {
     /// Number of pieces that the body consists of: material points and boundary elements that
     /// intact bonds, interfaces and BEM regions join. A point without any bond is a piece too.
-    /// Prepares the model.
+    /// Faces that press on each other (option pd.contact) join nothing, as they part under the
+    /// first pull: two held pieces that press feel each other's force and bear, so that the body is
+    /// not separated, but bempd_are_connected() tells 0. A piece that nothing but pressed faces
+    /// would hold counts as come free of all supports (fragments in reports): it stays where it is,
+    /// and its loads are dropped. Prepares the model.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: their number
