@@ -499,9 +499,9 @@ BEMPD_API bempd_status bempd_add_rotation(bempd_model* model, int32_t region, do
  * lengthen by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
  *
  * Bonds break by what they are stretched beyond that. Temperatures of a region add up. With one there are no windows
- * (stepping.solver): every event is found in the whole body. That of a PD region takes new values by
- * bempd_set_load_values(), bempd_step_to_values() goes to them on a straight line, and it may have a column in a load
- * program; that of a BEM region is a part of the prepared model, which changes with the load factor only.
+ * (stepping.solver): every event is found in the whole body. Temperatures take new values by
+ * bempd_set_load_values(), bempd_step_to_values() goes to them on a straight line, and they may have columns in a load
+ * program.
  * @param[in] model the model @param[in] region id of a region @param[in] constant constant part [K]
  * @param[in] proportional part multiplied by the load factor [K] @param[out] load its id; may be NULL
  * @return status @since 0.3 */
@@ -857,9 +857,8 @@ typedef enum bempd_program_column {
  * @param[in] factors shape [row_count][column_count], or [row_count] without columns [-]
  * @param[in] until a bempd_until; values are those of the last row
  * @param[in,out] report struct_size in, the rest out, of all rows together; stop_reason is BEMPD_STOP_LOAD_FACTOR where
- * the last row was reached; may be NULL @return status; a column for a temperature of a BEM
- * region, which takes the time, and the option stepping.control = "path", which does not go on in time, are argument
- * errors @since 0.3 */
+ * the last row was reached; may be NULL @return status; the option
+ * stepping.control = "path", which does not go on in time, is an argument error @since 0.3 */
 BEMPD_API bempd_status bempd_run_program(bempd_model* model, int64_t row_count, const double* times,
                                          int64_t column_count, const int32_t* kinds, const int32_t* ids,
                                          const double* factors, int32_t until, bempd_step_report* report);

@@ -27,7 +27,9 @@ class CondensedOperator {
   }
   // Whether it is on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
-  bool has_factorized() const { return has_factorized_; }  // itself, not one before
+  const Affine& rest() const { return rest_; }
+  void exchange_rest(Affine& other) noexcept { rest_.swap(other); }  // condense_load() has to follow
+  bool has_factorized() const { return has_factorized_; }            // itself, not one before
   double reciprocal_condition() const { return elimination_->reciprocal_condition(); }
 
   // Condenses loads: adds to `load` (global) what the private forces and the prescribed displacements leave on the

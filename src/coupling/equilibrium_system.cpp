@@ -75,18 +75,6 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
   collect_bodies(operators);
   collect_followers();
   for (std::size_t t = 0; t < terms_.law.size(); ++t) enter({static_cast<int>(t), 0});
-  for (const DenseOperator& op : operators) {
-    for (int part = 0; part < 2; ++part) {
-      operators_have_rest_[part] = operators_have_rest_[part] || !op.rest.col(part).isZero(0);
-    }
-  }
-  for (const DenseOperator& op : operators) {
-    for (int part = 0; part < 2; ++part) {
-      double& largest = rest_motion_of_operators_[part];
-      largest = std::max(largest, op.rest.col(part).lpNorm<Eigen::Infinity>());
-    }
-  }
-  collect_rest_motions();
   std::size_t faces = 0;
   for (const DenseOperator& op : operators)
     if (op.openings) faces += static_cast<std::size_t>(op.openings->of_forces.rows());
@@ -96,19 +84,58 @@ EquilibriumSystem::EquilibriumSystem(int node_count, std::vector<DenseOperator> 
   largest_stiffness_ = range.largest;
   stiffness_ratio_ = range.largest > 0 ? range.smallest / range.largest : 1;
   pending_ = std::move(operators);
+  collect_rest_motions();
+}
+
+template <class Visit>
+void EquilibriumSystem::for_each_operator_rest(const Visit& visit) {
+  std::size_t number = 0;
+  if (condensed_ == Condensed::nothing) {
+    for (DenseOperator& op : pending_) visit(op.rest, number++);
+  } else {
+    for (CondensedOperator& op : operators_) {
+      Affine rest(0, 2);
+      op.exchange_rest(rest);
+      visit(rest, number++);
+      op.exchange_rest(rest);
+    }
+  }
 }
 
 void EquilibriumSystem::collect_rest_motions() noexcept {
   for (int part = 0; part < 2; ++part) {
-    rest_motion_[part] = rest_motion_of_operators_[part];
+    operators_have_rest_[part] = false;
+    rest_motion_[part] = 0;
+    for_each_operator_rest([&](const Affine& rest, std::size_t) {
+      operators_have_rest_[part] = operators_have_rest_[part] || !rest.col(part).isZero(0);
+      if (rest.rows() > 0) rest_motion_[part] = std::max(rest_motion_[part], rest.col(part).lpNorm<Eigen::Infinity>());
+    });
     for (const double rest : terms_.rest_elongation[part])
       rest_motion_[part] = std::max(rest_motion_[part], std::abs(rest));
   }
 }
 
+Rests EquilibriumSystem::rests() const {
+  Rests all{terms_.rest_elongation, {}};
+  if (condensed_ == Condensed::nothing) {
+    for (const DenseOperator& op : pending_) all.of_operators.push_back(op.rest);
+  } else {
+    for (const CondensedOperator& op : operators_) all.of_operators.push_back(op.rest());
+  }
+  return all;
+}
+
 void EquilibriumSystem::exchange_rests(Rests& others) noexcept {
-  terms_.rest_elongation.swap(others);
+  terms_.rest_elongation.swap(others.of_terms);
+  for_each_operator_rest([&](Affine& rest, std::size_t number) { rest.swap(others.of_operators[number]); });
   collect_rest_motions();
+  if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
+}
+
+int EquilibriumSystem::operator_on(const std::vector<int>& nodes) const {
+  const auto found =
+      std::find_if(operators_.begin(), operators_.end(), [&](const auto& op) { return op.is_on(nodes); });
+  return found == operators_.end() ? -1 : static_cast<int>(found - operators_.begin());
 }
 
 void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operators) {

@@ -105,10 +105,11 @@ class EquilibriumSystem {
   double rest_motion(double load_factor) const { return rest_motion_[0] + std::abs(load_factor) * rest_motion_[1]; }
   const NodeTies& ties() const { return ties_; }
 
-  // Rest elongations of terms, constant and proportional parts; those of operators stay.
-  using Rests = std::array<std::vector<double>, 2>;
-  const Rests& rests() const { return terms_.rest_elongation; }
+  // Exchanged for as many; set_load() has to follow.
+  Rests rests() const;
   void exchange_rests(Rests& others) noexcept;
+  // Number of the operator on these nodes, -1 if there is none; once condensed.
+  int operator_on(const std::vector<int>& nodes) const;
 
   // A change of stages takes two calls, so that the parts it frees can be found in between and held before the matrix
   // loses their resistance: mark the terms, then change the matrix (rank-one changes of the factor, by the drop of
@@ -228,6 +229,8 @@ class EquilibriumSystem {
   void collect_bodies(const std::vector<DenseOperator>& operators);
   void collect_support_motions();
   void collect_rest_motions() noexcept;
+  template <class Visit>
+  void for_each_operator_rest(const Visit& visit);
   void collect_followers();
   void condense_load();
   void factorize();
@@ -251,7 +254,7 @@ class EquilibriumSystem {
   double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
   bool operators_have_rest_[2] = {false, false};  // in its two parts
-  double rest_motion_[2] = {0, 0}, rest_motion_of_operators_[2] = {0, 0};
+  double rest_motion_[2] = {0, 0};
   std::vector<DenseOperator> pending_;  // until condensed
   std::vector<CondensedOperator> operators_;
   std::vector<std::vector<int>> bodies_;

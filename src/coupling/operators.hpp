@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -23,6 +25,19 @@ struct DenseOperator {
   // is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
   std::shared_ptr<const FaceOpenings> openings = nullptr;  // null: without cracks that close
+};
+
+// What terms and operators want to be like without force: rest elongations of terms, constant and proportional parts,
+// and what each operator has at rest.
+struct Rests {
+  std::array<std::vector<double>, 2> of_terms;
+  std::vector<Affine> of_operators;
+
+  bool operator==(const Rests& other) const {
+    const auto same = [](const Affine& a, const Affine& b) { return a.rows() == b.rows() && a == b; };
+    return of_terms == other.of_terms && std::equal(of_operators.begin(), of_operators.end(),
+                                                    other.of_operators.begin(), other.of_operators.end(), same);
+  }
 };
 
 // A spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium

@@ -60,14 +60,14 @@ class CrackEvolution {
   Loads loads() const { return {body_.acting_loads(), work_within_}; }
   void act_again(Loads loads) noexcept;
 
-  // Other rest elongations of terms, as heat makes them. What they do to the stored energy where nothing moves is work;
+  // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is work;
   // after that the body has to find equilibrium. Returns what cool_down() takes to undo it.
   struct Heat {
-    coupling::EquilibriumSystem::Rests rests;
+    coupling::Rests rests;
     Eigen::VectorXd total_force;
     double work;
   };
-  Heat heat(coupling::EquilibriumSystem::Rests rests);
+  Heat heat(coupling::Rests rests);
   void cool_down(Heat heat) noexcept;
 
   // What loads inside operators make of the gaps of faces there. What new ones do to the stored energy where nothing

@@ -28,7 +28,7 @@ void CrackEvolution::act_again(Loads loads) noexcept {
   sources_.abandon();
 }
 
-CrackEvolution::Heat CrackEvolution::heat(coupling::EquilibriumSystem::Rests rests) {
+CrackEvolution::Heat CrackEvolution::heat(coupling::Rests rests) {
   sources_.refresh();
   sources_.settle();
   system_.condense();

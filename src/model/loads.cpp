@@ -11,26 +11,20 @@ namespace bempd::model {
 template <class Values>
 void Model::set_load_values(int load, Values values) {
   scene_.load(load);  // throws without it
-  if (prepared_) require_replaceable(load);
   scene_.set_values(scene_.load(load), "load", load, std::move(values));
   values_were_set();
 }
 
-void Model::require_replaceable(int load) const {
-  const scene::Place& place = *scene_.loads()[static_cast<std::size_t>(load - 1)].place;
-  if (!place.is_built_in()) return;
-  for (const auto& region : prepared_->discretization.regions)
-    require(!place.needs(region->id()) || region->bonds().has_value(), "load ", load, " is the temperature of region ",
-            region->id(),
-            ", a BEM region, which is a part of the prepared model and follows the load factor only; give it "
-            "a part that is multiplied by that, or a new value before bempd_prepare() and the first step");
-}
-
-// Where a temperature acts on lattices.
-std::optional<fracture::CrackEvolution::Heat> Model::heat_lattices(const regions::DofConditions& conditions) {
-  const coupling::EquilibriumSystem& system = *prepared_->system;
+// Where a temperature acts.
+std::optional<fracture::CrackEvolution::Heat> Model::heat(const regions::DofConditions& conditions) {
+  coupling::EquilibriumSystem& system = *prepared_->system;
   if (conditions.swelling.empty()) return std::nullopt;
-  auto rests = regions::swell_lattices(prepared_->discretization, conditions.swelling, system.terms());
+  system.condense();
+  coupling::Rests rests = system.rests();
+  rests.of_terms = regions::swell_again(prepared_->discretization, conditions.swelling, system.terms());
+  for (const auto& region : prepared_->discretization.regions)
+    if (const coupling::Affine* rest = region->rest_of_operator())
+      rests.of_operators[static_cast<std::size_t>(system.operator_on(region->nodes()))] = *rest;
   if (rests == system.rests()) return std::nullopt;
   return prepared_->evolution->heat(std::move(rests));
 }
@@ -87,7 +81,7 @@ regions::DofConditions Model::conditions_under(scene::SceneValues values) {
 
 Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Acting acting) {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
-  LoadsBefore before{{}, evolution.loads(), loads_.acting, heat_lattices(conditions), {}};
+  LoadsBefore before{{}, evolution.loads(), loads_.acting, heat(conditions), {}};
   try {
     before.faces = load_faces(conditions);
     evolution.set_load(conditions.force, conditions.displacement, conditions.work_within, pressures_of(conditions));
@@ -106,10 +100,10 @@ void Model::go_back_to(LoadsBefore before) noexcept {
   if (before.faces) prepared_->evolution->unload_faces(std::move(*before.faces));
   if (before.heat) prepared_->evolution->cool_down(std::move(*before.heat));
   prepared_->evolution->act_again(std::move(before.run));
-  // What lattices know of it for their results; without memory they know it with the next loads.
+  // What regions know of it for their results; without memory they know it with the next loads.
   say([&] {
     if (before.heat)
-      regions::swell_lattices(prepared_->discretization, before.conditions.swelling, prepared_->system->terms());
+      regions::swell_again(prepared_->discretization, before.conditions.swelling, prepared_->system->terms());
   });
   prepared_->conditions = std::move(before.conditions);
   loads_.acting = before.acting;
@@ -138,8 +132,6 @@ StepResult Model::advance(double target, fracture::Goal goal) {
 
 StepResult Model::advance_to_values(double target, fracture::Goal goal) {
   prepare();
-  for (std::size_t i = 0; i < scene_.loads().size(); ++i)
-    if (!scene_.loads()[i].removed()) require_replaceable(static_cast<int>(i) + 1);
   const double present = load_factor();
   std::optional<scene::SceneValues> said = scene_.values();
   regions::DofConditions at_end = regions::apply_conditions(scene_, prepared_->discretization);
@@ -176,7 +168,7 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
 // At the end of the way, where what was set acts already. What fails now leaves the model there on its way.
 void Model::arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept {
   say([&] {
-    heat_lattices(conditions);
+    heat(conditions);
     load_faces(conditions);
     prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within,
                                     pressures_of(conditions));

@@ -198,9 +198,7 @@ class Model {
   void go_back_to(LoadsBefore before) noexcept;
   void act_as_said();
   regions::DofConditions conditions_under(scene::SceneValues values);
-  // Once prepared; throws Error (argument) for a temperature of boundary elements.
-  void require_replaceable(int load) const;
-  std::optional<fracture::CrackEvolution::Heat> heat_lattices(const regions::DofConditions& conditions);
+  std::optional<fracture::CrackEvolution::Heat> heat(const regions::DofConditions& conditions);
   std::optional<fracture::CrackEvolution::FaceLoads> load_faces(const regions::DofConditions& conditions);
   void values_were_set();
   void arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept;

@@ -53,12 +53,6 @@ StepResult Model::run_program(const scene::LoadTable& table, fracture::Goal goal
       "stepping.control is path, by which the load factor falls where growth is unstable; a program goes on in time: "
       "set it to load");
   prepare();
-  for (int load = 1; load <= static_cast<int>(scene_.loads().size()); ++load) {
-    const bool has_column = std::find(table.columns.begin(), table.columns.end(),
-                                      scene::LoadTable::Column{false, load}) != table.columns.end();
-    if ((has_column || table.columns.empty()) && !scene_.loads()[static_cast<std::size_t>(load - 1)].removed())
-      require_replaceable(load);
-  }
   const double present = load_factor(), end = table.times.back();
   const bool has_begun =
       prepared_->evolution->progress().in_equilibrium || !prepared_->evolution->progress().history.empty();

@@ -164,6 +164,8 @@ class Region {
   virtual void swell(const Swelling& /*strain*/, LatticeSwelling& /*lattices*/) {}
   // Once all have been told: the lengths without stress of its terms.
   virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
+  // Of its dense operator, once it has been told; null without.
+  virtual const coupling::Affine* rest_of_operator() const { return nullptr; }
   // Displacement at a place with which it follows freely, constant and proportional part; nothing if it cannot.
   virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& /*place*/) const {
     return Eigen::Matrix2d::Zero();

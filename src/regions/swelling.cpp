@@ -27,13 +27,12 @@ void swell(Discretization& d, const SwellingOfRegions& swelling) {
   for (const auto& region : d.regions) region->set_rests(lattices, d.bonds);
 }
 
-std::array<std::vector<double>, 2> swell_lattices(Discretization& d, const SwellingOfRegions& swelling,
-                                                  const coupling::Terms& terms) {
+std::array<std::vector<double>, 2> swell_again(Discretization& d, const SwellingOfRegions& swelling,
+                                               const coupling::Terms& terms) {
   LatticeSwelling lattices(d.positions);
   coupling::Terms rests;  // what lattices need of them to say how long they want to be
   rests.length = terms.length;
-  for (const auto& region : d.regions)
-    if (region->bonds()) region->swell(swelling_of(swelling, region->id()), lattices);
+  for (const auto& region : d.regions) region->swell(swelling_of(swelling, region->id()), lattices);
   for (const auto& region : d.regions)
     if (region->bonds()) region->set_rests(lattices, rests);
   return std::move(rests.rest_elongation);

@@ -16,9 +16,9 @@ using SwellingOfRegions = std::map<int, std::vector<Swelling>>;
 // asked for. Throws Error (argument) for a boundary element region that cannot swell like that.
 void swell(Discretization& discretization, const SwellingOfRegions& swelling);
 
-// The same for lattices whose operators have been asked for: rest elongations of all terms, constant and proportional
-// parts, which `terms` then have to be given. Other regions stay as they are.
-std::array<std::vector<double>, 2> swell_lattices(Discretization& discretization, const SwellingOfRegions& swelling,
-                                                  const coupling::Terms& terms);
+// The same for regions whose operators have been asked for: rest elongations of all terms, constant and proportional
+// parts, which `terms` then have to be given; Region::rest_of_operator() tells what operators have to be.
+std::array<std::vector<double>, 2> swell_again(Discretization& discretization, const SwellingOfRegions& swelling,
+                                               const coupling::Terms& terms);
 
 }  // namespace bempd::regions

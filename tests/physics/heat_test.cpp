@@ -217,16 +217,4 @@ TEST(Heat, of_boundary_elements_has_to_be_linear) {
   EXPECT_NE(std::string(bempd_last_error(model.get())).find("linear in x and y"), std::string::npos);
 }
 
-TEST(Heat, of_boundary_elements_takes_no_new_values_once_it_is_prepared) {
-  Model model;
-  const int32_t body = model.bem(model.add(hot(0.3, BEMPD_PLANE_STRESS)), rectangle(0, 0, 4, 4), 1);
-  heat(model, body, 1, 2);
-  model.fix(body, 4, BEMPD_BOTH);
-  const double three = 3;
-  model.check(bempd_set_load_values(model.get(), 1, 1, &three, nullptr));
-  model.step(1);
-  EXPECT_EQ(bempd_set_load_values(model.get(), 1, 1, &three, nullptr), BEMPD_ERROR_ARGUMENT);
-  EXPECT_NE(std::string(bempd_last_error(model.get())).find("temperature"), std::string::npos);
-}
-
 }  // namespace

@@ -113,10 +113,11 @@ Eigen::Matrix2d BoundaryRegion::work_within(const std::array<BodyForce, 2>& body
 }
 
 void BoundaryRegion::swell(const Swelling& strain, LatticeSwelling&) {
-  free_swelling_ = FreeSwelling::through(mesh_.nodes, strain);
-  require(free_swelling_.has_value(), "region ", id(),
+  std::optional<FreeSwelling> free_swelling = FreeSwelling::through(mesh_.nodes, strain);
+  require(free_swelling.has_value(), "region ", id(),
           " is a BEM region, and its temperature is not linear in x and y; boundary elements know nothing of others: "
           "make it a peridynamic region, or several regions");
+  free_swelling_ = std::move(free_swelling);
   std::vector<int> own(1 + static_cast<std::size_t>(*std::max_element(nodes_.begin(), nodes_.end())), -1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) own[nodes_[i]] = static_cast<int>(i);
   rest_ = coupling::Affine::Zero(2 * static_cast<Eigen::Index>(nodes_.size()), 2);

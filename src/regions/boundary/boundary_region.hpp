@@ -52,6 +52,7 @@ class BoundaryRegion : public Region {
 
   // Elements on the boundary know of strains that are linear, which the inside follows freely.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
+  const coupling::Affine* rest_of_operator() const override { return rest_.rows() > 0 ? &rest_ : nullptr; }
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
 
   // crack_results.cpp

@@ -973,10 +973,9 @@ extern "C" {
     /// across the plane pushes, too.
     ///
     /// Bonds break by what they are stretched beyond that. Temperatures of a region add up. With
-    /// one there are no windows (stepping.solver): every event is found in the whole body. That of
-    /// a PD region takes new values by bempd_set_load_values(), bempd_step_to_values() goes to them
-    /// on a straight line, and it may have a column in a load program; that of a BEM region is a
-    /// part of the prepared model, which changes with the load factor only.
+    /// one there are no windows (stepping.solver): every event is found in the whole body.
+    /// Temperatures take new values by bempd_set_load_values(), bempd_step_to_values() goes to them
+    /// on a straight line, and they may have columns in a load program.
     ///
     /// * model \[in\]: the model
     /// * region \[in\]: id of a region
@@ -1629,8 +1628,8 @@ extern "C" {
     /// * until \[in\]: a bempd_until; values are those of the last row
     /// * report \[in,out\]: struct_size in, the rest out, of all rows together; stop_reason is
     ///   BEMPD_STOP_LOAD_FACTOR where the last row was reached; may be NULL
-    /// * return: status; a column for a temperature of a BEM region, which takes the time, and the
-    ///   option stepping.control = "path", which does not go on in time, are argument errors
+    /// * return: status; the option stepping.control = "path", which does not go on in time, is an
+    ///   argument error
     /// * since: 0.3
     pub fn bempd_run_program(
         model: *mut bempd_model,
