@@ -60,8 +60,8 @@ class CrackEvolution {
   Loads loads() const { return {body_.acting_loads(), work_within_}; }
   void act_again(Loads loads) noexcept;
 
-  // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is work;
-  // after that the body has to find equilibrium. Returns what cool_down() takes to undo it.
+  // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is
+  // work; after that the body has to find equilibrium. Returns what cool_down() takes to undo it.
   struct Heat {
     coupling::Rests rests;
     Eigen::VectorXd total_force;
