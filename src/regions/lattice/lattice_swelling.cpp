@@ -74,6 +74,7 @@ void LatticeRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& 
 }
 
 bool LatticeRegion::shares_bonds_with(const BondedRegion& other) const {
+  if (this == &other) return true;  // also where none acts as one with another, as in scheme paper
   const auto* lattice = dynamic_cast<const LatticeRegion*>(&other);
   return lattice && acts_as_one_with(*lattice);
 }
