@@ -1412,8 +1412,8 @@ BEMPD_API bempd_status bempd_history(const bempd_model* model, int64_t index, be
 
 /** @brief Save the state of a prepared model in memory, so that a host can repeat a step.
  *
- * From then on the model goes on as one restored from that state does, to the last bit. A run that never saves may
- * differ from both by rounding.
+ * Saving alters nothing: the model goes on as one that was never saved, and one restored from that state goes on as
+ * both do, to the last bit.
  * @param[in] model the model @param[out] state the saved state; free it with bempd_state_free()
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state);

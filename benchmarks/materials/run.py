@@ -1,6 +1,6 @@
 """Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; the tables of docs/materials.md.
 Run it with benchmarks/run.sh materials, those of contact alone with benchmarks/run.sh materials contact,
-what contact costs with benchmarks/run.sh materials contact-cost."""
+what contact costs with benchmarks/run.sh materials contact-cost, and what runs take with benchmarks/run.sh materials costs."""
 
 from __future__ import annotations
 
@@ -343,12 +343,36 @@ def write(tables: dict[str, str]) -> None:
     document.write_text(text)
 
 
+def strip_tables() -> dict[str, str]:
+    """Toughness, and what that takes."""
+    rows, costs = [], []
+    for m in (3, 4):
+        taken = {}
+        for of in materials():
+            values, events = strip(*of, m)
+            rows.append([f"{m}", name(*of), *(f"{first_break(*of, m, slanted):.2f}" for slanted in (False, True)),
+                         *(f"{value:.2f}" for value in values)])
+            taken[of] = (*strip_costs(*of, m, events), events)
+            print(rows[-1], taken[of], flush=True)
+        costs += [cost_row(m, of, taken) for of in taken]
+    return {"toughness": table(["m", "material", "first break along rows", "at 45 degrees", "strip: first break",
+                                "most in growth", "energy per length"], rows),
+            "cost": table(["m", "material", "nonzeros of the factor", "seconds", "over bonds alone", "of one event",
+                           "updates per bond"], costs),
+            "runs": table(["material", "plate [s]", "over bonds alone", "of one event", "layers [s]", "over bonds alone",
+                           "of one event"], runs_table())}
+
+
 def main() -> None:
     write({"contact cost": table(contact.COST_HEADS, contact.cost_rows())})
     if sys.argv[1:] == ["contact-cost"]:
         return
-    write({"contact": table(contact.HEADS, contact.rows()), "wings": table(contact.WING_HEADS, contact.wing_rows())})
+    if sys.argv[1:] != ["costs"]:
+        write({"contact": table(contact.HEADS, contact.rows()), "wings": table(contact.WING_HEADS, contact.wing_rows())})
     if sys.argv[1:] == ["contact"]:
+        return
+    write(strip_tables())
+    if sys.argv[1:] == ["costs"]:
         return
     tables = {}
     tables["patch"] = table(
@@ -362,22 +386,6 @@ def main() -> None:
     tables["order"] = table(["material", "10 cells", "20", "40", "order", "cantilever"], rows)
     tables["tips"] = table(["material", "felt ahead, m = 3", "K_I", "felt ahead, m = 4", "K_I"],
                            [[name(*of), *tip_errors(*of, 3), *tip_errors(*of, 4)] for of in materials()])
-    rows, costs = [], []
-    for m in (3, 4):
-        taken = {}
-        for of in materials():
-            values, events = strip(*of, m)
-            rows.append([f"{m}", name(*of), *(f"{first_break(*of, m, slanted):.2f}" for slanted in (False, True)),
-                         *(f"{value:.2f}" for value in values)])
-            taken[of] = (*strip_costs(*of, m, events), events)
-            print(rows[-1], taken[of], flush=True)
-        costs += [cost_row(m, of, taken) for of in taken]
-    tables["toughness"] = table(["m", "material", "first break along rows", "at 45 degrees", "strip: first break",
-                                 "most in growth", "energy per length"], rows)
-    tables["cost"] = table(["m", "material", "nonzeros of the factor", "seconds", "over bonds alone", "of one event",
-                            "updates per bond"], costs)
-    tables["runs"] = table(["material", "plate [s]", "over bonds alone", "of one event", "layers [s]", "over bonds alone",
-                            "of one event"], runs_table())
     write(tables)
 
 

@@ -30,7 +30,7 @@ DOCUMENT = ROOT / "docs" / "windows.md"
 COMPILED = ("states_swept_at_once", "classes", "hot_shares")
 # Bounds on rounding are no trade of time: docs/reliability.md has the scenes behind them.
 ROUNDING = ("smallest_pivot", "most_growth", "certificate_margin", "energy_rounding", "doubtful_energy",
-            "acceptable_residual", "least_class_width")
+            "acceptable_residual", "negligible_residual", "least_class_width")
 
 SCENES = {
     "plate of 60 x 60": ["plate", {"n": 60}],
@@ -38,7 +38,8 @@ SCENES = {
     "the paper's crack": ["paper_crack", {}],
 }
 # What acts in lattices with squares of cells, which follow their bonds, and where faces of cracks meet.
-BESIDES = ("hot_in_present", "opening_all_around", "reach_of_followers", "events_beside_faces")
+BESIDES = ("hot_in_present", "opening_all_around", "reach_of_followers", "events_between_balances",
+           "events_beside_faces")
 SCENES_BESIDES = {
     "plate of 50 x 50, Poisson's ratio 0.45": ["plate", {"n": 50, "ratio": 0.45}],
     "plate of 100 x 100, whose faces meet": ["plate", {"n": 100}],

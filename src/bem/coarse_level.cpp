@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 
 namespace bempd::bem {
 
@@ -155,22 +156,22 @@ CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state
   const Merged merged = merge_pairs(body.mesh(), body.cracks());
   const Map values = from_coarse_unknowns(merged.values, from_unknowns(body.mesh(), body.cracks()));
   const Map tractions = merged.tractions.map();
-  GalerkinMatrices coarse;
-  const Eigen::MatrixXd whole = fine.single_layer.selfadjointView<Eigen::Lower>();
-  coarse.single_layer = tractions.transpose() * Eigen::MatrixXd(whole * tractions);
-  coarse.hypersingular = fine.hypersingular;
-  coarse.double_layer = fine.double_layer * tractions;
   linalg::DenseCholesky single_layer;
-  single_layer.compute(coarse.single_layer);
-  Eigen::MatrixXd stiffness = stiffness_of(coarse, single_layer, values);
+  single_layer.compute(congruent(fine.single_layer, tractions));
+  const Eigen::MatrixXd double_layer = transposed_product(values, fine.double_layer) * tractions;
+  Eigen::MatrixXd stiffness = congruent(fine.hypersingular, values);
+  add_forces_of_tractions(double_layer, single_layer, stiffness);
   hold_rigid_motions(body.mesh(), body.boundary(), values, stiffness);
 
   // The forces that hold the state, over thickness and shear modulus.
   Eigen::VectorXd all(fine.hypersingular.rows());
   all << state.displacements, state.openings;
   const Eigen::VectorXd forces = fine.hypersingular * all + fine.double_layer * (length / shear * state.tractions);
-  const Eigen::VectorXd solution = values * stiffness.llt().solve(Eigen::VectorXd(values.transpose() * forces));
-  const Eigen::VectorXd traction = tractions * single_layer.solve(coarse.double_layer.transpose() * solution);
+  linalg::DenseCholesky cholesky;
+  cholesky.compute(std::move(stiffness));
+  const Eigen::VectorXd unknowns = cholesky.solve(Eigen::VectorXd(values.transpose() * forces));
+  const Eigen::VectorXd solution = values * unknowns;
+  const Eigen::VectorXd traction = tractions * single_layer.solve(double_layer.transpose() * unknowns);
   const Eigen::Index u = state.displacements.size();
   return {solution.head(u),          solution.tail(solution.size() - u),
           shear / length * traction, state.face_traction,

@@ -52,6 +52,15 @@ class MovedTips {
     return elements;
   }
 
+  // Of two components at three nodes.
+  using Column = Eigen::Matrix<double, 6, 1>;
+  using Block = Eigen::Matrix<double, 6, 6>;
+  static Column on_element(const Eigen::Ref<const Eigen::VectorXd>& all, const std::array<int, 3>& nodes) {
+    Column own;
+    for (int k = 0; k < 3; ++k) own.segment<2>(2 * k) = all.segment<2>(2 * static_cast<Eigen::Index>(nodes[k]));
+    return own;
+  }
+
   // What the pairs with one variant of the tip's element contribute.
   Eigen::VectorXd forms(int k, int variant, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const GalerkinElement& tip = elements_[variant];
@@ -61,13 +70,17 @@ class MovedTips {
       const int outer = e == own ? variant : e;
       const GalerkinElement& x = elements_[outer];
       const PairMoments m = blocks_.moments(outer, variant, x.crack ? PairPart::derivative_only : PairPart::everything);
+      Block of_values, of_tractions;
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) {
-          const auto w = values.middleRows<2>(2 * tip.nodes[b]);
-          Eigen::MatrixXd force = blocks_.hypersingular(outer, variant, m, a, b) * values.middleRows<2>(2 * x.nodes[a]);
-          if (!x.crack) force += blocks_.double_layer(m, a, b) * tractions.middleRows<2>(2 * x.traction_nodes[a]);
-          sums += w.cwiseProduct(force).colwise().sum().transpose();
+          of_values.block<2, 2>(2 * b, 2 * a) = blocks_.hypersingular(outer, variant, m, a, b);
+          if (!x.crack) of_tractions.block<2, 2>(2 * b, 2 * a) = blocks_.double_layer(m, a, b);
         }
+      for (Eigen::Index s = 0; s < values.cols(); ++s) {
+        Column force = of_values * on_element(values.col(s), x.nodes);
+        if (!x.crack) force += of_tractions * on_element(tractions.col(s), x.traction_nodes);
+        sums[s] += on_element(values.col(s), tip.nodes).dot(force);
+      }
     }
     return sums;
   }

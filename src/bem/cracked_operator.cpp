@@ -29,24 +29,53 @@ std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return places;
 }
 
-// map^T symmetric map, of a map most of whose columns are unit vectors.
-Eigen::MatrixXd congruent(const Eigen::MatrixXd& symmetric, const Eigen::SparseMatrix<double>& map) {
-  Eigen::MatrixXd result(map.cols(), map.cols());
-  Eigen::VectorXd column(symmetric.rows());
-  for (Eigen::Index j = 0; j < map.cols(); ++j) {
-    column.setZero();
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(map, j); entry; ++entry)
-      column += entry.value() * symmetric.col(entry.row());
-    for (Eigen::Index i = j; i < map.cols(); ++i) {
-      double sum = 0;
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(map, i); entry; ++entry)
-        sum += entry.value() * column[entry.row()];
-      result(i, j) = sum;
+// map^T, of a map most of whose columns are unit vectors, many of them of one row after the other: those are copied.
+class TransposedMap {
+ public:
+  explicit TransposedMap(const Eigen::SparseMatrix<double>& map) : map_(map) {
+    for (Eigen::Index c = 0; c < map.cols(); ++c) {
+      const Eigen::Index row = row_of_unit(c);
+      if (row < 0) {
+        others_.push_back(c);
+        continue;
+      }
+      const bool goes_on =
+          !runs_.empty() && runs_.back().column + runs_.back().size == c && runs_.back().row + runs_.back().size == row;
+      if (!goes_on) runs_.push_back({c, row, 0});
+      ++runs_.back().size;
     }
   }
-  copy_lower_to_upper(result);
-  return result;
-}
+
+  // -1 if the column is no unit vector.
+  Eigen::Index row_of_unit(Eigen::Index column) const {
+    const int first = map_.outerIndexPtr()[column];
+    const bool unit = map_.outerIndexPtr()[column + 1] == first + 1 && map_.valuePtr()[first] == 1;
+    return unit ? map_.innerIndexPtr()[first] : -1;
+  }
+
+  // Components number `first` and up.
+  void apply(const double* column, Eigen::Index first, double* result) const {
+    for (const Run& run : runs_) {
+      const Eigen::Index skipped = std::clamp(first - run.column, Eigen::Index{0}, run.size);
+      std::copy_n(column + run.row + skipped, run.size - skipped, result + run.column + skipped);
+    }
+    const int *ends = map_.outerIndexPtr(), *rows = map_.innerIndexPtr();
+    for (const Eigen::Index c : others_) {
+      if (c < first) continue;
+      double sum = 0;
+      for (int k = ends[c]; k < ends[c + 1]; ++k) sum += map_.valuePtr()[k] * column[rows[k]];
+      result[c] = sum;
+    }
+  }
+
+ private:
+  struct Run {
+    Eigen::Index column, row, size;
+  };
+  const Eigen::SparseMatrix<double>& map_;
+  std::vector<Run> runs_;
+  std::vector<Eigen::Index> others_;
+};
 
 // Of every node of the unknowns, the one before that stands for the same displacements and openings; -1 if none does.
 std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::SparseMatrix<double>& map,
@@ -125,6 +154,7 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
                                 before ? &known : nullptr);
   kernel_evaluations_ = matrices_.kernel_evaluations;
   copy_lower_to_upper(matrices_.hypersingular);
+  copy_lower_to_upper(matrices_.single_layer);
   if (before && kept.whole_boundary) {
     single_layer_ = before->single_layer_;
   } else {
@@ -138,9 +168,11 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
   if (before) {
     take_from(*before, kept);
     full_ = congruent(raw_, map);
+    copy_lower_to_upper(full_);
     unknowns = kept_unknowns(kept.nodes, map, from_unknowns(before->mesh_, before->cracks_));
   } else {
-    full_ = stiffness_of(matrices_, *single_layer_, map);
+    full_ = congruent(matrices_.hypersingular, map);
+    add_forces_of_tractions(transposed_product(map, matrices_.double_layer), *single_layer_, full_);
   }
   full_ *= elasticity.thickness * elasticity.shear_modulus();
   of_openings_.compute(full_, 2 * static_cast<Eigen::Index>(on_boundary),
@@ -169,15 +201,35 @@ void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& 
   }
 }
 
-Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::DenseCholesky& single_layer,
-                             const Eigen::SparseMatrix<double>& map) {
-  Eigen::MatrixXd reduced = map.transpose() * matrices.double_layer;
-  linalg::solve_upper_from_right(single_layer.lower(), reduced);
-  const Eigen::MatrixXd half = matrices.hypersingular * map;
-  Eigen::MatrixXd stiffness = map.transpose() * half;
-  linalg::add_square(stiffness, reduced);
+Eigen::MatrixXd transposed_product(const Eigen::SparseMatrix<double>& map, const Eigen::MatrixXd& a) {
+  Eigen::MatrixXd result(map.cols(), a.cols());
+  const TransposedMap transposed(map);
+  for (Eigen::Index j = 0; j < a.cols(); ++j) transposed.apply(a.col(j).data(), 0, result.col(j).data());
+  return result;
+}
+
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& a, const Eigen::SparseMatrix<double>& map) {
+  Eigen::MatrixXd result(map.cols(), map.cols());
+  const TransposedMap transposed(map);
+  Eigen::VectorXd column(a.rows());
+  for (Eigen::Index j = 0; j < map.cols(); ++j) {
+    if (const Eigen::Index row = transposed.row_of_unit(j); row >= 0) {
+      transposed.apply(a.col(row).data(), j, result.col(j).data());
+      continue;
+    }
+    column.setZero();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(map, j); entry; ++entry)
+      column += entry.value() * a.col(entry.row());
+    transposed.apply(column.data(), j, result.col(j).data());
+  }
+  return result;
+}
+
+void add_forces_of_tractions(Eigen::MatrixXd double_layer, const linalg::DenseCholesky& single_layer,
+                             Eigen::MatrixXd& stiffness) {
+  linalg::solve_upper_from_right(single_layer.lower(), double_layer);
+  linalg::add_square(stiffness, double_layer);
   copy_lower_to_upper(stiffness);
-  return stiffness;
 }
 
 Eigen::MatrixXd CrackedOperator::forces_on_boundary(const Eigen::Ref<const Eigen::MatrixXd>& opening_forces) const {

@@ -53,7 +53,7 @@ class CrackedOperator final : public BoundaryOperator {
                             const Eigen::Ref<const Eigen::MatrixXd>& openings) const;
 
   const std::vector<GalerkinElement>& elements() const { return elements_; }
-  // V, D and B^T of all displacements and openings, as integrated.
+  // V, D and B^T of all displacements and openings, as integrated; V and D whole.
   const GalerkinMatrices& matrices() const { return matrices_; }
   const CrackMesh& cracks() const { return cracks_; }
   const BoundaryMesh& mesh() const { return mesh_; }
@@ -83,11 +83,17 @@ class CrackedOperator final : public BoundaryOperator {
 std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary,
                                                        const CrackMesh& cracks);
 
-// D + B^T V^-1 B on the unknowns; `map` gives all displacements and openings from them. D is to be whole.
-Eigen::MatrixXd stiffness_of(const GalerkinMatrices& matrices, const linalg::DenseCholesky& single_layer,
-                             const Eigen::SparseMatrix<double>& map);
+// Adds B^T V^-1 B to the lower triangle of D, and makes the sum whole; `double_layer` is B^T.
+void add_forces_of_tractions(Eigen::MatrixXd double_layer, const linalg::DenseCholesky& single_layer,
+                             Eigen::MatrixXd& stiffness);
 
 // Displacements and all openings, one below the other, from the unknowns.
 Eigen::SparseMatrix<double> from_unknowns(const BoundaryMesh& mesh, const CrackMesh& cracks);
+
+// map^T a, of a map with an entry or a few in every column.
+Eigen::MatrixXd transposed_product(const Eigen::SparseMatrix<double>& map, const Eigen::MatrixXd& a);
+
+// The lower triangle of map^T a map, a being symmetric and whole.
+Eigen::MatrixXd congruent(const Eigen::MatrixXd& a, const Eigen::SparseMatrix<double>& map);
 
 }  // namespace bempd::bem

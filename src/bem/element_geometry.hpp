@@ -35,13 +35,25 @@ class ElementBasis {
   struct Pair {
     double odd, even;
   };
+  // Sine and cosine of half the angle that belongs to a parameter, or to the difference of two.
+  struct HalfAngle {
+    double sine = 0, cosine = 1;
+    HalfAngle plus(const HalfAngle& other) const {
+      return {sine * other.cosine + cosine * other.sine, cosine * other.cosine - sine * other.sine};
+    }
+  };
+  HalfAngle half(double xi) const {
+    return powers() ? HalfAngle{} : HalfAngle{std::sin(0.5 * alpha_ * xi), std::cos(0.5 * alpha_ * xi)};
+  }
   // Both functions and their slopes, on arcs from one sine and one cosine.
   struct Values {
     Pair value, slope;
   };
-  Values at(double xi) const {
+  Values at(double xi) const { return at(xi, half(xi)); }
+  Values at(double xi, const HalfAngle& of_xi) const {
     if (powers()) return {{xi, xi * xi}, {1, 2 * xi}};
-    const double sine = std::sin(0.5 * alpha_ * xi), cosine = std::cos(0.5 * alpha_ * xi), root = sine * even_scale_;
+    const auto [sine, cosine] = of_xi;
+    const double root = sine * even_scale_;
     return {{2 * sine * cosine * odd_scale_, root * root},
             {alpha_ * (cosine - sine) * (cosine + sine) * odd_scale_, alpha_ * root * cosine * even_scale_}};
   }
@@ -50,6 +62,13 @@ class ElementBasis {
     if (powers()) return {1, xi + from};
     const double mean = 0.5 * alpha_ * (xi + from), scale = alpha_ * sinc(0.5 * alpha_ * (xi - from));
     return {scale * odd_scale_ * std::cos(mean), 0.5 * scale * even_scale_ * even_scale_ * std::sin(mean)};
+  }
+  // The same with xi = from + way, way not 0.
+  Pair quotients(double from, double way, const HalfAngle& of_from, const HalfAngle& of_way) const {
+    if (powers()) return {1, 2 * from + way};
+    const HalfAngle mean = of_from.plus(of_from).plus(of_way);
+    const double scale = 2 * of_way.sine / way;
+    return {scale * odd_scale_ * mean.cosine, 0.5 * scale * even_scale_ * even_scale_ * mean.sine};
   }
 
   // even(xi) - even(from) - (odd(xi) - odd(from)) even'(from) / odd'(from), without cancellation.
@@ -95,24 +114,33 @@ struct ElementGeometry {
     Point derivative;
     std::array<double, 3> shape, shape_derivative;
   };
-  Values values(double xi) const {
-    const auto [value, slope] = basis.at(xi);
-    const Point along = slope.odd * c1 + slope.even * c2;
-    if (tip != TipEnd::none) return {along, tip_shape(xi), tip_shape_derivative(xi)};
-    return {along, nodal(value.odd, value.even, 1), nodal(slope.odd, slope.even, 0)};
-  }
+  Values values(double xi) const { return values(xi, basis.at(xi)); }
   // (x(xi) - x(from)) / (xi - from), without cancellation, and the same of the shape functions (these not of elements
   // with a tip).
   struct Quotients {
     Point place;
     std::array<double, 3> shape;
   };
-  Quotients quotients(double xi, double from) const {
-    const ElementBasis::Pair q = basis.quotients(xi, from);
-    return {q.odd * c1 + q.even * c2, nodal(q.odd, q.even, 0)};
+  Quotients quotients(double xi, double from) const { return quotients(basis.quotients(xi, from)); }
+  // Both at from + way, way not 0, from sines and cosines that several points may have in common.
+  struct Seen {
+    Values values;
+    Quotients quotients;
+  };
+  Seen seen(double from, double way, const ElementBasis::HalfAngle& of_from,
+            const ElementBasis::HalfAngle& of_way) const {
+    const double xi = from + way;
+    return {values(xi, basis.at(xi, of_from.plus(of_way))), quotients(basis.quotients(from, way, of_from, of_way))};
+  }
+  Values values(double xi, const ElementBasis::Values& of_basis) const {
+    const auto [value, slope] = of_basis;
+    const Point along = slope.odd * c1 + slope.even * c2;
+    if (tip != TipEnd::none) return {along, tip_shape(xi), tip_shape_derivative(xi)};
+    return {along, nodal(value.odd, value.even, 1), nodal(slope.odd, slope.even, 0)};
   }
 
  private:
+  Quotients quotients(const ElementBasis::Pair& q) const { return {q.odd * c1 + q.even * c2, nodal(q.odd, q.even, 0)}; }
   static std::array<double, 3> nodal(double odd, double even, double one) {
     return {0.5 * (even - odd), one - even, 0.5 * (even + odd)};
   }

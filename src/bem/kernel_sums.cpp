@@ -20,7 +20,8 @@ struct KernelTable {
 };
 
 // Functions of the outer element's nodes, side by side for every point.
-using NodeWeights = double[max_regular_points][padded_nodes];
+template <std::size_t points>
+using NodeWeights = double[points][padded_nodes];
 
 // All of it with a given number of lanes, so that it can be compiled for several instruction sets.
 template <int lanes>
@@ -32,7 +33,7 @@ class Sums {
                                          PairMoments& moments) {
     KernelTable table;
     evaluate(outer, inner, table);
-    alignas(64) NodeWeights mass, derivative;
+    alignas(64) NodeWeights<max_regular_points> mass, derivative;
     gather(outer.count, outer.mass, mass);
     Row rows[6];
     for (int k = 0; k < strong_count && part != PairPart::derivative_only; ++k) {
@@ -49,13 +50,139 @@ class Sums {
         sum_outer(outer.count, rows, mass, moments.mass[k].data());
       }
       sum_inner(outer.count, inner.count, table.at[k], inner.derivative, rows);
-      complete_derivatives(outer.count, rows);
       sum_outer(outer.count, rows, derivative, moments.derivative[k].data());
-      for (PairMoments::Column& column : moments.derivative[k]) column[1] = -(column[0] + column[2]);
+      complete_block(moments.derivative[k]);
     }
   }
 
+  [[gnu::always_inline]] static void add(const SingularPoints& points, PairPart part, PairMoments& moments) {
+    SingularTable table;
+    evaluate(points, table);
+    if (points.one_outer)
+      add_by_rows(points, table, part, moments);
+    else
+      add_by_products(points, table, part, moments);
+    for (PairMoments::Block& block : moments.derivative) complete_block(block);
+  }
+
  private:
+  using SingularRow = SingularPoints::Values;
+
+  // Times the weights, a row of radii for every angle.
+  struct SingularTable {
+    SingularRow at[kernel_count][SingularPoints::most_angles];
+  };
+
+  [[gnu::always_inline]] static void evaluate(const SingularPoints& points, SingularTable& table) {
+    for (int q = 0; q < points.angles; ++q) {
+      const SingularPoints::Pair& pair = points.pairs[q];
+      const SingularPoints::Side& inner = points.inner_at(q);
+      for (int p = 0; p < points.radii; p += lanes) {
+        const Values x = load<Values>(&pair.chord_x[p]), y = load<Values>(&pair.chord_y[p]);
+        const Values nx = load<Values>(&inner.normal_x[p]), ny = load<Values>(&inner.normal_y[p]);
+        const Values weight = load<Values>(&pair.weight[p]);
+        const auto [ln, inverse] = half_logarithm_and_inverse<lanes>(x * x + y * y);
+        const Values c = 0.5 * (x * x - y * y) * inverse, s = x * y * inverse;
+        const Values weighted = weight * inverse, a = weighted * (nx * x + ny * y);
+        store(Values(load<Values>(&pair.log_weight[p]) + weight * ln), &table.at[logarithm][q][p]);
+        store(Values(weight * c), &table.at[cosine][q][p]);
+        store(Values(weight * s), &table.at[sine][q][p]);
+        store(a, &table.at[along][q][p]);
+        store(Values(weighted * (nx * y - ny * x)), &table.at[across][q][p]);
+        store(Values(a * c), &table.at[along_cosine][q][p]);
+        store(Values(a * s), &table.at[along_sine][q][p]);
+      }
+    }
+  }
+
+  // One outer point a radius: first the sums over angles.
+  [[gnu::always_inline]] static void add_by_rows(const SingularPoints& points, const SingularTable& table,
+                                                 PairPart part, PairMoments& moments) {
+    const SingularPoints::Side& outer = points.outer[0];
+    alignas(64) NodeWeights<SingularPoints::most_radii> weights;
+    SingularRow rows[6], bare;
+    gather(points.radii, outer.mass, weights);
+    for (int k = 0; k < strong_count && part != PairPart::derivative_only; ++k) {
+      sum_angles(points, table.at[weak_count + k], &SingularPoints::Side::difference, rows, bare);
+      for (int b = 0; b < 3; ++b)
+        for (int p = 0; p < points.radii; p += lanes)
+          store(Values(load<Values>(&bare[p]) * load<Values>(&outer.difference[b][p])), &rows[3 + b][p]);
+      sum_outer(points.radii, rows, weights, &moments.double_layer[k][0]);
+      sum_outer(points.radii, rows + 3, weights, &moments.double_layer[k][3]);
+    }
+    if (part == PairPart::double_layer_only) return;
+    for (int k = 0; k < weak_count && part == PairPart::everything; ++k) {
+      sum_angles(points, table.at[k], &SingularPoints::Side::mass, rows, bare);
+      sum_outer(points.radii, rows, weights, moments.mass[k].data());
+    }
+    gather(points.radii, outer.derivative, weights);
+    for (int k = 0; k < weak_count; ++k) {
+      sum_angles(points, table.at[k], &SingularPoints::Side::derivative, rows, bare);
+      sum_outer(points.radii, rows, weights, moments.derivative[k].data());
+    }
+  }
+
+  using Functions = std::array<SingularRow, 3> SingularPoints::Side::*;
+
+  // Over the angles, kernels times the inner element's functions, and the bare kernels.
+  [[gnu::always_inline]] static void sum_angles(const SingularPoints& points, const SingularRow* kernel,
+                                                Functions functions, SingularRow* rows, SingularRow& bare) {
+    for (int p = 0; p < points.radii; p += lanes) {
+      Values sums[4]{};
+      for (int q = 0; q < points.angles; ++q) {
+        const Values value = load<Values>(&kernel[q][p]);
+        const std::array<SingularRow, 3>& f = points.inner_at(q).*functions;
+        for (int b = 0; b < 3; ++b) sums[b] += value * load<Values>(&f[b][p]);
+        sums[3] += value;
+      }
+      for (int b = 0; b < 3; ++b) store(sums[b], &rows[b][p]);
+      store(sums[3], &bare[p]);
+    }
+  }
+
+  [[gnu::always_inline]] static void add_by_products(const SingularPoints& points, const SingularTable& table,
+                                                     PairPart part, PairMoments& moments) {
+    using Side = SingularPoints::Side;
+    for (int b = 0; b < 3; ++b) {
+      for (int k = 0; k < strong_count && part != PairPart::derivative_only; ++k) {
+        const SingularRow* kernel = table.at[weak_count + k];
+        PairMoments::WideBlock& block = moments.double_layer[k];
+        add_products(points, kernel, &Side::mass, false, &Side::difference, b, block[b]);
+        if (points.own_nodes) add_products(points, kernel, &Side::mass, true, &Side::difference, b, block[3 + b]);
+      }
+      for (int k = 0; k < weak_count && part != PairPart::double_layer_only; ++k) {
+        if (part == PairPart::everything)
+          add_products(points, table.at[k], &Side::mass, false, &Side::mass, b, moments.mass[k][b]);
+        if (b != 1)
+          add_products(points, table.at[k], &Side::derivative, false, &Side::derivative, b, moments.derivative[k][b]);
+      }
+    }
+  }
+
+  // Over all points, kernels times functions of the outer element times one of the inner element, or of its own.
+  [[gnu::always_inline]] static void add_products(const SingularPoints& points, const SingularRow* kernel,
+                                                  Functions of_outer, bool own, Functions of_other, int b,
+                                                  PairMoments::Column& column) {
+    Values sums[3]{};
+    for (int q = 0; q < points.angles; ++q) {
+      const std::array<SingularRow, 3>& f = points.outer[q].*of_outer;
+      const SingularPoints::Side* other = own ? &points.outer[q] : &points.inner_at(q);
+      const SingularRow& g = (other->*of_other)[b];
+      for (int p = 0; p < points.radii; p += lanes) {
+        const Values value = load<Values>(&kernel[q][p]) * load<Values>(&g[p]);
+        for (int a = 0; a < 3; ++a) sums[a] += value * load<Values>(&f[a][p]);
+      }
+    }
+    for (int a = 0; a < 3; ++a)
+      for (int lane = 0; lane < lanes; ++lane) column[a] += sums[a][lane];
+  }
+
+  // A constant has no slope: kept exactly, slender bodies lose half a digit less.
+  [[gnu::always_inline]] static void complete_block(PairMoments::Block& block) {
+    for (int a = 0; a < padded_nodes; ++a) block[1][a] = -(block[0][a] + block[2][a]);
+    for (PairMoments::Column& column : block) column[1] = -(column[0] + column[2]);
+  }
+
   [[gnu::always_inline]] static void evaluate(const ElementPoints& outer, const ElementPoints& inner,
                                               KernelTable& table) {
     for (int q = 0; q < inner.count; ++q) {
@@ -118,14 +245,9 @@ class Sums {
     }
   }
 
-  // A constant has no slope: kept exactly, slender bodies lose half a digit less.
-  [[gnu::always_inline]] static void complete_derivatives(int outer_count, Row* rows) {
-    for (int p = 0; p < outer_count; p += lanes) {
-      store(Values(-(load<Values>(&rows[0][p]) + load<Values>(&rows[2][p]))), &rows[1][p]);
-    }
-  }
-
-  [[gnu::always_inline]] static void gather(int count, const std::array<Row, 3>& functions, NodeWeights& weights) {
+  template <std::size_t points>
+  [[gnu::always_inline]] static void gather(int count, const std::array<std::array<double, points>, 3>& functions,
+                                            NodeWeights<points>& weights) {
     for (int p = 0; p < count; ++p) {
       double* weight = weights[p];
       weight[0] = functions[0][p], weight[1] = functions[1][p], weight[2] = functions[2][p], weight[3] = 0;
@@ -133,8 +255,9 @@ class Sums {
   }
 
   // Adds over outer points three rows times the functions of the outer nodes: a column for each row.
-  [[gnu::always_inline]] static void sum_outer(int count, const Row* rows, const NodeWeights& weights,
-                                               PairMoments::Column* columns) {
+  template <std::size_t points>
+  [[gnu::always_inline]] static void sum_outer(int count, const std::array<double, points>* rows,
+                                               const NodeWeights<points>& weights, PairMoments::Column* columns) {
     for (int node = 0; node < padded_nodes; node += lanes) {
       Three sum;
       for (int p = 0; p < count; ++p) sum.add(rows[0][p], rows[1][p], rows[2][p], load<Values>(&weights[p][node]));
@@ -150,6 +273,9 @@ class Sums {
                                                PairMoments& moments) {
   Sums<4>::add(outer, inner, part, moments);
 }
+[[gnu::target("avx2,fma")]] void add_with_avx2(const SingularPoints& points, PairPart part, PairMoments& moments) {
+  Sums<4>::add(points, part, moments);
+}
 const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
 
@@ -161,6 +287,14 @@ void add_kernel_sums(const ElementPoints& outer, const ElementPoints& inner, Pai
   if (has_avx2) return add_with_avx2(outer, inner, part, moments);
 #endif
   Sums<2>::add(outer, inner, part, moments);
+}
+
+void add_singular_sums(const SingularPoints& points, PairPart part, PairMoments& moments) {
+  moments.evaluations += static_cast<std::int64_t>(points.radii) * points.angles;
+#if defined(__x86_64__)
+  if (has_avx2) return add_with_avx2(points, part, moments);
+#endif
+  Sums<2>::add(points, part, moments);
 }
 
 }  // namespace bempd::bem

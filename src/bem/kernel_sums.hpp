@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "bem/pair_integrals.hpp"
 
 namespace bempd::bem {
@@ -7,5 +9,33 @@ namespace bempd::bem {
 // Adds the integrals over a pair of intervals apart by the product of their
 // rules.
 void add_kernel_sums(const ElementPoints& outer, const ElementPoints& inner, PairPart part, PairMoments& moments);
+
+// Pairs of points of elements that touch, in coordinates in which the distance is r = radius * chord: for a number of
+// radii at a number of angles each, the radii side by side for the vector unit.
+struct SingularPoints {
+  static constexpr int most_radii = 20, most_angles = 20;
+  using Values = std::array<double, most_radii>;
+  struct Pair {
+    Values chord_x, chord_y;
+    Values weight, log_weight;  // log_weight integrates ln(radius)
+  };
+  struct Side {
+    Values normal_x, normal_y;         // outward normal * Jacobian
+    std::array<Values, 3> mass;        // N_k * Jacobian
+    std::array<Values, 3> derivative;  // dN_k/dxi
+    std::array<Values, 3> difference;  // its part of (N_b(y) - N_b(x)) / radius
+  };
+
+  const Side& outer_at(int angle) const { return outer[one_outer ? 0 : angle]; }
+  const Side& inner_at(int angle) const { return inner[one_inner ? 0 : angle]; }
+
+  int radii = 0, angles = 0;
+  bool one_outer = false, one_inner = false;  // point for all angles at a radius
+  bool own_nodes = true;                      // whether the outer element has a part of the difference
+  std::array<Pair, most_angles> pairs;
+  std::array<Side, most_angles> outer, inner;
+};
+
+void add_singular_sums(const SingularPoints& points, PairPart part, PairMoments& moments);
 
 }  // namespace bempd::bem

@@ -37,6 +37,7 @@ PairBlocks::PairBlocks(const std::vector<GalerkinElement>& elements, double nu, 
 PairMoments PairBlocks::moments(int outer, int inner, PairPart part) const {
   if (outer == inner) return integrator_.integrate(outer, inner, Contact::same, part);
   const GalerkinElement &x = elements_[outer], &y = elements_[inner];
+  if (y.crack && part == PairPart::everything) part = PairPart::without_mass;
   // Openings have no common node in the sense that counts: nothing of theirs is subtracted.
   const Contact contact = x.crack || y.crack ? Contact::none : contact_of(x, y);
   if (contact == Contact::none)

@@ -37,7 +37,11 @@ double closest_singularity(const ElementGeometry& element, const Interval& inter
 
 PairIntegrator::PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance)
     : elements_(elements), tolerance_(tolerance), rules_(tolerance), whole_(elements.size()) {
-  for (std::size_t e = 0; e < elements.size(); ++e) whole_stretches_.push_back(stretch({static_cast<int>(e), {}}));
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    whole_stretches_.push_back(stretch({static_cast<int>(e), {}}));
+    arcs_.emplace_back();
+    if (!elements[e].straight() && !elements[e].basis.powers()) arcs_.back().emplace(elements[e]);
+  }
 }
 
 PairIntegrator::Stretch PairIntegrator::stretch(const Side& side) const {
@@ -72,27 +76,37 @@ class PairIntegrator::ShortPairs {
 // The kernels are analytic along one stretch, seen from a point of the other one, up to the complex parameter at which
 // r vanishes. On a straight one that is where its line meets the other point, whose distances to both ends are real
 // distances in the plane.
+PairIntegrator::Nearness PairIntegrator::nearness(const Stretch& own, const std::array<double, 3>& sums,
+                                                  const Stretch& other) const {
+  const Side& side = own.side;
+  const auto of_sum = [&](double sum) { return Nearness{sum, std::max(rules_.rule(sum), own.shape_rule)}; };
+  if (own.straight) return of_sum(std::min({sums[0], sums[1], sums[2]}) / own.half_length);
+  if (const std::optional<ArcParameters>& arc = arcs_[side.element]) {
+    const Nearness near = of_sum(arc->sum_of_distances(other.sample[1], side.interval));
+    const double least = near.sum - arc->largest_change(other.sample, side.interval);
+    if (near.rule <= largest_rule && least > 2 && rules_.rule(least) <= near.rule) return near;
+    return of_sum(std::min({near.sum, arc->sum_of_distances(other.sample[0], side.interval),
+                            arc->sum_of_distances(other.sample[2], side.interval)}));
+  }
+  return of_sum(closest_singularity(elements_[side.element], side.interval, other.sample));
+}
+
 PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const Stretch& inner) const {
   const Distances d = distances_between(outer.sample, inner.sample);
-  const double outer_sum = outer.straight
-                               ? std::min({d[0][0] + d[2][0], d[0][1] + d[2][1], d[0][2] + d[2][2]}) / outer.half_length
-                               : closest_singularity(elements_[outer.side.element], outer.side.interval, inner.sample);
-  const double inner_sum = inner.straight
-                               ? std::min({d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}) / inner.half_length
-                               : closest_singularity(elements_[inner.side.element], inner.side.interval, outer.sample);
-  return {outer_sum, inner_sum, std::max(rules_.rule(outer_sum), outer.shape_rule),
-          std::max(rules_.rule(inner_sum), inner.shape_rule)};
+  return {nearness(outer, {d[0][0] + d[2][0], d[0][1] + d[2][1], d[0][2] + d[2][2]}, inner),
+          nearness(inner, {d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}, outer)};
 }
 
 // False when it takes more pairs than are worth it.
 bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   constexpr int max_depth = 60;
-  const auto [outer_sum, inner_sum, outer_rule, inner_rule] = closeness(outer, inner);
-  if ((outer_rule <= largest_rule && inner_rule <= largest_rule) || depth == max_depth) {
-    pairs.add({outer.side, inner.side, std::min(outer_rule, largest_rule), std::min(inner_rule, largest_rule)});
+  const Closeness close = closeness(outer, inner);
+  if ((close.outer.rule <= largest_rule && close.inner.rule <= largest_rule) || depth == max_depth) {
+    pairs.add(
+        {outer.side, inner.side, std::min(close.outer.rule, largest_rule), std::min(close.inner.rule, largest_rule)});
     return pairs.size() <= most_short_pairs;
   }
-  const bool halve_outer = outer_sum < inner_sum;
+  const bool halve_outer = close.outer.sum < close.inner.sum;
   const auto& [element, interval] = halve_outer ? outer.side : inner.side;
   const Stretch first = stretch({element, {interval.from, interval.mid()}});
   const Stretch second = stretch({element, {interval.mid(), interval.to}});
@@ -109,8 +123,8 @@ void PairIntegrator::add(const ShortPair& pair, PairPart part, PairMoments& mome
 
 void PairIntegrator::apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const {
   const Closeness close = closeness(outer, inner);
-  if (close.outer_rule <= largest_rule && close.inner_rule <= largest_rule)
-    return add({outer.side, inner.side, close.outer_rule, close.inner_rule}, part, moments);
+  if (close.outer.rule <= largest_rule && close.inner.rule <= largest_rule)
+    return add({outer.side, inner.side, close.outer.rule, close.inner.rule}, part, moments);
   ShortPairs pairs;
   if (!halve(outer, inner, 0, pairs)) return alongside(outer.side, inner.side, part, moments);
   for (const ShortPair& pair : pairs) add(pair, part, moments);
@@ -120,7 +134,7 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
   PairMoments moments;
   switch (contact) {
     case Contact::same:
-      same(outer, moments);
+      same(outer, part, moments);
       break;
     case Contact::end_to_start:
       touching({outer, {1, -1}}, {inner, {-1, 1}}, true, part, moments);

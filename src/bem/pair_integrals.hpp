@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bem/boundary_elements.hpp"
@@ -29,9 +30,9 @@ struct PairMoments {
   std::int64_t evaluations = 0;             // point pairs at which kernels were evaluated
 };
 
-// Which integrals a pair needs: the weakly singular kernels are symmetric, so one order of the pair is enough; two
-// elements of cracks, which have no tractions, need `derivative` only.
-enum class PairPart { everything, double_layer_only, derivative_only };
+// Which integrals a pair needs: the weakly singular kernels are symmetric, so one order of the pair is enough; an inner
+// element of a crack, which has no tractions, needs no `mass`, and two of them need `derivative` only.
+enum class PairPart { everything, without_mass, double_layer_only, derivative_only };
 
 // The points of a rule on a whole element, found when they are first asked for by whichever thread: few rules are.
 class PointTable {
@@ -96,11 +97,16 @@ class PairIntegrator {
     int rule;
   };
   void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  // The sums of distances and the rules that they ask for; larger than the largest rule if a side is too long.
-  struct Closeness {
-    double outer_sum, inner_sum;
-    int outer_rule, inner_rule;
+  // The sum of distances and the rule that it asks for; larger than the largest rule if a side is too long.
+  struct Nearness {
+    double sum;
+    int rule;
   };
+  struct Closeness {
+    Nearness outer, inner;
+  };
+  // `sums` are those of the distances of the other's sample from both ends.
+  Nearness nearness(const Stretch& own, const std::array<double, 3>& sums, const Stretch& other) const;
   Closeness closeness(const Stretch& outer, const Stretch& inner) const;
   class ShortPairs;
   bool halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const;
@@ -108,7 +114,7 @@ class PairIntegrator {
   void alongside(const Side& outer, const Side& inner, PairPart part, PairMoments& moments) const;
   void split(const Side& side, const Singularities* singularities, std::size_t count, std::vector<Piece>& pieces) const;
   void touching(const Side& outer, const Side& inner, bool common_node, PairPart part, PairMoments& moments) const;
-  void same(int element, PairMoments& moments) const;
+  void same(int element, PairPart part, PairMoments& moments) const;
   void same_tip(int element, PairMoments& moments) const;
   const ElementPoints& points(const Side& side, int rule, ElementPoints& scratch) const;
 
@@ -116,6 +122,7 @@ class PairIntegrator {
   double tolerance_;
   RegularRules rules_;
   std::vector<Stretch> whole_stretches_;
+  std::vector<std::optional<ArcParameters>> arcs_;
   std::vector<std::array<PointTable, regular_point_counts.size()>> whole_;
 };
 

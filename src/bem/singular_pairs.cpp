@@ -6,68 +6,41 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
+#include "bem/kernel_sums.hpp"
 #include "bem/pair_integrals.hpp"
 
 namespace bempd::bem {
 
 namespace {
 
-// Pair of parameters with everything the kernels need there.
-struct PointPair {
-  ElementGeometry::Values outer, inner;
-  Point chord{};                       // r / radius
-  double weight = 0, log_weight = 0;   // log_weight integrates ln(radius)
-  std::array<double, 6> difference{};  // (N_b(y) - N_b(x)) / radius, inner nodes then outer nodes
-};
-
-void add_weakly_singular(const PointPair& p, double cosine, double sine, bool mass, PairMoments& moments) {
-  const double jacobians = p.outer.derivative.norm() * p.inner.derivative.norm();
-  const double kernels[3] = {p.log_weight + p.weight * 0.5 * std::log(p.chord.squaredNorm()), p.weight * cosine,
-                             p.weight * sine};
-  for (int c = 0; c < 3; ++c)
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) {
-        if (mass) moments.mass[c][b][a] += kernels[c] * jacobians * p.outer.shape[a] * p.inner.shape[b];
-        moments.derivative[c][b][a] += kernels[c] * p.outer.shape_derivative[a] * p.inner.shape_derivative[b];
-      }
-}
-
-void add_point(const PointPair& p, PairPart part, PairMoments& moments) {
-  ++moments.evaluations;
-  const double inverse = 1 / p.chord.squaredNorm();
-  const double cosine = 0.5 * (p.chord.x() * p.chord.x() - p.chord.y() * p.chord.y()) * inverse;
-  const double sine = p.chord.x() * p.chord.y() * inverse;
-  if (part != PairPart::double_layer_only) add_weakly_singular(p, cosine, sine, part == PairPart::everything, moments);
-  if (part == PairPart::derivative_only) return;
-
-  const Point normal = scaled_normal(p.inner.derivative);
-  const double along = p.chord.dot(normal) * inverse, across = cross(normal, p.chord) * inverse;
-  const double kernels[4] = {along, across, along * cosine, along * sine};
-  const double weight = p.weight * p.outer.derivative.norm();
-  for (int c = 0; c < 4; ++c)
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 6; ++b)
-        moments.double_layer[c][b][a] += weight * kernels[c] * p.outer.shape[a] * p.difference[b];
-}
-
-// (N_b(y) - N_b(x)) / radius at a pair of parameters around a common end. N_b is one and the same there, so its value
-// drops out of the difference.
-std::array<double, 6> common_node_difference(const std::array<double, 3>& inner, double inner_way,
-                                             const std::array<double, 3>& outer, double outer_way) {
-  std::array<double, 6> difference;
+// Writes an element's functions at a place into number p of a row.
+void set(const ElementGeometry::Values& values, const std::array<double, 3>& difference, double scale, std::size_t p,
+         SingularPoints::Side& side) {
+  const Point normal = scaled_normal(values.derivative);
+  const double jacobian = values.derivative.norm();
+  side.normal_x[p] = normal.x(), side.normal_y[p] = normal.y();
   for (int k = 0; k < 3; ++k) {
-    difference[k] = inner_way * inner[k];
-    difference[3 + k] = -outer_way * outer[k];
+    side.mass[k][p] = values.shape[k] * jacobian;
+    side.derivative[k][p] = values.shape_derivative[k];
+    side.difference[k][p] = scale * difference[k];
   }
-  return difference;
 }
 
-// The same where each element has its own node.
-std::array<double, 6> separate_node_difference(const PointPair& p, double radius) {
-  const auto &inner = p.inner.shape, &outer = p.outer.shape;
-  return {inner[0] / radius,  inner[1] / radius,  inner[2] / radius,
-          -outer[0] / radius, -outer[1] / radius, -outer[2] / radius};
+void set(const Point& chord, double weight, double log_weight, std::size_t p, SingularPoints::Pair& pair) {
+  pair.chord_x[p] = chord.x(), pair.chord_y[p] = chord.y();
+  pair.weight[p] = weight, pair.log_weight[p] = log_weight;
+}
+
+// Whole vectors are read: behind the last radius there is nothing.
+void fill_up(std::size_t radii, SingularPoints::Side& side) {
+  const ElementGeometry::Values nothing{Point(0, 0), {}, {}};
+  for (std::size_t p = radii; p % 4 != 0; ++p) set(nothing, {}, 0, p, side);
+}
+
+void fill_up(std::size_t radii, SingularPoints::Pair& pair) {
+  for (std::size_t p = radii; p % 4 != 0; ++p) set(Point(1, 0), 0, 0, p, pair);
 }
 
 // Polynomials of straight elements reach degree five in the radius and two along an element; curved ones need more,
@@ -111,6 +84,33 @@ struct AngularRule {
   }
 };
 
+// An element seen from one of its ends.
+class FromEnd {
+ public:
+  FromEnd(const ElementGeometry& element, const Interval& interval)
+      : element_(element), from_(interval.from), length_(interval.to - from_), half_(element.basis.half(from_)) {}
+
+  // The way there is radius * times_radius of the interval. The nodes' functions less their values at the end, over the
+  // radius: those of a common node drop out of differences; `sign` is theirs.
+  void set_at(double radius, double times_radius, bool common_node, double sign, std::size_t p, Point& chord,
+              SingularPoints::Side& side) const {
+    const double way = length_ * times_radius;
+    const auto [values, quotients] = element_.seen(from_, way * radius, half_, element_.basis.half(way * radius));
+    chord = way * quotients.place;
+    if (common_node)
+      set(values, quotients.shape, sign * way, p, side);
+    else
+      set(values, values.shape, sign / radius, p, side);
+  }
+  Point tangent() const { return length_ * element_.derivative(from_); }
+  double length() const { return length_; }
+
+ private:
+  const ElementGeometry& element_;
+  double from_, length_;
+  ElementBasis::HalfAngle half_;
+};
+
 }  // namespace
 
 // The intervals start at the common point: parameters from + s (to - from), with s = radius, t = radius * w in one
@@ -118,65 +118,78 @@ struct AngularRule {
 void PairIntegrator::touching(const Side& outer, const Side& inner, bool common_node, PairPart part,
                               PairMoments& moments) const {
   const ElementGeometry &a = elements_[outer.element], &b = elements_[inner.element];
-  const double a0 = outer.interval.from, a_length = outer.interval.to - a0;
-  const double b0 = inner.interval.from, b_length = inner.interval.to - b0;
-  const bool straight = a.straight() && b.straight();
-  const PointCounts counts(straight, tolerance_);
+  const FromEnd from_a(a, outer.interval), from_b(b, inner.interval);
+  const PointCounts counts(a.straight() && b.straight(), tolerance_);
   const GaussRule& radial = gauss_rule(counts.radial);
-  const Point a_tangent = a_length * a.derivative(a0), b_tangent = b_length * b.derivative(b0);
+  const Point a_tangent = from_a.tangent(), b_tangent = from_b.tangent();
   const std::complex<double> ratio =
       std::complex<double>(a_tangent.x(), a_tangent.y()) / std::complex<double>(b_tangent.x(), b_tangent.y());
+  const double square = std::abs(from_a.length() * from_b.length());
 
+  SingularPoints points;
+  points.radii = counts.radial;
   for (const bool inner_is_nearer : {true, false}) {
     const AngularRule angular(inner_is_nearer ? ratio : 1.0 / ratio, tolerance_, counts.extra_angular);
+    points.one_outer = inner_is_nearer, points.one_inner = !inner_is_nearer;
+    const FromEnd &nearer = inner_is_nearer ? from_b : from_a, &farther = inner_is_nearer ? from_a : from_b;
+    auto &nearer_sides = inner_is_nearer ? points.inner : points.outer,
+         &farther_sides = inner_is_nearer ? points.outer : points.inner;
+    const double sign = inner_is_nearer ? 1 : -1;
+    std::array<Point, SingularPoints::most_radii> farther_chord;
+    for (std::size_t i = 0; i < radial.points.size(); ++i)
+      farther.set_at(radial.points[i], 1, common_node, -sign, i, farther_chord[i], farther_sides[0]);
+    fill_up(radial.points.size(), farther_sides[0]);
     for (std::size_t j = 0; j < angular.points.size(); ++j) {
-      const double s_over_radius = inner_is_nearer ? 1 : angular.points[j];
-      const double t_over_radius = inner_is_nearer ? angular.points[j] : 1;
+      const auto q = static_cast<std::size_t>(points.angles++);
       for (std::size_t i = 0; i < radial.points.size(); ++i) {
-        const double radius = radial.points[i];
-        const double outer_way = a_length * s_over_radius, inner_way = b_length * t_over_radius;
-        const double outer_xi = a0 + outer_way * radius, inner_xi = b0 + inner_way * radius;
-        PointPair p{a.values(outer_xi), b.values(inner_xi)};
-        const ElementGeometry::Quotients from_a = a.quotients(outer_xi, a0), from_b = b.quotients(inner_xi, b0);
-        p.chord = inner_way * from_b.place - outer_way * from_a.place;
-        const double area = angular.weights[j] * radius * std::abs(a_length * b_length);
-        p.weight = radial.weights[i] * area;
-        p.log_weight = radial.log_weights[i] * area;
-        p.difference = common_node ? common_node_difference(from_b.shape, inner_way, from_a.shape, outer_way)
-                                   : separate_node_difference(p, radius);
-        add_point(p, part, moments);
+        Point chord;
+        nearer.set_at(radial.points[i], angular.points[j], common_node, sign, i, chord, nearer_sides[q]);
+        const double area = angular.weights[j] * radial.points[i] * square;
+        set(sign * (chord - farther_chord[i]), radial.weights[i] * area, radial.log_weights[i] * area, i,
+            points.pairs[q]);
       }
+      fill_up(radial.points.size(), nearer_sides[q]);
+      fill_up(radial.points.size(), points.pairs[q]);
+      if (points.angles < SingularPoints::most_angles && j + 1 < angular.points.size()) continue;
+      add_singular_sums(points, part, moments);
+      points.angles = 0;
     }
   }
 }
 
 // The radius is half the distance of the parameters, 2 s = |eta - xi|; the lower one runs over -1 .. 1 - 2 s.
-void PairIntegrator::same(int element, PairMoments& moments) const {
+void PairIntegrator::same(int element, PairPart part, PairMoments& moments) const {
   const ElementGeometry& geometry = elements_[element];
   if (geometry.tip != TipEnd::none) return same_tip(element, moments);
   const PointCounts counts(geometry.straight(), tolerance_);
   const GaussRule &radial = gauss_rule(counts.radial), &along = gauss_rule(counts.along);
-  const double log_two = std::log(2.0);
-  for (std::size_t i = 0; i < radial.points.size(); ++i)
+  SingularPoints points;
+  points.own_nodes = false;
+  points.radii = counts.radial, points.angles = counts.along;
+  for (std::size_t i = 0; i < radial.points.size(); ++i) {
+    const double s = radial.points[i];
+    const ElementBasis::HalfAngle half_way = geometry.basis.half(2 * s);
     for (std::size_t j = 0; j < along.points.size(); ++j) {
-      const double s = radial.points[i];
-      const double lower = -1 + 2 * along.points[j] * (1 - s), upper = lower + 2 * s;
-      const double area = 4 * (1 - s) * along.weights[j];
-      const ElementGeometry::Values at_lower = geometry.values(lower), at_upper = geometry.values(upper);
-      const ElementGeometry::Quotients quotients = geometry.quotients(upper, lower);
-      for (const bool outer_is_lower : {true, false}) {
-        PointPair p{outer_is_lower ? at_lower : at_upper, outer_is_lower ? at_upper : at_lower};
-        // Signed radius eta - xi: even kernels do not see the sign, in the double layer it cancels.
-        p.chord = quotients.place;
-        p.weight = radial.weights[i] * area;
-        p.log_weight = radial.log_weights[i] * area + p.weight * log_two;
-        for (int k = 0; k < 3; ++k) {
-          p.difference[k] = quotients.shape[k];
-          p.difference[3 + k] = 0;
-        }
-        add_point(p, PairPart::everything, moments);
-      }
+      const double lower = -1 + 2 * along.points[j] * (1 - s);
+      const double area = 4 * (1 - s) * along.weights[j], weight = radial.weights[i] * area;
+      const double log_weight = radial.log_weights[i] * area + weight * std::numbers::ln2;
+      const ElementBasis::HalfAngle half_lower = geometry.basis.half(lower);
+      const ElementGeometry::Values at_lower = geometry.values(lower, geometry.basis.at(lower, half_lower));
+      const auto [at_upper, quotients] = geometry.seen(lower, 2 * s, half_lower, half_way);
+      // Signed radius eta - xi: even kernels do not see the sign, in the double layer it cancels.
+      set(quotients.place, weight, log_weight, i, points.pairs[j]);
+      set(at_lower, quotients.shape, 1, i, points.outer[j]);
+      set(at_upper, quotients.shape, 1, i, points.inner[j]);
     }
+  }
+  for (std::size_t j = 0; j < along.points.size(); ++j) {
+    fill_up(radial.points.size(), points.outer[j]);
+    fill_up(radial.points.size(), points.inner[j]);
+    fill_up(radial.points.size(), points.pairs[j]);
+  }
+  add_singular_sums(points, part, moments);
+  std::swap(points.outer, points.inner);
+  add_singular_sums(points, part, moments);
 }
 
 // Derivatives only: cracks have no traction unknowns. With the ways sigma and tau from the tip,

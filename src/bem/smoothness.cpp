@@ -20,18 +20,6 @@ void add_roots(const Complex& c0, const Complex& c1, const Complex& c2, Singular
   if (larger != 0.0) s.add(-2.0 * c0 / larger);
 }
 
-// On the circle x = centre + (mid - centre) exp(i alpha xi); read as complex numbers it passes through every point.
-void add_angles(const ElementGeometry& arc, const Point& x, Singularities& s) {
-  const double alpha = arc.basis.half_angle(), root = std::sin(0.5 * alpha);
-  const Point to_centre = arc.c2 / (2 * root * root);
-  const Complex ratio = as_complex(x - arc.c0 - to_centre) / as_complex(-to_centre);
-  if (ratio == 0.0) return;
-  const Complex xi = Complex(0, -1) * std::log(ratio) / alpha;
-  s.add(xi);
-  // The next turn is as far as the first one for points across the circle.
-  s.add(xi - std::copysign(2 * std::numbers::pi / std::abs(alpha), xi.real()));
-}
-
 }  // namespace
 
 double Singularities::sum_of_distances(const Interval& interval) const {
@@ -53,6 +41,38 @@ double Singularities::longest_interval(double from, double sum) const {
   return longest;
 }
 
+ArcParameters::ArcParameters(const ElementGeometry& arc) : alpha_(arc.basis.half_angle()) {
+  const double root = std::sin(0.5 * alpha_);
+  to_mid_ = -arc.c2 / (2 * root * root);
+  centre_ = arc.c0 - to_mid_;
+  radius_ = to_mid_.norm();
+}
+
+std::array<Complex, 2> ArcParameters::of(const Point& x) const {
+  const Point place = x - centre_;
+  const Complex xi(std::atan2(cross(to_mid_, place), to_mid_.dot(place)) / alpha_,
+                   -std::log(place.norm() / radius_) / alpha_);
+  return {xi, xi - std::copysign(2 * std::numbers::pi / std::abs(alpha_), xi.real())};
+}
+
+double ArcParameters::sum_of_distances(const Point& x, const Interval& interval) const {
+  const auto [xi, next_turn] = of(x);
+  const auto sum = [&](const Complex& at) {
+    return std::sqrt(std::norm(at - interval.from)) + std::sqrt(std::norm(at - interval.to));
+  };
+  return 2 * std::min(sum(xi), sum(next_turn)) / std::abs(interval.to - interval.from);
+}
+
+// Parameters of places at z and z' off the centre differ by |ln(z' / z)| / alpha <= q / (1 - q) / alpha, where
+// q = |z' - z| / |z|.
+double ArcParameters::largest_change(const std::array<Point, 3>& places, const Interval& interval) const {
+  const double apart =
+      std::sqrt(std::max((places[0] - places[1]).squaredNorm(), (places[2] - places[1]).squaredNorm()));
+  const double room = (places[1] - centre_).norm() - apart;
+  if (room <= 0) return std::numeric_limits<double>::infinity();
+  return 4 * apart / (room * std::abs(alpha_ * (interval.to - interval.from)));
+}
+
 Singularities singularities_from(const ElementGeometry& element, const Point& x) {
   Singularities s;
   const Complex c0 = as_complex(element.c0 - x), c1 = as_complex(element.c1), c2 = as_complex(element.c2);
@@ -61,7 +81,7 @@ Singularities singularities_from(const ElementGeometry& element, const Point& x)
   } else if (element.basis.powers()) {
     add_roots(c0, c1, c2, s);
   } else {
-    add_angles(element, x, s);
+    for (const Complex& xi : ArcParameters(element).of(x)) s.add(xi);
   }
   return s;
 }

@@ -27,6 +27,24 @@ class Singularities {
   int count_ = 0;
 };
 
+// A circular arc is x = centre + (mid - centre) exp(i alpha xi); read as complex numbers it passes through every place
+// of the plane but its centre.
+class ArcParameters {
+ public:
+  explicit ArcParameters(const ElementGeometry& arc);
+
+  // Where the distance from the place vanishes: within half a turn of the arc's middle, and a turn from there.
+  std::array<std::complex<double>, 2> of(const Point& x) const;
+  // As Singularities has it, of the nearer one.
+  double sum_of_distances(const Point& x, const Interval& interval) const;
+  // By how much more or less that may be seen from places in the plane than from the middle one of them.
+  double largest_change(const std::array<Point, 3>& places, const Interval& interval) const;
+
+ private:
+  Point centre_, to_mid_;
+  double alpha_, radius_;
+};
+
 // Where the distance from the point x vanishes.
 Singularities singularities_from(const ElementGeometry& element, const Point& x);
 

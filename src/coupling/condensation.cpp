@@ -18,6 +18,10 @@ Condensation::Condensation(EquilibriumSystem& system) : system_(system.reduce())
   check_cancelled();
 }
 
+Affine Condensation::load() const {
+  return factor_.triangularView<Eigen::Lower>() * eliminated_.bottomRows(factor_.rows());
+}
+
 std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& functions) const {
   const Stopwatch watch(system_.counters.seconds_solve);
   const auto kept = static_cast<Eigen::Index>(dofs_.size());

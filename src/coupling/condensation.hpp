@@ -28,6 +28,9 @@ class Condensation {
   // Cholesky factor of the Schur complement, a lower triangle.
   const Eigen::MatrixXd& factor() const { return factor_; }
 
+  // Loads and prescribed displacements as forces on the kept degrees of freedom.
+  Affine load() const;
+
   // Columns are weights of all degrees of freedom (none on tied nodes).
   std::vector<CondensedFunction> condense(const Eigen::MatrixXd& functions) const;
 

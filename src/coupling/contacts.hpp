@@ -14,6 +14,7 @@ namespace bempd::coupling {
 struct Contact {
   std::vector<TermEntry> pull;  // c
   double stiffness;             // k [N/m]
+  bool operator==(const Contact&) const = default;
 
   double gap(const double* displacement) const {
     double sum = 0;
@@ -48,6 +49,7 @@ class Contacts {
   // Places that may not press: on parts that would only be pushed away.
   bool is_barred(std::size_t i) const { return i < barred_.size() && barred_[i] != 0; }
   std::size_t barred_count() const { return barred_.size(); }  // of those that are known to be barred or not
+  const std::vector<char>& barred() const { return barred_; }
   void bar(std::vector<char> barred) { barred_ = std::move(barred); }
 
   // visit(contact) for those that are closed.

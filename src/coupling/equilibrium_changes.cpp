@@ -96,6 +96,7 @@ void EquilibriumSystem::add_pulls(int term, double size, int column,
 
 void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns,
                                       linalg::Change change) {
+  rebuild_factor();
   if (!factor_.exists() || entries.empty()) return;
   Eigen::SparseMatrix<double> matrix(unknowns_.count(), columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -161,6 +162,7 @@ void EquilibriumSystem::restore(std::vector<std::uint8_t> stages, std::vector<Ho
 }
 
 bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
+  rebuild_factor();
   if (!factor_.exists()) return true;
   if (factor_.is_current()) return factor_.pivots_are_sound();
   // A stale factor knows nothing of the break. A motion that one term alone resisted runs away under the load that

@@ -221,28 +221,6 @@ void EquilibriumSystem::condense_load() {
   condensed_ = Condensed::operators_and_load;
 }
 
-const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
-  const auto make = [&](const Contacts& with_room) {
-    assembly_ =
-        std::make_unique<StiffnessAssembly>(unknowns_.unknown_of, terms_, ties_, operators_, is_symmetric(), with_room);
-    pattern_has_places_ = with_room.size() > 0;
-  };
-  // Faces that never touch leave the pattern as it is.
-  if (!assembly_) make({});
-  if (!assembly_->has_room_for(contacts_)) make(contacts_);
-  return assembly_->sum(present_stiffness_, springs_, contacts_);
-}
-
-void EquilibriumSystem::factorize() {
-  if (factor_.exists()) return;
-  const Eigen::SparseMatrix<double>* matrix = nullptr;
-  {
-    const Stopwatch watch(counters_.seconds_assembly);
-    matrix = &assemble();
-  }
-  factor_.factorize(*matrix);
-}
-
 bool EquilibriumSystem::has_load(int part) const {
   return !force_.col(part).isZero(0) || !prescribed_.col(part).isZero(0) || terms_.have_offsets(part) ||
          operators_have_rest_[part];
@@ -258,7 +236,7 @@ Eigen::VectorXd EquilibriumSystem::displacement_of(const Eigen::VectorXd& unknow
 Eigen::VectorXd EquilibriumSystem::solve_column(const Eigen::VectorXd& rhs) {
   return factor_.solve(
       rhs, [this](const Eigen::VectorXd& x, Eigen::VectorXd& y) { y = apply(x); },
-      [this]() -> const Eigen::SparseMatrix<double>& { return assemble(); });
+      [this]() -> const Eigen::SparseMatrix<double>& { return assemble_to_factorize(); });
 }
 
 Affine EquilibriumSystem::solve() {

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "coupling/affine.hpp"
 #include "coupling/condensed_operator.hpp"
 #include "coupling/contacts.hpp"
+#include "coupling/factor_origin.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "coupling/solver_counters.hpp"
@@ -57,7 +59,8 @@ class EquilibriumSystem {
   void place_nodes(const std::vector<Point>& positions);
 
   // The unknowns of these nodes are eliminated last, from the next factorization on.
-  void keep_last(std::vector<int> nodes) { factor_.keep_last(std::move(nodes)); }
+  void keep_last(std::vector<int> nodes);
+  bool keeps_last(const std::vector<int>& nodes) const { return factor_.kept_nodes() == nodes; }
 
   int node_count() const { return node_count_; }
   const Terms& terms() const { return terms_; }
@@ -127,6 +130,9 @@ class EquilibriumSystem {
   // All of them at once; the next solve factorizes afresh if that changes the matrix.
   void set_contacts(Contacts contacts);
 
+  // The same without touching the factor, which then belongs to another matrix.
+  void put_contacts(Contacts contacts) { contacts_ = std::move(contacts); }
+
   // Places on the faces of cracks inside operators (equilibrium_faces.cpp), which none of these contacts has: they are
   // shut exactly. Numbered by operators, all open at first.
   std::size_t face_count() const { return closed_faces_.size(); }
@@ -160,15 +166,18 @@ class EquilibriumSystem {
 
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
-  void forget_factor() { factor_.forget(); }
+  void forget_factor();
   // Which entries of the matrix places of contact have needed so far: rounding depends on it.
-  void forget_places_met() {
-    if (pattern_has_places_) assembly_.reset();
-  }
-  bool has_current_factor() const { return factor_.is_current(); }
-
+  PlacesMet places_met() const { return places_met_ ? *places_met_ : PlacesMet(); }
+  void set_places_met(PlacesMet places);
+  void forget_places_met();
+  // How the factor has come about, none if there is none; set again, it is made when it is needed
+  // (equilibrium_factor.cpp).
+  std::optional<FactorOrigin> factor_origin() const;
+  void set_factor_origin(FactorOrigin origin);
+  bool has_current_factor();
   // True if the factor is that of the present matrix, with these nodes' unknowns last.
-  bool factor_keeps(const std::vector<int>& nodes) const { return factor_.keeps(nodes); }
+  bool factor_keeps(const std::vector<int>& nodes);
 
   // Throws Error (unsolvable) if something can move freely.
   Affine solve();
@@ -234,6 +243,9 @@ class EquilibriumSystem {
   void collect_followers();
   void condense_load();
   void factorize();
+  void rebuild_factor();
+  std::unique_ptr<StiffnessAssembly> assembly_with(const PlacesMet* places) const;
+  const Eigen::SparseMatrix<double>& assemble_to_factorize();
   bool has_load(int part) const;
 
   std::vector<StageChange> all_gone(std::span<const int> terms) const;
@@ -275,9 +287,10 @@ class EquilibriumSystem {
   std::vector<std::array<double, 2>> support_motions_;  // each once, of the prescribed ones that are not 0
   Condensed condensed_ = Condensed::nothing;
   mutable std::unique_ptr<StiffnessAssembly> assembly_;  // once condensed
-  mutable bool pattern_has_places_ = false;
+  mutable std::shared_ptr<const PlacesMet> places_met_;  // null: none
   SolverCounters counters_;
   SystemFactor factor_;
+  FactorSource source_;
 };
 
 }  // namespace bempd::coupling

@@ -47,6 +47,7 @@ struct HoldingSpring {
   double cosine, sine;
   double stiffness;  // [N/m]
   double anchor;
+  bool operator==(const HoldingSpring&) const = default;
 };
 
 }  // namespace bempd::coupling

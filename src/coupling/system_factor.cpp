@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -26,6 +27,14 @@ constexpr double suspicious_pivot_ratio = 1e-10;
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
 constexpr int inverse_iterations = 8;
 constexpr double no_stiffness = 1e-16;  // of the largest: what stands for a diagonal entry without any
+
+FactorChange as_change(const Eigen::SparseMatrix<double>& columns, linalg::Change change) {
+  const auto entries = columns.nonZeros();
+  return {change == linalg::Change::add,
+          {columns.outerIndexPtr() + 1, columns.outerIndexPtr() + columns.cols() + 1},
+          {columns.innerIndexPtr(), columns.innerIndexPtr() + entries},
+          {columns.valuePtr(), columns.valuePtr() + entries}};
+}
 
 }  // namespace
 
@@ -64,7 +73,16 @@ void SystemFactor::choose_order() {
   cholesky->set_elimination_order(std::move(order), kept_);
 }
 
+bool SystemFactor::recall(const std::vector<FactorChange>& changes) {
+  if (forgotten_ == FactorState::none || kept_when_made_ != kept_nodes_ || changes_ != changes) return false;
+  state_ = std::exchange(forgotten_, FactorState::none);
+  return true;
+}
+
 void SystemFactor::factorize(const Matrix& matrix) {
+  lose();
+  state_ = FactorState::none;
+  changes_.clear();
   const Stopwatch watch(counters_.seconds_factorization);
   largest_diagonal_ = matrix.diagonal().maxCoeff();
   if (!solver_) solver_ = method_.make_solver();
@@ -80,6 +98,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
          "that leave a part hanging on a single point");
   }
   state_ = FactorState::factorized;
+  kept_when_made_ = kept_nodes_;
   ++counters_.sparse_factorizations;
   // With the matrix scaled to a unit diagonal, which neither units nor stiff neighbours spoil.
   counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, factor.smallest_pivot_ratio());
@@ -88,10 +107,22 @@ void SystemFactor::factorize(const Matrix& matrix) {
 
 void SystemFactor::change(const Matrix& columns, linalg::Change change) {
   const Stopwatch watch(counters_.seconds_update);
+  if (is_current()) changes_.push_back(as_change(columns, change));
   // A factor left stale still preconditions the iteration in solve().
   const bool follows = solver_->factorization().update(columns, change);
   state_ = follows && is_current() ? FactorState::updated : FactorState::stale;
   counters_.factor_updates += columns.cols();
+}
+
+void SystemFactor::repeat(const FactorChange& change) {
+  Matrix columns(static_cast<Eigen::Index>(unknowns_.count()), static_cast<Eigen::Index>(change.end.size()));
+  std::vector<Eigen::Triplet<double>> entries;
+  std::size_t at = 0;
+  for (std::size_t column = 0; column < change.end.size(); ++column)
+    for (; at < static_cast<std::size_t>(change.end[column]); ++at)
+      entries.emplace_back(change.unknown[at], static_cast<int>(column), change.weight[at]);
+  columns.setFromTriplets(entries.begin(), entries.end());
+  this->change(columns, change.adds ? linalg::Change::add : linalg::Change::remove);
 }
 
 Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolver::Apply& apply,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "coupling/factor_origin.hpp"
 #include "coupling/solution_method.hpp"
 #include "coupling/solver_counters.hpp"
 #include "coupling/unknowns.hpp"
@@ -35,17 +36,28 @@ class SystemFactor {
   void keep_last(std::vector<int> nodes);
   int kept() const { return kept_; }  // unknowns
   bool keeps(const std::vector<int>& nodes) const;
+  const std::vector<int>& kept_nodes() const { return kept_nodes_; }
 
   FactorState state() const { return state_; }
   bool exists() const { return state_ != FactorState::none; }
   bool is_current() const { return state_ == FactorState::factorized || state_ == FactorState::updated; }
-  void forget() { state_ = FactorState::none; }
+  void forget() {
+    if (exists()) forgotten_ = state_;
+    state_ = FactorState::none;
+  }
+  // Takes back the last forget() if no other factor has been made since, and this one had come about so; the caller
+  // knows of which matrix.
+  bool recall(const std::vector<FactorChange>& changes);
+  void lose() { forgotten_ = FactorState::none; }  // for good
 
   // Throws Error (unsolvable) if the matrix is singular.
   void factorize(const Matrix& matrix);
 
   // Of a factor that exists: the matrix changes by plus or minus columns * columns^T.
   void change(const Matrix& columns, linalg::Change change);
+  // All of them since it was factorized, up to the first that it could not follow.
+  const std::vector<FactorChange>& changes() const { return changes_; }
+  void repeat(const FactorChange& change);
 
   // One solution; asks for the present matrix if the factor at hand does not reach it. Throws Error (unsolvable).
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs, const SystemSolver::Apply& apply,
@@ -67,7 +79,9 @@ class SystemFactor {
   std::vector<int> kept_nodes_;
   int kept_ = 0;
   std::unique_ptr<SystemSolver> solver_;
-  FactorState state_ = FactorState::none;
+  FactorState state_ = FactorState::none, forgotten_ = FactorState::none;
+  std::vector<int> kept_when_made_;
+  std::vector<FactorChange> changes_;
   double largest_diagonal_ = 0;  // of the matrix last factorized
 };
 

@@ -32,6 +32,7 @@ struct CriticalScales {
 struct TermEntry {
   int node;
   double x, y;
+  bool operator==(const TermEntry&) const = default;
 };
 
 // What the displacements u add to the energy as squares: each term is k/2 (c.u - e0)^2 + q (c.u), with c its

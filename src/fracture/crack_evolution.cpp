@@ -32,6 +32,7 @@ bool CrackEvolution::energies_are_lost() const {
 StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
                                    const std::function<void(const EvolutionState&)>& on_event) {
   sources_.refresh();
+  sources_.go_on();
   const Start start{state_, state_.history.size(), state_.reactions.size()};
   try {
     const StopReason reason = run(target, goal, options, on_event);
@@ -226,9 +227,10 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, 
   state_.reactions.insert(state_.reactions.end(), reactions.begin(), reactions.end());
 }
 
-void CrackEvolution::restore(EvolutionState state) noexcept {
+void CrackEvolution::restore(EvolutionState state, std::optional<Continuation> continuation) noexcept {
   state_ = std::move(state);
   sources_.abandon();
+  if (continuation) sources_.continue_with(std::move(*continuation));
 }
 
 void CrackEvolution::synchronize() {

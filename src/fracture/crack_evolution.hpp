@@ -96,31 +96,32 @@ class CrackEvolution {
 
   // Displacements and forces are brought up to date first; nothing else depends on whether they are asked for.
   const EvolutionState& state() {
-    sources_.refresh();
-    sources_.bring_up_to_date();
+    look();
     return state_;
+  }
+  // What a restored run needs beside it to go on with the same digits.
+  Continuation continuation() {
+    look();
+    return sources_.continuation();
   }
   // The same without: numbers, bonds and history are right, displacements and forces may be those of an earlier event.
   const EvolutionState& progress() const { return state_; }
-  void restore(EvolutionState state) noexcept;
+  void restore(EvolutionState state, std::optional<Continuation> continuation = std::nullopt) noexcept;
   // The system's terms are in their present stages, also after a failure or another state.
   void bring_terms_up_to_date() { sources_.refresh(); }
-  // From here on the run is the same, bit for bit, as one restored from a copy of the present state.
+  // From here on the run is the same, bit for bit, as one restored from a copy of the present state alone.
   void synchronize();
 
   Eigen::Vector2d reaction(std::size_t support) {
-    sources_.refresh();
-    sources_.bring_up_to_date();
+    look();
     return body_.reaction(support);
   }
   double reaction_moment(std::size_t support, const Point& about) {
-    sources_.refresh();
-    sources_.bring_up_to_date();
+    look();
     return body_.reaction_moment(support, about);
   }
   double reaction_at(int dof) {
-    sources_.refresh();
-    sources_.bring_up_to_date();
+    look();
     return body_.reaction_at(dof);
   }
   // Of places where faces of cracks meet: those on initial cracks, and whether a bond and normal make a grown one.
@@ -130,8 +131,7 @@ class CrackEvolution {
 
   // In the present state of the bonds, under the present loads.
   LoadInterval admissible_load_factors() {
-    sources_.refresh();
-    sources_.bring_up_to_date();
+    look();
     return body_.admissible();
   }
   double work() const;  // of loads and supports so far [J]
@@ -140,6 +140,11 @@ class CrackEvolution {
   bool energies_are_lost() const;
 
  private:
+  void look() {
+    sources_.refresh();
+    sources_.show();
+  }
+
   // The books as they were when a call began.
   struct Start {
     Sums sums;

@@ -71,10 +71,12 @@ Outcome EventSources::perform() {
 
 void EventSources::settle() {
   complete_mark();
+  close_awaited();
   window_.close();
 }
 
 void EventSources::forget() {
+  awaited_.reset();
   window_.forget();
   whole_body_events_ = 0;
   patience_ = 1;
@@ -82,14 +84,25 @@ void EventSources::forget() {
 
 void EventSources::abandon() noexcept {
   window_.abandon();
+  awaited_.reset();
   is_stale_ = true;
 }
 
 void EventSources::refresh() {
   if (!is_stale_) return;
-  forget();
-  body_.restore();
+  std::optional<Continuation> awaited = std::move(awaited_);
+  try {
+    forget();
+    body_.restore();
+    if (awaited) remember(*awaited);
+  } catch (...) {
+    awaited_ = std::move(awaited);
+    throw;
+  }
   is_stale_ = false;
+  if (!awaited || !awaited->window) return;
+  awaited_ = std::move(awaited);
+  if (!body_.state().in_equilibrium) close_awaited();  // other loads act since
 }
 
 void EventSources::mark() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fracture/contact/contact_events.hpp"
+#include "fracture/continuation.hpp"
 #include "fracture/line/line_events.hpp"
 #include "fracture/whole_body_events.hpp"
 #include "fracture/window/window_events.hpp"
@@ -28,13 +29,20 @@ class EventSources {
 
   // Displacements and forces in the body's state, which fall behind while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
-  void settle();  // brings up to date and leaves the window: loads may change
-  void forget();  // what comes next is what it would be in a fresh run from the present state
+  void show() { window_.show(); }  // for someone who looks: nothing later depends on it
+  void settle();                   // brings up to date and leaves the window: loads may change
+  void forget();                   // what comes next is what it would be in a fresh run from the present state
 
   // The body's state has become another one, at once and without memory: window, system and ratios follow with the next
   // refresh(), which has to come before anything else.
   void abandon() noexcept;
   void refresh();
+
+  // What is known beside the body's state; and after abandon(), what is to be known again. An open window is opened
+  // again by go_on(), before the run does.
+  Continuation continuation() const;
+  void continue_with(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
+  void go_on();
 
   // One state of the body to return to: the one at the first mark since the last was dropped.
   void mark();
@@ -54,6 +62,9 @@ class EventSources {
   void be_patient();
   void keep_present();
   void complete_mark();
+  void remember(const Continuation& continuation);
+  bool open_again(const Continuation& continuation);
+  void close_awaited();
 
   LoadedBody& body_;
   WholeBodyEvents whole_body_;
@@ -62,6 +73,7 @@ class EventSources {
   std::optional<LineEvents> lines_;
   EventSource* told_ = nullptr;  // the next event
   std::optional<Mark> mark_;
+  std::optional<Continuation> awaited_;  // after refresh(): only what has an open window
   bool is_stale_ = false;
   int whole_body_events_ = 0;  // to come before the next window is tried
   int patience_ = 1;           // how many, doubled where a window finds nothing to do

@@ -84,7 +84,7 @@ struct Sums {
   double work_out_of_balance = 0;     // of loads since equilibrium was lost, as far as it is stored
 };
 
-// Everything that a run changes. Copying it saves the run; the factorization is rebuilt from it.
+// Everything that a run changes. Copying it saves the run; what it goes on with by the same digits is a Continuation.
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
   std::vector<double> reactions;  // per line of the history: x and y of every support

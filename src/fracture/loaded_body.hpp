@@ -85,6 +85,8 @@ class LoadedBody {
     bar_contacts_of_held_parts();
   }
   void restore();  // system and ratios to the state, which the caller has changed
+  std::size_t springs_that_bar() const { return springs_that_bar_; }
+  void bar_contacts(std::vector<char> barred, std::size_t springs);
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
   double energy_at_rest() const;

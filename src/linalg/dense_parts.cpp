@@ -84,10 +84,6 @@ bool factorize_in_parts(Matrix lower) {
 }
 
 void DenseCholesky::compute(Eigen::MatrixXd matrix) {
-  if (!is_long(operations(matrix, matrix.rows()) / 3)) {
-    LLT::compute(matrix);
-    return;
-  }
   m_isInitialized = false;
   m_matrix = std::move(matrix);
   // The largest sum of a column's entries, as Eigen measures it for the condition.
@@ -97,8 +93,11 @@ void DenseCholesky::compute(Eigen::MatrixXd matrix) {
     sums[j] += below.sum();
     sums.tail(m_matrix.rows() - j - 1) += below.tail(below.size() - 1);
   }
-  m_l1_norm = sums.maxCoeff();
-  m_info = factorize_in_parts(m_matrix) ? Eigen::Success : Eigen::NumericalIssue;
+  m_l1_norm = sums.size() > 0 ? sums.maxCoeff() : 0;
+  const bool positive = is_long(operations(m_matrix, m_matrix.rows()) / 3)
+                            ? factorize_in_parts(m_matrix)
+                            : Eigen::internal::llt_inplace<double, Eigen::Lower>::blocked(m_matrix) < 0;
+  m_info = positive ? Eigen::Success : Eigen::NumericalIssue;
   m_isInitialized = true;
 }
 

@@ -1,4 +1,3 @@
-#include <Eigen/OrderingMethods>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -110,19 +109,13 @@ class EigenCholesky final : public SparseCholesky {
     pattern_.assign(lower);
   }
 
-  static std::vector<int> minimum_degree(const SparseMatrix& lower) {
-    SparseMatrix whole = lower.selfadjointView<Eigen::Lower>();
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-    Eigen::AMDOrdering<int>()(whole, inverse);
-    return {inverse.indices().begin(), inverse.indices().end()};
-  }
-
+  // The upper triangle with sorted columns.
   SparseMatrix permuted(const SparseMatrix& lower) const {
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_place(lower.rows());
     for (std::size_t k = 0; k < order_.size(); ++k) to_place.indices()[order_[k]] = static_cast<int>(k);
     SparseMatrix result(lower.rows(), lower.cols());
     result.selfadjointView<Eigen::Lower>() = lower.selfadjointView<Eigen::Lower>().twistedBy(to_place);
-    return result;
+    return result.transpose();
   }
 
   UpLookingLDLT factor_;

@@ -23,11 +23,14 @@ void SparseMinimumNorm::factorize(const Sparse& b) {
   for (;; shift_ *= 10) {
     Sparse shifted;
     shifted = normal + shift_ * (largest > 0 ? largest : 1) * identity;
-    if (!has_pattern_) factor_.analyzePattern(shifted);
-    has_pattern_ = true;
-    check_cancelled();
-    factor_.factorize(shifted);
-    const bool positive = factor_.info() == Eigen::Success && (factor_.vectorD().array() > 0).all();
+    const Sparse lower = shifted.triangularView<Eigen::Lower>();
+    if (order_.empty()) {
+      std::vector<int> order = minimum_degree(lower);
+      check_cancelled();
+      factor_.analyse(upper_in_order(lower, order));
+      order_.swap(order);
+    }
+    const bool positive = factor_.factorize(upper_in_order(lower, order_)) && (factor_.pivots().array() > 0).all();
     if (positive || shift_ >= largest_shift) return;
   }
 }
@@ -58,8 +61,18 @@ SparseMinimumNorm::Step SparseMinimumNorm::solve(VectorXd r, double least_residu
 }
 
 VectorXd SparseMinimumNorm::precondition(const VectorXd& r) const {
-  const VectorXd pulled = bt_ * VectorXd(factor_.solve(r));
-  return factor_.solve(VectorXd(b_ * pulled));
+  const VectorXd pulled = bt_ * apply_inverse(r);
+  return apply_inverse(b_ * pulled);
+}
+
+VectorXd SparseMinimumNorm::apply_inverse(const VectorXd& r) const {
+  Eigen::MatrixXd ordered = r(order_);
+  factor_.solve_forward(ordered);
+  ordered = factor_.pivots().cwiseInverse().asDiagonal() * ordered;
+  factor_.solve_backward(ordered);
+  VectorXd x(r.size());
+  x(order_) = ordered.col(0);
+  return x;
 }
 
 }  // namespace bempd::linalg

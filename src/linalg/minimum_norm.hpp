@@ -1,7 +1,9 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <vector>
+
+#include "linalg/up_looking_ldlt.hpp"
 
 namespace bempd::linalg {
 
@@ -15,7 +17,7 @@ class SparseMinimumNorm {
   // positive to factorize, and is then raised.
   explicit SparseMinimumNorm(double shift) : shift_(shift) {}
 
-  // Matrices that follow each other have the same pattern.
+  // Matrices that follow each other have the same pattern. Hears requests to stop.
   void factorize(const Eigen::SparseMatrix<double>& b);
 
   struct Step {
@@ -26,11 +28,12 @@ class SparseMinimumNorm {
 
  private:
   Eigen::VectorXd precondition(const Eigen::VectorXd& r) const;
+  Eigen::VectorXd apply_inverse(const Eigen::VectorXd& r) const;  // F^-1 r
 
   double shift_;
   Eigen::SparseMatrix<double> b_, bt_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-  bool has_pattern_ = false;
+  UpLookingLDLT factor_;
+  std::vector<int> order_;  // of elimination; empty: no pattern yet
 };
 
 }  // namespace bempd::linalg

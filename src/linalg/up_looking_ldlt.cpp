@@ -1,13 +1,29 @@
 #include "linalg/up_looking_ldlt.hpp"
 
+#include <Eigen/OrderingMethods>
+
 #include "cancellation.hpp"
 #include "phase.hpp"
 
 namespace bempd::linalg {
 
-void UpLookingLDLT::analyse(const Matrix& lower) {
-  const int n = static_cast<int>(lower.cols());
-  const Matrix upper = lower.transpose();
+std::vector<int> minimum_degree(const Eigen::SparseMatrix<double>& lower) {
+  Eigen::SparseMatrix<double> whole = lower.selfadjointView<Eigen::Lower>();
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
+  Eigen::AMDOrdering<int>()(whole, inverse);
+  return {inverse.indices().begin(), inverse.indices().end()};
+}
+
+Eigen::SparseMatrix<double> upper_in_order(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to_place(lower.rows());
+  for (std::size_t k = 0; k < order.size(); ++k) to_place.indices()[order[k]] = static_cast<int>(k);
+  Eigen::SparseMatrix<double> result(lower.rows(), lower.cols());
+  result.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>().twistedBy(to_place);
+  return result;
+}
+
+void UpLookingLDLT::analyse(const Matrix& upper) {
+  const int n = static_cast<int>(upper.cols());
   const auto size = static_cast<std::size_t>(n);
   parent_.assign(size, -1), seen_.assign(size, -1), length_.assign(size, 0), pattern_.assign(size, 0);
   for (int k = 0; k < n; ++k) {
@@ -39,9 +55,8 @@ int UpLookingLDLT::pattern_of_row(const Matrix& upper, int k) {
   return top;
 }
 
-bool UpLookingLDLT::factorize(const Matrix& lower) {
-  const int n = static_cast<int>(lower.cols());
-  const Matrix upper = lower.transpose();
+bool UpLookingLDLT::factorize(const Matrix& upper) {
+  const int n = static_cast<int>(upper.cols());
   const int* const begin = unit_lower_.outerIndexPtr();
   int* const rows = unit_lower_.innerIndexPtr();
   double* const values = unit_lower_.valuePtr();

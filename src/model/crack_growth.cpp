@@ -229,11 +229,12 @@ GrowthResult Model::grow_cracks(double length) {
 // Built beside the present one, whose run it goes on with.
 std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing) {
   scene_.set_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing));
-  std::unique_ptr<PreparedScene> next = build();
+  std::unique_ptr<PreparedScene> next = build(prepared_.get());
   next->evolution->go_on_after_growth(*prepared_->evolution);
   return next;
 }
 
+// Grown again event by event, so that what regions take over from the scene before has the same digits.
 std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
@@ -242,13 +243,18 @@ std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::Crack
   std::vector<scene::Crack> cracks;
   for (const scene::Crack& crack : scene_.cracks())
     cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
-  for (const fracture::CrackExtension& e : extensions) {
+  scene_.set_cracks(cracks);
+  std::unique_ptr<PreparedScene> grown = build(nullptr);
+  for (std::size_t k = 0; k < extensions.size(); ++k) {
+    const fracture::CrackExtension& e = extensions[k];
     require(e.crack <= static_cast<int>(cracks.size()) && !cracks[static_cast<std::size_t>(e.crack) - 1].points.empty(),
             "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
     extend(cracks[static_cast<std::size_t>(e.crack) - 1], e.end, {e.x, e.y});
+    if (k + 1 < extensions.size() && extensions[k + 1].event == e.event) continue;
+    scene_.set_cracks(cracks);
+    grown = build(grown.get());
   }
-  scene_.set_cracks(std::move(cracks));
-  return build();
+  return grown;
 }
 
 }  // namespace bempd::model

@@ -11,6 +11,7 @@ namespace bempd::model {
 template <class Values>
 void Model::set_load_values(int load, Values values) {
   scene_.load(load);  // throws without it
+  values_will_be_set();
   scene_.set_values(scene_.load(load), "load", load, std::move(values));
   values_were_set();
 }
@@ -36,6 +37,7 @@ std::optional<fracture::CrackEvolution::FaceLoads> Model::load_faces(const regio
 
 template <class Values>
 void Model::set_support_values(int support, Values values) {
+  values_will_be_set();
   scene_.set_values(scene_.support(support), "support", support, std::move(values));
   values_were_set();
 }
@@ -67,6 +69,12 @@ fracture::CrackPressures Model::pressures_of(const regions::DofConditions& condi
     sums[pressure.crack] += pressure.value;
   }
   return sums;
+}
+
+// What acts until they do, for states that are saved in between.
+void Model::values_will_be_set() {
+  if (!prepared_ || loads_.acting == Acting::others) return;
+  loads_.others = acting_values();
 }
 
 void Model::values_were_set() {

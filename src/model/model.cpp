@@ -106,16 +106,16 @@ void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   regions::require_memory(scene_, options_);
-  prepared_ = build();
+  prepared_ = build(nullptr);
   ++generation_;
   prepared_->anchored_pieces = anchored_pieces();
   say([&] { tell_of_preparation(); });
 }
 
-std::unique_ptr<PreparedScene> Model::build() const {
+std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   auto p = std::make_unique<PreparedScene>();
   p->fingerprint = fingerprint(scene_, options_);
-  p->discretization = regions::discretize(scene_, options_, prepared_ ? &prepared_->discretization : nullptr);
+  p->discretization = regions::discretize(scene_, options_, before ? &before->discretization : nullptr);
   regions::Discretization& d = p->discretization;
   p->conditions = regions::apply_conditions(scene_, d);
   regions::swell(d, p->conditions.swelling);

@@ -158,7 +158,7 @@ class Model {
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
   // state.cpp
-  SavedState save(bool with_values = false);
+  SavedState save(bool with_values = false) const;
   void restore(const SavedState& state);
 
   // Files
@@ -175,17 +175,12 @@ class Model {
   StepResult run(double target, fracture::Goal goal);
   StepResult run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
                         fracture::Goal goal);
-  // What acts on the body beside what the host has set (loads.cpp).
-  enum class Acting {
-    values,   // what was set
-    others,   // what was set before: it has to be replaced before anything else is done
-    on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
-  };
   struct Loads {
     Acting acting = Acting::values;
     // With which the last step ended, at the present load factor; none before the first one, as at rest.
     std::optional<scene::SceneValues> in_force;
-    double end_of_way = 0;  // load factor
+    double end_of_way = 0;                     // load factor
+    std::optional<scene::SceneValues> others;  // that act, while others do
   };
   struct LoadsBefore {  // to come back to
     regions::DofConditions conditions;
@@ -197,9 +192,11 @@ class Model {
   LoadsBefore replace_loads(regions::DofConditions conditions, Acting acting);
   void go_back_to(LoadsBefore before) noexcept;
   void act_as_said();
+  scene::SceneValues acting_values() const;
   regions::DofConditions conditions_under(scene::SceneValues values);
   std::optional<fracture::CrackEvolution::Heat> heat(const regions::DofConditions& conditions);
   std::optional<fracture::CrackEvolution::FaceLoads> load_faces(const regions::DofConditions& conditions);
+  void values_will_be_set();
   void values_were_set();
   void arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept;
   void ensure_equilibrium();
@@ -218,7 +215,8 @@ class Model {
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::CrackPicture> crack_pictures() const;
-  std::unique_ptr<PreparedScene> build() const;
+  // `before`: one whose cracks were shorter, of which regions keep what has not changed.
+  std::unique_ptr<PreparedScene> build(const PreparedScene* before) const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
   std::vector<regions::TipValues> free_tips();
   Growing go_to_growth(double length);

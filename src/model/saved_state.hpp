@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fracture/continuation.hpp"
 #include "fracture/evolution_state.hpp"
 #include "model/fingerprint.hpp"
 #include "results/tip_record.hpp"
@@ -12,16 +13,25 @@
 
 namespace bempd::model {
 
+// What acts on a body beside what the host has set.
+enum class Acting : std::uint8_t {
+  values,   // what was set
+  others,   // what was set before: it has to be replaced before anything else is done
+  on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
+};
+
 // State of a run, tied to a scene by its fingerprint.
 struct SavedState {
   SceneFingerprint scene;
   std::uint64_t load_fingerprint = 0;
   fracture::EvolutionState evolution;
+  fracture::Continuation continuation;
   std::vector<results::TipRecord> tips;  // not among its bytes
   // With which the last step had ended, none before the first; functions are not among the bytes.
   std::optional<scene::SceneValues> in_force;
-  bool on_a_way = false;
+  Acting acting = Acting::values;
   double end_of_way = 0;
+  scene::SceneValues acting_values;        // under which the body is; functions are not among the bytes
   std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
 };
 

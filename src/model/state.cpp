@@ -5,6 +5,7 @@
 #include "error.hpp"
 #include "model/fingerprint.hpp"
 #include "model/model.hpp"
+#include "model/state_checks.hpp"
 
 namespace bempd::model {
 
@@ -17,40 +18,45 @@ bool is_sound(const fracture::GrowingTip& tip) {
 }
 
 // A state whose numbers go together may still have been made for another body.
-void require_fit(const fracture::EvolutionState& state, const PreparedScene& scene) {
+void require_fit(const SavedState& saved, const PreparedScene& scene) {
+  const fracture::EvolutionState& state = saved.evolution;
   const auto dofs = static_cast<Eigen::Index>(2 * scene.discretization.positions.size());
   const coupling::Terms& terms = scene.system->terms();
-  const auto fits = [](bool good) {
+  const auto must = [](bool good) {
     require(good, "the state's arrays do not fit the scene that it names; its bytes were altered");
   };
-  fits(state.total_displacement.size() == dofs && state.stages.size() == terms.size() &&
+  must(state.total_displacement.size() == dofs && state.stages.size() == terms.size() &&
        state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
-  fits(state.tips.size() >= scene.first_tips && (scene.tip_laws > 0 || state.tips.empty()));
+  must(state.tips.size() >= scene.first_tips && (scene.tip_laws > 0 || state.tips.empty()));
   for (std::size_t k = 0; k < state.tips.size(); ++k) {
     const int number = state.tips[k].law;
     const auto law = static_cast<std::size_t>(number < 0 ? -1 - number : number);  // negative: it has ended
     const bool is_first = k < scene.first_tips;
-    fits(is_sound(state.tips[k]) && (is_first ? law == k : law >= scene.first_tips && law < scene.tip_laws));
+    must(is_sound(state.tips[k]) && (is_first ? law == k : law >= scene.first_tips && law < scene.tip_laws));
   }
   const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    fits(state.stages[t] <= terms.law_of(t).gone());
+    must(state.stages[t] <= terms.law_of(t).gone());
     broken += is_gone(t) && !terms.follows(static_cast<int>(t)) ? 1 : 0;
   }
   for (const coupling::Terms::Following& pair : terms.following)
-    fits(!is_gone(static_cast<std::size_t>(pair.leader)) || is_gone(static_cast<std::size_t>(pair.follower)));
+    must(!is_gone(static_cast<std::size_t>(pair.leader)) || is_gone(static_cast<std::size_t>(pair.follower)));
   // Every grown face that the state has is one of a bond that is gone, and the list of closed ones has it.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
-    fits(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
+    must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
          is_gone(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
   }
-  fits(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
+  must(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
        state.faces.closed_inside.size() == scene.system->face_count());
+  for (const std::vector<int>& terms_of_event : state.faces.pending)
+    for (const int term : terms_of_event)
+      must(term >= 0 && term < static_cast<int>(terms.size()) && is_gone(static_cast<std::size_t>(term)));
   const std::vector<int>& cut = scene.cut_bonds;
-  fits(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
+  must(broken == static_cast<std::int64_t>(cut.size()) + state.broken_bonds &&
        std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));
+  must(fits(saved.continuation, state, scene));
 }
 
 // Values of a state in the form that the scene's have; those that the scene has at present where the state has none:
@@ -65,32 +71,43 @@ scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneVa
   return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
 }
 
-bool has_lost_functions(const scene::SceneValues& values) {
-  const auto is_lost = [](const scene::Values& one) {
-    const auto* function = std::get_if<scene::BoundaryFunction>(&one);
-    return function && !*function;
-  };
-  return std::any_of(values.supports.begin(), values.supports.end(), is_lost) ||
-         std::any_of(values.loads.begin(), values.loads.end(), is_lost);
+// Whether all of a state's values are known and can be those of this scene.
+bool are_known(const scene::SceneValues& values, const scene::SceneValues& present) {
+  return std::equal(values.supports.begin(), values.supports.end(), present.supports.begin(), present.supports.end(),
+                    scene::are_alike) &&
+         std::equal(values.loads.begin(), values.loads.end(), present.loads.begin(), present.loads.end(),
+                    scene::are_alike);
 }
 
 }  // namespace
 
-SavedState Model::save(bool with_values) {
+scene::SceneValues Model::acting_values() const {
+  switch (loads_.acting) {
+    case Acting::others:
+      return *loads_.others;
+    case Acting::on_a_way:
+      return *loads_.in_force;
+    case Acting::values:
+      break;
+  }
+  return scene_.values();
+}
+
+SavedState Model::save(bool with_values) const {
   if (!prepared_) fail(Failure::order, "there is no state yet; call bempd_prepare() or step first");
-  if (loads_.acting == Acting::others) act_as_said();
-  // From here on the run must not depend on how the present factorization came about: a restored one has a fresh one.
-  prepared_->evolution->synchronize();
-  const bool on_a_way = loads_.acting == Acting::on_a_way;
-  const std::uint64_t said = on_a_way ? load_fingerprint(scene_, conditions_under(scene_.values()))
-                                      : load_fingerprint(scene_, prepared_->conditions);
+  const std::uint64_t said =
+      loads_.acting == Acting::values
+          ? load_fingerprint(scene_, prepared_->conditions)
+          : load_fingerprint(scene_, regions::apply_conditions(scene_, prepared_->discretization));
   return {prepared_->fingerprint,
           said,
           prepared_->evolution->state(),
+          prepared_->evolution->continuation(),
           tip_history_,
           loads_.in_force,
-          on_a_way,
-          loads_.end_of_way,
+          loads_.acting,
+          loads_.acting == Acting::on_a_way ? loads_.end_of_way : 0,
+          acting_values(),
           with_values ? std::optional(scene_.values()) : std::nullopt};
 }
 
@@ -118,30 +135,37 @@ void Model::restore_body(const SavedState& state) {
   const std::vector<scene::Crack> cracks = scene_.cracks();
   try {
     std::unique_ptr<PreparedScene> grown = as_grown(state.evolution.extensions);
-    require_fit(state.evolution, grown ? *grown : *prepared_);
+    require_fit(state, grown ? *grown : *prepared_);
     if (grown) prepared_ = std::move(grown);
   } catch (...) {
     scene_.set_cracks(cracks);
     throw;
   }
   fracture::EvolutionState copy = state.evolution;
+  fracture::Continuation continuation = state.continuation;
   Loads loads;
   if (state.in_force) loads.in_force = fitted(*state.in_force, scene_.values());
   regions::DofConditions conditions = conditions_under(scene_.values());
   const bool same_loads = state.load_fingerprint == load_fingerprint(scene_, conditions);
-  if (same_loads && state.on_a_way) {
-    conditions = conditions_under(*loads.in_force);
-    loads.acting = Acting::on_a_way;
-    loads.end_of_way = state.end_of_way;
-  }
-  replace_loads(std::move(conditions), loads.acting);
-  // Loads given new values since the state was saved act on it from here on, and so do functions that its bytes do not
-  // have.
-  if (!same_loads || (state.on_a_way && has_lost_functions(*state.in_force))) {
+  // Under other loads than the present ones the body is as it was saved until they act, so that what they do is work.
+  loads.acting = same_loads ? state.acting : Acting::others;
+  const bool known = loads.acting == Acting::values || are_known(state.acting_values, scene_.values());
+  if (!known) {  // functions that its bytes do not have, or other loads: the present ones act at once
+    if (loads.acting == Acting::others) loads.acting = Acting::values;
     copy.in_equilibrium = false;
     copy.first_unit_energy = -1;
   }
-  prepared_->evolution->restore(std::move(copy));
+  if (loads.acting != Acting::values) {
+    scene::SceneValues acting = fitted(state.acting_values, scene_.values());
+    conditions = conditions_under(acting);
+    if (loads.acting == Acting::on_a_way) {
+      loads.end_of_way = state.end_of_way;
+    } else {
+      loads.others = std::move(acting);
+    }
+  }
+  replace_loads(std::move(conditions), loads.acting);
+  prepared_->evolution->restore(std::move(copy), std::move(continuation));
   loads_ = std::move(loads);
   tip_history_ = state.tips;
   ++generation_;

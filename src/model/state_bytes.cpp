@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 9;
+constexpr std::uint32_t format_version = 10;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -44,10 +44,14 @@ void visit_members(Tip& t, Visit& visit) {
   visit(t.place.x()), visit(t.place.y()), visit(t.direction.x()), visit(t.direction.y());
   visit(t.law), visit(t.energy_ratios);
 }
-
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
 void visit_members(Face& f, Visit& visit) { visit(f.term), visit(f.normal_x), visit(f.normal_y); }
+template <class Faces, class Visit>
+requires std::is_same_v<std::remove_const_t<Faces>, fracture::FaceState>
+void visit_members(Faces& f, Visit& visit) {
+  visit(f.grown), visit(f.closed), visit(f.closed_inside), visit(f.pending);
+}
 
 template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
@@ -56,6 +60,55 @@ void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.propor
 template <class Placed, class Visit>
 requires std::is_same_v<std::remove_const_t<Placed>, scene::PlacedValues>
 void visit_members(Placed& p, Visit& visit) { visit(p.fractions), visit(p.constant), visit(p.proportional); }
+
+template <class Change, class Visit>
+requires std::is_same_v<std::remove_const_t<Change>, coupling::StageChange>
+void visit_members(Change& c, Visit& visit) { visit(c.term), visit(c.stage); }
+
+template <class Entry, class Visit>
+requires std::is_same_v<std::remove_const_t<Entry>, coupling::TermEntry>
+void visit_members(Entry& e, Visit& visit) { visit(e.node), visit(e.x), visit(e.y); }
+
+template <class Place, class Visit>
+requires std::is_same_v<std::remove_const_t<Place>, coupling::Contact>
+void visit_members(Place& p, Visit& visit) { visit(p.pull), visit(p.stiffness); }
+
+template <class Change, class Visit>
+requires std::is_same_v<std::remove_const_t<Change>, coupling::FactorChange>
+void visit_members(Change& c, Visit& visit) { visit(c.adds), visit(c.end), visit(c.unknown), visit(c.weight); }
+
+template <class Origin, class Visit>
+requires std::is_same_v<std::remove_const_t<Origin>, coupling::FactorOrigin>
+void visit_members(Origin& o, Visit& visit) {
+  visit(o.stages), visit(o.springs), visit(o.closed), visit(o.places), visit(o.changes);
+}
+
+template <class Place, class Visit>
+requires std::is_same_v<std::remove_const_t<Place>, fracture::Zone>
+void visit_members(Place& zone, Visit& visit) {
+  for (auto* point : {&zone.centre, &zone.axis, &zone.low, &zone.high, &zone.inner_low, &zone.inner_high})
+    visit(point->x()), visit(point->y());
+}
+
+template <class Look, class Visit>
+requires std::is_same_v<std::remove_const_t<Look>, fracture::WindowOrigin::Look>
+void visit_members(Look& l, Visit& visit) { visit(l.after), visit(l.load_factor), visit(l.largest_force); }
+
+template <class Window, class Visit>
+requires std::is_same_v<std::remove_const_t<Window>, fracture::WindowOrigin>
+void visit_members(Window& w, Visit& visit) {
+  visit(w.options.tie_band), visit(w.options.max_breaks_per_solve), visit(w.options.ahead), visit(w.options.control);
+  visit(w.load_factor), visit(w.displacement), visit(w.faces), visit(w.looks), visit(w.events_performed);
+  visit(w.is_behind), visit(w.has_changed_terms), visit(w.needs_whole_body);
+}
+
+template <class State, class Visit>
+requires std::is_same_v<std::remove_const_t<State>, fracture::Continuation>
+void visit_members(State& c, Visit& visit) {
+  visit(c.whole_body_events), visit(c.patience), visit(c.most_events);
+  visit(c.place.zones), visit(c.place.nodes), visit(c.place.are_last);
+  visit(c.places_met), visit(c.barred), visit(c.springs_that_bar), visit(c.factor), visit(c.window);
+}
 
 // How values are given. Functions are not written.
 enum class Form : std::uint8_t { function, samples, places };
@@ -77,11 +130,12 @@ class Writer {
     (*this)(static_cast<std::uint64_t>(values.size()));
     for (auto number = values.data(); number != values.data() + values.size(); ++number) (*this)(*number);
   }
-  void operator()(const coupling::HoldingSpring& spring) { visit_members(spring, *this); }
-  void operator()(const fracture::HistoryEntry& line) { visit_members(line, *this); }
-  void operator()(const fracture::CrackExtension& extension) { visit_members(extension, *this); }
-  void operator()(const fracture::GrowingTip& tip) { visit_members(tip, *this); }
-  void operator()(const fracture::GrownFace& face) { visit_members(face, *this); }
+  template <class Struct>
+  requires requires(const Struct& one, Writer& writer) { visit_members(one, writer); }
+  void operator()(const Struct& one) { visit_members(one, *this); }
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(const Choice& choice) { (*this)(static_cast<std::uint8_t>(choice)); }
   void operator()(const scene::Values& values) {
     const auto* samples = std::get_if<scene::SampledValues>(&values);
     const auto* placed = std::get_if<scene::PlacedValues>(&values);
@@ -89,9 +143,10 @@ class Writer {
     if (samples) visit_members(*samples, *this);
     if (placed) visit_members(*placed, *this);
   }
-  void operator()(const std::optional<scene::SceneValues>& values) {
-    (*this)(values.has_value());
-    if (values) visit_members(*values, *this);
+  template <class T>
+  void operator()(const std::optional<T>& one) {
+    (*this)(one.has_value());
+    if (one) (*this)(*one);
   }
   void raw(const void* data, std::size_t size) {
     const auto* first = static_cast<const std::uint8_t*>(data);
@@ -128,11 +183,16 @@ class Reader {
     values.resize(static_cast<std::size_t>(count_of<T>()));
     numbers(values);
   }
-  void operator()(coupling::HoldingSpring& spring) { visit_members(spring, *this); }
-  void operator()(fracture::HistoryEntry& line) { visit_members(line, *this); }
-  void operator()(fracture::CrackExtension& extension) { visit_members(extension, *this); }
-  void operator()(fracture::GrowingTip& tip) { visit_members(tip, *this); }
-  void operator()(fracture::GrownFace& face) { visit_members(face, *this); }
+  template <class Struct>
+  requires requires(Struct& one, Reader& reader) { visit_members(one, reader); }
+  void operator()(Struct& one) { visit_members(one, *this); }
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(Choice& choice) {
+    std::uint8_t number = 0;
+    (*this)(number);
+    choice = static_cast<Choice>(number);
+  }
   void operator()(scene::Values& values) {
     std::uint8_t form = 0;
     (*this)(form);
@@ -146,10 +206,11 @@ class Reader {
         values.emplace<scene::BoundaryFunction>();  // unknown
     }
   }
-  void operator()(std::optional<scene::SceneValues>& values) {
+  template <class T>
+  void operator()(std::optional<T>& one) {
     bool there = false;
     (*this)(there);
-    if (there) visit_members(values.emplace(), *this);
+    if (there) (*this)(one.emplace());
   }
   void raw(void* target, std::size_t size) {
     require(size <= left_, "the bytes of the state end too early; give all bytes that bempd_state_to_bytes() wrote");
@@ -192,10 +253,9 @@ void visit_members(State& state, Visit& visit) {
   visit(e.work_out_of_balance), visit(e.contact_switches);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
-  visit(e.extensions);
-  visit(e.faces.grown), visit(e.faces.closed), visit(e.faces.closed_inside);
-  visit(state.in_force), visit(state.on_a_way), visit(state.end_of_way);
-  visit(state.scene.loads), visit(state.said);
+  visit(e.extensions), visit(e.faces);
+  visit(state.in_force), visit(state.acting), visit(state.end_of_way), visit(state.acting_values);
+  visit(state.scene.loads), visit(state.said), visit(state.continuation);
 }
 
 void check_header(Reader& reader) {

@@ -76,10 +76,12 @@ void require_consistent(const fracture::EvolutionState& e) {
 }  // namespace
 
 void require_consistent(const SavedState& state) {
-  sound(!state.on_a_way || state.in_force, "it has no values between which it is");
+  sound(state.acting <= Acting::on_a_way && (state.acting != Acting::on_a_way || state.in_force),
+        "it has no values between which it is");
   sound(std::isfinite(state.end_of_way), "a load factor is not a finite number");
   require_consistent(state.evolution);
-  for (const std::optional<scene::SceneValues>& both : {state.in_force, state.said}) {
+  for (const std::optional<scene::SceneValues>& both :
+       {state.in_force, std::optional(state.acting_values), state.said}) {
     if (!both) continue;
     for (const std::vector<scene::Values>& all : {both->supports, both->loads})
       for (const scene::Values& values : all) sound(is_sound(values), "the values of a load or a support are none");

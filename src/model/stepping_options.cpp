@@ -47,9 +47,8 @@ const scene::OptionGroup stepping_group(scene::OptionPlace::stepping, [] {
       scene::text_option(
           "stepping.factorization",
           "What a call that breaks bonds leaves to the next one: kept, the changed factorization and what is computed "
-          "ahead; fresh, nothing, as a restored state does, so that saving a state alters no bit of what follows, for "
-          "a "
-          "factorization more in each call that breaks bonds.",
+          "ahead, which states tell how to make again; fresh, nothing, so that states are shorter and restored at "
+          "once, for a factorization more in each call that breaks bonds.",
           "fresh | kept", "kept"),
       scene::number_option("tips.record",
                            "Tips of cracks are recorded at every event whose number this divides and at the ends of "

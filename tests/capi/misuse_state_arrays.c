@@ -1,7 +1,7 @@
 /* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
 #include "scenes.h"
 
-/* The layout of format version 9: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 10: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
@@ -32,8 +32,59 @@ typedef struct bytes {
   int64_t size;
   int64_t begin[array_count]; /**< of each array's count */
   int64_t count[array_count];
-  int64_t begin_values, begin_way;
+  int64_t begin_values, begin_way, begin_said;
+  /** How the run goes on: its numbers; the first zone and node of windows; the factorization, none where 0, with its
+   * first stage and its first change; and the window that is open, none where 0. */
+  int64_t begin_continuation, zones, zone_count, nodes, node_count, factor, factor_stages, factor_stage_count;
+  int64_t factor_springs, changes, change_count, window;
 } bytes;
+
+static int64_t count_at(const bytes* saved, int64_t place) {
+  int64_t count;
+  memcpy(&count, saved->data + place, 8);
+  return count;
+}
+
+/** The place behind an array of numbers, or of such arrays. */
+static int64_t behind(const bytes* saved, int64_t place, int64_t size) {
+  return place + 8 + size * count_at(saved, place);
+}
+static int64_t behind_lists(const bytes* saved, int64_t place, int64_t size) {
+  int64_t left = count_at(saved, place);
+  for (place += 8; left > 0; --left) place = behind(saved, place, size);
+  return place;
+}
+
+static void find_continuation(bytes* saved) {
+  int64_t place = saved->begin_continuation, k;
+  saved->zones = place + 12;
+  saved->zone_count = count_at(saved, saved->zones);
+  saved->nodes = behind(saved, saved->zones, 96);
+  saved->node_count = count_at(saved, saved->nodes);
+  place = behind(saved, saved->nodes, 4) + 1; /* and whether they are eliminated last */
+  place = behind_lists(saved, place, 4);      /* places met */
+  place = behind(saved, place, 1) + 8;        /* barred, and springs that bar */
+  saved->factor = saved->data[place] ? place : 0;
+  if (saved->data[place++]) {
+    saved->factor_stages = place;
+    saved->factor_stage_count = count_at(saved, place);
+    saved->factor_springs = behind(saved, place, 8);
+    place = saved->factor_springs + 8;
+    for (k = count_at(saved, place), place += 8; k > 0; --k) place = behind(saved, place, 20) + 8;
+    place = behind_lists(saved, place, 4);
+    saved->changes = place;
+    saved->change_count = count_at(saved, place);
+    for (k = saved->change_count, place += 8; k > 0; --k)
+      place = behind(saved, behind(saved, behind(saved, place + 1, 4), 4), 8);
+  }
+  saved->window = saved->data[place] ? place : 0;
+  if (saved->data[place++]) {
+    place += 8 + 4 + 8 + 1 + 8;
+    place = behind(saved, place, 8) + 1; /* and whether faces have met in it */
+    place = behind(saved, place, 24) + 8 + 3;
+  }
+  CHECK(place + 8 == saved->size);
+}
 
 static bytes copy_of(const bytes* source) {
   bytes copy = *source;
@@ -60,11 +111,14 @@ static bytes bytes_of(bempd_model* model) {
     memcpy(&saved.count[array], saved.data + place, 8);
     place += 8 + entry_size[array] * saved.count[array];
   }
-  /* Then the values in force of two supports with one each and of no load, where a way of them ends, and which loads
-   * there are, whose values are not contained. */
+  place = behind_lists(&saved, place, 4); /* terms whose faces wait */
+  /* Then the values in force of two supports with one each and of no load, where a way of them ends, those that act,
+   * which loads there are, whose values are not contained, and how the run goes on. */
   saved.begin_values = place;
   saved.begin_way = place + 1 + 8 + 2 * (1 + 2 * (8 + 8)) + 8;
-  CHECK(saved.begin_way + 1 + 8 + 8 + 1 + 8 == saved.size);
+  saved.begin_said = saved.begin_way + 1 + 8 + 8 + 2 * (1 + 2 * (8 + 8)) + 8 + 8;
+  saved.begin_continuation = saved.begin_said + 1;
+  find_continuation(&saved);
   return saved;
 }
 
@@ -171,11 +225,12 @@ static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved)
   int64_t k;
   put_byte(model, saved, saved->begin[stages] + 8, 2, "a stage after a bond's last one");
   put_byte(model, saved, saved->begin[unloaded] + 8, 255, "a node's flag");
-  CHECK(saved->count[grown_faces] > 0);
-  put_byte(model, saved, saved->begin[closed_faces] + 8, 2, "whether faces press on each other");
-  put_count(model, saved, saved->begin[grown_faces] + 8, -1, "the bond of a grown face");
-  put_double(model, saved, saved->begin[grown_faces] + 8 + 4, NAN, "the normal of a grown face");
-  put_double(model, saved, saved->begin[grown_faces] + 8 + 4, 3.0, "the normal of a grown face");
+  if (saved->count[grown_faces] > 0) {
+    put_byte(model, saved, saved->begin[closed_faces] + 8, 2, "whether faces press on each other");
+    put_count(model, saved, saved->begin[grown_faces] + 8, -1, "the bond of a grown face");
+    put_double(model, saved, saved->begin[grown_faces] + 8 + 4, NAN, "the normal of a grown face");
+    put_double(model, saved, saved->begin[grown_faces] + 8 + 4, 3.0, "the normal of a grown face");
+  }
   put_byte(model, saved, offset_in_equilibrium, 2, "in_equilibrium");
   put_byte(model, saved, offset_in_equilibrium + 1, 17, "separated");
   for (k = 0; k < 3; ++k) put_count(model, saved, offset_events + 8 * k, -1, "a negative count");
@@ -213,9 +268,60 @@ static void values_in_force_are_checked(bempd_model* model, const bytes* saved) 
   put_count(model, saved, first + 1, -1, "a count of values");
   put_double(model, saved, first + 1 + 8, NAN, "a value in force");
   put_double(model, saved, first + 1 + 16 + 8, INFINITY, "a proportional value in force");
-  put_byte(model, saved, saved->begin_way + 1 + 8 + 8, 2, "whether values of the host are contained");
+  put_byte(model, saved, saved->begin_said, 2, "whether values of the host are contained");
   put_byte(model, saved, saved->begin_way, 3, "whether values are on a way");
   put_double(model, saved, saved->begin_way + 1, NAN, "where the way ends");
+  put_double(model, saved, saved->begin_way + 1 + 8 + 8 + 1 + 8, NAN, "a value that acts");
+}
+
+static void put_int(bempd_model* model, const bytes* saved, int64_t place, int32_t value, const char* what) {
+  bytes altered = copy_of(saved);
+  memcpy(altered.data + place, &value, 4);
+  expect_refusal(model, &altered, what);
+}
+
+static void ways_to_go_on_are_checked(bempd_model* model, const bytes* saved) {
+  const int64_t numbers = saved->begin_continuation;
+  put_int(model, saved, numbers, -1, "events of the whole body before a window");
+  put_int(model, saved, numbers + 4, 0, "how long a window is waited for");
+  put_int(model, saved, numbers + 8, INT32_MAX, "events computed at once");
+  put_count(model, saved, saved->zones, INT64_MAX, "a huge count of zones");
+  if (saved->zone_count > 0) put_double(model, saved, saved->zones + 8 + 40, NAN, "where a zone ends");
+  if (saved->node_count > 1) {
+    put_int(model, saved, saved->nodes + 8, -1, "a node of a window");
+    put_int(model, saved, saved->nodes + 8, INT32_MAX, "a node of a window");
+    bytes altered = copy_of(saved);
+    memcpy(altered.data + saved->nodes + 8, altered.data + saved->nodes + 12, 4);
+    expect_refusal(model, &altered, "a node of a window twice");
+  }
+  if (saved->factor == 0) return;
+  put_byte(model, saved, saved->factor, 2, "whether there is a factorization");
+  put_count(model, saved, saved->factor_springs, 1000, "springs of the factorization");
+  if (saved->factor_stage_count > 0) {
+    put_int(model, saved, saved->factor_stages + 8, -1, "a bond of the factorization");
+    put_int(model, saved, saved->factor_stages + 12, 7, "its stage");
+  }
+  if (saved->change_count > 0) {
+    const int64_t columns = saved->changes + 8 + 1, unknowns = behind(saved, columns, 4);
+    put_byte(model, saved, saved->changes + 8, 2, "whether a change adds");
+    put_int(model, saved, columns + 8, 100000, "the end of a column");
+    put_int(model, saved, unknowns + 8, INT32_MAX, "an unknown of a change");
+    put_int(model, saved, unknowns + 8, -1, "an unknown of a change");
+    put_double(model, saved, behind(saved, unknowns, 4) + 8, INFINITY, "a weight of a change");
+  }
+}
+
+static void windows_are_checked(bempd_model* model, const bytes* saved) {
+  const int64_t options = saved->window + 1, displacement_then = options + 8 + 4 + 8 + 1 + 8;
+  const int64_t looks = behind(saved, displacement_then, 8) + 1, performed = behind(saved, looks, 24);
+  put_double(model, saved, options, NAN, "the tie band of a window");
+  put_byte(model, saved, options + 20, 9, "what a window holds");
+  put_double(model, saved, options + 21, NAN, "where a window was opened");
+  put_double(model, saved, displacement_then + 8, NAN, "a displacement with which a window was opened");
+  put_byte(model, saved, looks - 1, 2, "whether faces have met in a window");
+  put_count(model, saved, looks + 8, 1000000, "events after which a window computed more");
+  put_double(model, saved, looks + 8 + 8, INFINITY, "the load factor then");
+  put_count(model, saved, performed, -1, "events of a window");
 }
 
 static void other_versions_are_refused(const bytes* saved) {
@@ -230,12 +336,13 @@ static void other_versions_are_refused(const bytes* saved) {
 }
 
 /** A piece that cracks cut off is held by springs, the other one pulled until bonds break; built twice alike. */
-static bempd_model* torn_block(void) {
+static bempd_model* torn_block(const char* solver) {
   bempd_model* model = pd_block();
   const double cuts[] = {7.5, 0.0, 7.5, 8.0};
   const double notch[] = {3.5, 0.0, 3.5, 3.5};
   const double pull = 1.0;
   int k;
+  CHECK_OK(model, bempd_set_option_text(model, "stepping.solver", solver));
   CHECK_OK(model, bempd_add_crack(model, 2, cuts, NULL));
   CHECK_OK(model, bempd_add_crack(model, 2, notch, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
@@ -246,7 +353,7 @@ static bempd_model* torn_block(void) {
 
 /** Nothing of a state comes from what lay in memory before. */
 static void equal_states_give_equal_bytes(void) {
-  bempd_model* one = torn_block();
+  bempd_model* one = torn_block("window");
   bytes of_one = bytes_of(one);
   void* used = malloc(100000);
   bempd_model* other;
@@ -254,7 +361,7 @@ static void equal_states_give_equal_bytes(void) {
   if (used == NULL) abort();
   memset(used, 0xAB, 100000);
   free(used);
-  other = torn_block();
+  other = torn_block("window");
   of_other = bytes_of(other);
   CHECK(of_one.size == of_other.size && memcmp(of_one.data, of_other.data, (size_t)of_one.size) == 0);
   free(of_one.data);
@@ -282,19 +389,30 @@ static void altered_bytes_do_no_harm(bempd_model* model, const bytes* saved) {
   }
 }
 
-int main(void) {
-  bempd_model* model = torn_block();
+/** In a window and without one: faces that broken bonds leave, and changes of the factorization, are there without. */
+static void every_state_is_checked(const char* solver) {
+  bempd_model* model = torn_block(solver);
   bytes saved = bytes_of(model);
+  const int has_window = strcmp(solver, "window") == 0;
+  CHECK((saved.window != 0) == has_window);
+  CHECK((saved.count[grown_faces] > 0 && saved.change_count > 0) == !has_window);
   arrays_of_other_lengths_are_refused(model, &saved);
   huge_counts_are_refused(model, &saved);
   numbers_have_to_be_finite(model, &saved);
   flags_and_counts_are_checked(model, &saved);
   springs_are_checked(model, &saved);
   values_in_force_are_checked(model, &saved);
+  ways_to_go_on_are_checked(model, &saved);
+  if (has_window) windows_are_checked(model, &saved);
   other_versions_are_refused(&saved);
-  equal_states_give_equal_bytes();
   altered_bytes_do_no_harm(model, &saved);
   free(saved.data);
   bempd_model_free(model);
+}
+
+int main(void) {
+  every_state_is_checked("window");
+  every_state_is_checked("plain");
+  equal_states_give_equal_bytes();
   return check_finish();
 }

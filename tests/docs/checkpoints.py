@@ -55,12 +55,12 @@ expect(one == other, "both histories are the same, byte by byte")
 expect((work / "whole/strip.state").read_bytes() == (work / "parts/strip.state").read_bytes(), "and so are the states")
 
 expect(run("without", WITHOUT).returncode == 0, "the program runs without checkpoints")
-last = [list(csv.DictReader((work / folder / "strip.csv").open()))[-1] for folder in ("whole", "without")]
-expect(last[0]["total_broken_bonds"] == last[1]["total_broken_bonds"] == "348", "as many bonds break without checkpoints")
-energies = [float(line["released_energy"]) for line in last]
-expect(abs(energies[0] - energies[1]) < 1e-9 * energies[0], "and release the same energy")
+without = (work / "without/strip.csv").read_bytes()
+expect(without == one, "the history without checkpoints is the same, byte by byte")
+last = list(csv.DictReader((work / "whole/strip.csv").open()))[-1]
+expect(last["total_broken_bonds"] == "348", "as many bonds break")
 size = (work / "whole/strip.state").stat().st_size
-expect(f"takes {size / 1000:.0f} kB after its {last[0]['total_broken_bonds']} broken bonds" in page.replace("\n ", ""),
+expect(f"takes {size / 1000:.0f} kB after its {last['total_broken_bonds']} broken bonds" in page.replace("\n ", ""),
        f"the page says how long the state is: {size} bytes")
-print(f"killed and resumed at load factor 55: the same {len(one)} bytes of history; without checkpoints the released energy "
-      f"differs by {abs(energies[0] / energies[1] - 1):.1e}; the state has {size} bytes")
+print(f"killed and resumed at load factor 55, and without checkpoints: the same {len(one)} bytes of history; the state has "
+      f"{size} bytes")

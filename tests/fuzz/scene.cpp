@@ -119,8 +119,30 @@ void Scene::act() {
       return remove();
     case 26:
       return interrupt();
+    case 27:
+      return act_on_edges();
     default:
       return advance();
+  }
+}
+
+// One case of act(), so that older inputs keep most of their meaning.
+void Scene::act_on_edges() {
+  switch (bytes_.pick(7)) {
+    case 0:
+      return add_other_load();
+    case 1:
+      return read_edge();
+    case 2:
+      return read_bounds();
+    case 3:
+      return change_values_along();
+    case 4:
+      return listen();
+    case 5:
+      return read_options();
+    default:
+      return keep_file();
   }
 }
 

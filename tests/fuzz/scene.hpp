@@ -65,6 +65,17 @@ class Scene {
   void add_load();
   void change_values();
 
+  void act_on_edges();
+
+  // In scene_edges.cpp.
+  void add_other_load();
+  void read_edge();
+  void read_bounds();
+  void change_values_along();
+  void listen();
+  void read_options();
+  void keep_file();
+
   // In scene_runs.cpp.
   void advance();
   void interrupt();

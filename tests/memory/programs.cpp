@@ -114,8 +114,9 @@ Program windows() {
 
 Program plain() {
   Program program{"plain", lattice("plain")};
-  add(program, {next_event(), next_event(), step_by(0.02), save(), restore(), run(), field(0, BEMPD_DISPLACEMENT),
-                reaction(1), bonds(0), free_state(), free_model()});
+  // The forces on a body that has come apart are rounding, which a failure on the way alters.
+  add(program, {next_event(), next_event(), step_by(0.02), save(), restore(), reaction(1), run(),
+                field(0, BEMPD_DISPLACEMENT), bonds(0), free_state(), free_model()});
   return program;
 }
 

@@ -183,4 +183,24 @@ TEST(ChangingHeat, a_state_on_the_way_goes_on_with_it) {
   EXPECT_EQ(first.released_energy, again.released_energy);
 }
 
+// What a temperature does to the energy counts from that of the state, whatever the last trial's was.
+TEST(ChangingHeat, trials_from_a_state_do_the_work_of_their_own_temperature) {
+  const auto to = [](Bar& bar, double temperature, double time) {
+    for (const int32_t load : bar.heat) set(bar.model, load, temperature);
+    return go(bar.model, time);
+  };
+  Bar bar(0, 1);
+  to(bar, -3, 1);
+  const auto state = bar.model.save();
+  for (const double temperature : {-9.0, 20.0, -4.0}) {
+    Bar direct(0, 1);
+    to(direct, -3, 1);
+    bar.model.restore(state);
+    const bempd_step_report trial = to(bar, temperature, 2), once = to(direct, temperature, 2);
+    EXPECT_EQ(trial.work, once.work);
+    EXPECT_EQ(trial.stored_energy, once.stored_energy);
+    EXPECT_LE(trial.energy_balance_error, 1e-10);
+  }
+}
+
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 using namespace host;
 
 double ratio_of_plates = 1.0 / 3;
+int32_t state_of_plates = BEMPD_PLANE_STRESS;
 
 // Plates of n x n points, spacing 1, their ends at left and right pulled apart.
 struct Plate {
@@ -19,7 +20,7 @@ struct Plate {
   int32_t id, region = 0;
 
   Plate(Model& m, int points, double critical_stretch = 1e-3)
-      : model(m), n(points), id(m.add(material(1, ratio_of_plates, BEMPD_PLANE_STRESS, 1, critical_stretch))) {
+      : model(m), n(points), id(m.add(material(1, ratio_of_plates, state_of_plates, 1, critical_stretch))) {
     const double side = n - 1;
     region = model.pd(id, rectangle(0, 0, side, side), 1, 4);
   }
@@ -156,11 +157,14 @@ struct Case {
   double window_length = 0;
   int32_t supports = 2;
   double poisson_ratio = 1.0 / 3;
+  int32_t plane_state = BEMPD_PLANE_STRESS;
+  int64_t most_factorizations = 100;  // with windows
 };
 
 Run run(const Case& c, const char* solver) {
   Model model;
   ratio_of_plates = c.poisson_ratio;
+  state_of_plates = c.plane_state;
   c.build(model);
   model.check(bempd_set_option_text(model.get(), "stepping.solver", solver));
   model.set("stepping.tie_band", c.tie_band);
@@ -227,7 +231,11 @@ void expect_same(const Run& window, const Run& plain) {
 
 class SameSequence : public testing::TestWithParam<Case> {};
 
-TEST_P(SameSequence, as_the_plain_loop) { expect_same(run(GetParam(), "window"), run(GetParam(), "plain")); }
+TEST_P(SameSequence, as_the_plain_loop) {
+  const auto window = run(GetParam(), "window");
+  EXPECT_LE(window.statistics.sparse_factorizations, GetParam().most_factorizations);
+  expect_same(window, run(GetParam(), "plain"));
+}
 
 INSTANTIATE_TEST_SUITE_P(
     Window, SameSequence,
@@ -257,6 +265,10 @@ std::vector<Case> of_any_ratio() {
       added.name += "_ratio_" + std::to_string(std::lround(100 * ratio)) + "_percent";
     }
   }
+  // Squares 24 times as stiff as the shear modulus, which feel rounding as many times more: windows last all the same.
+  cases.push_back({"centre_crack_nearly_incompressible", centre_crack, 1e-3, 220, 0, 2, 0.49, BEMPD_PLANE_STRAIN, 3});
+  cases.push_back(
+      {"constant_load_nearly_incompressible", constant_and_proportional, 1e-3, 120, 0, 4, 0.49, BEMPD_PLANE_STRAIN, 3});
   return cases;
 }
 

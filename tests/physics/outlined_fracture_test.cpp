@@ -66,6 +66,42 @@ TEST(OutlinedFracture, crack_runs_into_the_hole_and_out_again) {
   }
 }
 
+// The largest load factor until a crack has gone most of its way through a plate of one region, or of two with a common
+// edge that leans.
+double load_across(bool divided) {
+  Model model;
+  model.set_text("pd.outline_points", "always");
+  const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-4));
+  std::vector<Outline> parts{rectangle(0, 0, 22, 14)};
+  if (divided) parts = {{{0, 0}, {8, 0}, {14, 14}, {0, 14}}, {{8, 0}, {22, 0}, {22, 14}, {14, 14}}};
+  std::vector<int32_t> regions;
+  for (const Outline& part : parts) {
+    regions.push_back(model.pd(id, part, 1, 3));
+    model.prescribe(regions.back(), 1, BEMPD_Y, 0, -0.01);
+    model.prescribe(regions.back(), 3, BEMPD_Y, 0, 0.01);
+  }
+  model.fix_point({22, 0}, BEMPD_X);
+  model.crack({{0, 6.5}, {5, 6.5}});
+  model.run(6);
+  double damaged = 0;
+  const auto x = model.vectors(regions.back(), BEMPD_POSITION);
+  const auto damage = model.field(regions.back(), BEMPD_DAMAGE);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (x[i][0] > 15 && x[i][0] < 20) damaged = std::max(damaged, damage[i]);
+  EXPECT_GT(damaged, 0.3);
+  double largest = 0;
+  const auto history = model.history();
+  for (const bempd_history_entry& entry : history)
+    if (entry.bond_energy < 0.7 * history.back().bond_energy) largest = std::max(largest, entry.load_factor);
+  return largest;
+}
+
+// No bonds cross the edge, but points on it have bonds of both regions.
+TEST(OutlinedFracture, crack_crosses_a_common_edge) {
+  const double whole = load_across(false), divided = load_across(true);
+  EXPECT_LT(std::abs(report("load factor across a common edge", divided, whole, "one region")), 0.15 * whole);
+}
+
 TEST(OutlinedFracture, state_is_returned_to) {
   Strip strip("window", 0.4);
   strip.model.next_event(1);

@@ -98,6 +98,47 @@ TEST(ElementGeometry, arc_elements_lie_on_the_circle_and_represent_linear_fields
   }
 }
 
+TEST(ElementGeometry, points_seen_from_another_are_those_at_their_parameter) {
+  for (const double half_angle : {0.0, 1e-7, 0.4, -1.1}) {
+    const ElementGeometry element{{0.3, 0.1}, {0.5, 0.2}, {0.05, -0.1}, ElementBasis(half_angle)};
+    for (const double from : {-1.0, 0.2, 1.0})
+      for (const double way : {-0.7, 1e-3, 0.6}) {
+        const auto [values, quotients] = element.seen(from, way, element.basis.half(from), element.basis.half(way));
+        const ElementGeometry::Values at = element.values(from + way);
+        const ElementGeometry::Quotients between = element.quotients(from + way, from);
+        EXPECT_NEAR((values.derivative - at.derivative).norm(), 0, 1e-15);
+        EXPECT_NEAR((quotients.place - between.place).norm(), 0, 1e-15);
+        for (int k = 0; k < 3; ++k) {
+          EXPECT_NEAR(values.shape[k], at.shape[k], 1e-15);
+          EXPECT_NEAR(values.shape_derivative[k], at.shape_derivative[k], 2e-15);
+          EXPECT_NEAR(quotients.shape[k], between.shape[k], 1e-15);
+        }
+      }
+  }
+}
+
+TEST(ArcParameters, places_differ_by_no_more_than_said) {
+  const double sweep = -0.9;
+  const ElementGeometry arc =
+      element_through({1, 0}, {std::cos(0.45), -std::sin(0.45)}, {std::cos(0.9), -std::sin(0.9)}, sweep);
+  const ArcParameters parameters(arc);
+  const Interval part{-0.5, 1};
+  for (const double radius : {0.3, 0.9, 1.0, 1.4, 5.0})
+    for (double angle = 0.05; angle < 6.3; angle += 0.25) {
+      const Point middle = radius * Point(std::cos(angle), std::sin(angle)), half = 0.2 * Point(0.6, 0.8);
+      const std::array<Point, 3> places{middle - half, middle, middle + half};
+      const double change = parameters.largest_change(places, part),
+                   at_middle = parameters.sum_of_distances(middle, part);
+      for (const Point& x : places) {
+        const double sum = parameters.sum_of_distances(x, part);
+        EXPECT_NEAR(sum, singularities_from(arc, x).sum_of_distances(part), 1e-13 * sum);
+        EXPECT_LE(std::abs(sum - at_middle), change) << radius << ", " << angle;
+      }
+    }
+  // From its centre the distance is the same everywhere on the arc.
+  EXPECT_GT(parameters.sum_of_distances({0, 0}, part), 50);
+}
+
 // Integral of ln|x - y| over [0, 1] x [c, c + 1]; in extended precision, since large terms cancel.
 double log_double_integral(long double c) {
   const auto f = [](long double z) { return z == 0 ? 0.0L : 0.5L * z * z * std::log(std::abs(z)) - 0.75L * z * z; };

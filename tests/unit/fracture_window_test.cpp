@@ -106,9 +106,19 @@ class Window : public testing::TestWithParam<double> {
   }
 
   bool break_in_window(const std::vector<int>& places) {
-    std::vector<coupling::StageChange> changes;
-    for (const int place : places) changes.push_back({place, 1});
-    return window->change(changes);
+    std::vector<coupling::StageChange> changes, changes_of_system;
+    for (const int place : places) {
+      changes.push_back({place, 1});
+      changes_of_system.push_back({window->bonds()[place], 1});
+    }
+    if (!window->change(changes)) return false;
+    plate.system.set_stages(changes_of_system);
+    return true;
+  }
+
+  double difference_from_whole() {
+    const Affine expected = whole.solve()(condensation->dofs(), Eigen::all);
+    return (window->displacement() - expected).norm() / expected.norm();
   }
 
   double outside(const Affine& displacement) {
@@ -171,6 +181,56 @@ TEST_P(Window, a_bond_that_alone_resists_a_motion_is_refused) {
   EXPECT_FALSE(break_in_window(places));
   EXPECT_EQ(window->displacement(), before);
   for (const int b : places) EXPECT_TRUE(window->intact()[b]);
+}
+
+TEST_P(Window, places_close_and_open_in_it_as_in_the_whole_plate) {
+  const Affine open = window->displacement();
+  for (const int y : {9, 11}) {
+    const std::vector<coupling::TermEntry> pull{
+        {Plate::node(6, y), -1, 0.2}, {Plate::node(7, y), 0.7, 0}, {Plate::node(7, y + 1), 0.3, -0.2}};
+    whole.add_contact({pull, 4.0 + y});
+  }
+  const auto switch_both = [&](bool first_closes, bool second_closes) {
+    const std::vector<ActiveWindow::FaceSwitch> switches{{whole.contacts()[0], first_closes},
+                                                         {whole.contacts()[1], second_closes}};
+    whole.switch_contacts(std::vector{0, 1});
+    return window->switch_faces(switches);
+  };
+  whole.switch_contacts(std::vector{0});
+  ASSERT_TRUE(window->follows(whole.contacts()[0]));
+  EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{whole.contacts()[0], true}}));
+  EXPECT_LT(difference_from_whole(), 1e-11);
+  EXPECT_GT((window->displacement() - open).norm(), 1e-4 * open.norm());
+  const Eigen::VectorXd at = coupling::evaluate(whole.solve(), load_factor);
+  const double gap = whole.contacts()[0].gap(at.data());
+  EXPECT_NEAR(window->gap(whole.contacts()[0], load_factor), gap, 1e-11 * at.lpNorm<Eigen::Infinity>());
+  EXPECT_TRUE(switch_both(false, true));
+  EXPECT_LT(difference_from_whole(), 1e-11);
+  EXPECT_TRUE(switch_both(true, false));
+  whole.switch_contacts(std::vector{0});
+  EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{whole.contacts()[0], false}}));
+  EXPECT_LT((window->displacement() - open).norm(), 1e-11 * open.norm());
+}
+
+// Also with a place whose stiffness the window has gained, and with points left behind.
+TEST_P(Window, forces_are_in_balance_and_are_put_back_to_it) {
+  const coupling::Contact place{{{Plate::node(6, 9), -1, 0}, {Plate::node(7, 9), 1, 0}}, 3};
+  EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{place, true}}));
+  std::vector<char> leaves;
+  for (const int dof : condensation->dofs()) leaves.push_back(plate.positions[dof / 2].x() < 5.5 ? 1 : 0);
+  window->narrow(leaves);
+  const std::vector<int> chosen = window->ratios().most_stretched(window->intact(), load_factor, 0, 1);
+  EXPECT_TRUE(break_in_window(chosen));
+  const Affine exact = window->displacement();
+  EXPECT_LT(window->unbalanced().lpNorm<Eigen::Infinity>(), 1e-13);  // of forces about 1
+  Affine force = Affine::Zero(exact.rows(), 2);
+  for (Eigen::Index i = 0; i < force.rows(); ++i)
+    if (leaves[static_cast<std::size_t>(i)] == 0) force(i, 1) = 1e-6 * std::sin(1.0 + static_cast<double>(i));
+  window->balance(force);
+  EXPECT_GT((window->displacement() - exact).norm(), 1e-7 * exact.norm());
+  EXPECT_GT(window->unbalanced().lpNorm<Eigen::Infinity>(), 5e-7);
+  window->balance(window->unbalanced());
+  EXPECT_LT((window->displacement() - exact).norm(), 1e-11 * exact.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(Loads, Window, testing::Values(0.0, 0.4));

@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <thread>
 #include <utility>
 
+#include "cancellation.hpp"
 #include "floating_point_traps.hpp"
 #include "linalg/least_change.hpp"
+#include "linalg/minimum_norm.hpp"
 
 namespace {
 
@@ -75,6 +80,39 @@ TEST(LongLeastChange, is_the_least_change) {
   EXPECT_LE((fast.values - slow.values).lpNorm<Eigen::Infinity>(), 1e-9);
   EXPECT_GT((fast.values.array() < 0.7 + 1e-12).count(), 0);
   EXPECT_LT((fast.values.array() < 0.7 + 1e-12).count(), count);
+}
+
+// Differences between neighbours of a cube of nodes, whose normal equations fill up: seconds of one factorization.
+TEST(SparseMinimumNorms, hear_a_request_to_stop_in_the_midst) {
+  constexpr int side = 30, nodes = side * side * side;
+  std::vector<Eigen::Triplet<double>> entries;
+  int columns = 0;
+  for (int node = 0; node < nodes; ++node) {
+    entries.emplace_back(node, columns++, 1);
+    for (const auto& [step, place] :
+         {std::pair{1, node % side}, {side, node / side % side}, {side * side, node / side / side}}) {
+      if (place + 1 == side) continue;
+      entries.emplace_back(node, columns, 1);
+      entries.emplace_back(node + step, columns++, -1);
+    }
+  }
+  Eigen::SparseMatrix<double> differences(nodes, columns);
+  differences.setFromTriplets(entries.begin(), entries.end());
+  std::atomic<bool> request{false};
+  const CancellationScope scope(&request);
+  using Clock = std::chrono::steady_clock;
+  std::atomic<Clock::time_point> asked{};
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    asked = Clock::now();
+    request = true;
+  });
+  SparseMinimumNorm solver(1e-12);
+  EXPECT_THROW(solver.factorize(differences), Error);
+  const double delay = std::chrono::duration<double>(Clock::now() - asked.load()).count();
+  other.join();
+  std::printf("heard after %.4f s\n", delay);
+  EXPECT_LT(delay, 0.2);
 }
 
 }  // namespace

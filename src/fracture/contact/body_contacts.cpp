@@ -54,6 +54,11 @@ void LoadedBody::bar_contacts_of_held_parts() {
   system_.bar_contacts(std::move(barred));
 }
 
+void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t springs) {
+  system_.bar_contacts(std::move(barred));
+  springs_that_bar_ = springs;
+}
+
 LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   // Newton's method, as the energy is convex and once differentiable; where it comes back to the same places, one at a
   // time by the least number, which ends (Murty 1974).

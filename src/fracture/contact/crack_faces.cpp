@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "linalg/symmetric_modes.hpp"
 
 namespace bempd::fracture {
 
 using coupling::Contact;
+using coupling::Contacts;
 
 namespace {
 
@@ -190,58 +190,40 @@ void CrackFaces::follow(std::span<const int> gone, const Eigen::VectorXd& displa
   }
 }
 
-std::vector<WatchedPlace> CrackFaces::watched(std::span<const std::vector<int>> next) {
-  constexpr int end = std::numeric_limits<int>::max();
-  std::vector<WatchedPlace> all;
-  for (std::size_t i = 0; i < places().size(); ++i)
-    all.push_back({places()[i], places().is_closed(i), true, 0, places().is_barred(i) ? 0 : end});
-  std::unordered_map<int, std::size_t> latest;
-  for (const auto& [term, number] : grown_) latest[term] = initial_count_ + number;
-  std::vector<int> entered;
-  const auto follow = [&](std::span<const int> gone, int since) {
-    const std::vector<int> terms = fresh(gone);
-    for (const int term : terms) enter(term);
-    entered.insert(entered.end(), terms.begin(), terms.end());
-    for (const int term : around(terms)) {
-      const auto known = latest.find(term);
-      if (known != latest.end() && all[known->second].closed) continue;
-      std::optional<Contact> contact = contact_at(term, normal_at(term, near(term)));
-      if (!contact) continue;
-      if (known != latest.end()) {
-        if (all[known->second].until == 0) continue;  // barred
-        all[known->second].until = since;
-      }
-      // A new normal counts only if the place does not overlap for it before the break.
-      const int from = known != latest.end() ? std::max(since - 1, 0) : since;
-      latest[term] = all.size();
-      all.push_back({std::move(*contact), false, false, from, end});
-    }
-  };
-  for (const std::vector<int>& terms : gone_) follow(terms, 0);
-  for (std::size_t e = 0; e < next.size(); ++e) follow(next[e], static_cast<int>(e) + 1);
-  for (const int term : entered) leave(term);
-  return all;
-}
-
-void CrackFaces::restore(const FaceState& state) {
-  if (are_none()) return;
-  parted_.clear(), entered_.clear(), grown_.clear(), gone_.clear();
-  coupling::Contacts contacts;
+Contacts CrackFaces::contacts_of(const FaceState& state) const {
+  Contacts contacts;
   if (plan_.rule == ContactRule::faces) {
     for (const pd::FacePlace& place : plan_.initial) contacts.add(contact_of(place));
   } else {
     for (const int term : cut_) contacts.add(*contact_at(term, Point::Zero()));
   }
-  initial_count_ = contacts.size();
-  for (const int term : cut_) enter(term);
   for (const GrownFace& face : state.grown) {
-    grown_[face.term] = contacts.size() - initial_count_;
-    enter(face.term);
     if (auto contact = contact_at(face.term, {face.normal_x, face.normal_y})) contacts.add(std::move(*contact));
   }
   for (std::size_t i = 0; i < std::min(contacts.size(), state.closed.size()); ++i)
     contacts.set_closed(i, state.closed[i] != 0);
-  system_.set_contacts(std::move(contacts));
+  return contacts;
+}
+
+void CrackFaces::restore(const FaceState& state) {
+  if (are_none()) return;
+  system_.set_contacts(contacts_of(state));
+  enter(state);
+}
+
+void CrackFaces::go_on_from(const FaceState& state) {
+  system_.put_contacts(contacts_of(state));
+  enter(state);
+}
+
+void CrackFaces::enter(const FaceState& state) {
+  parted_.clear(), entered_.clear(), grown_.clear();
+  initial_count_ = plan_.rule == ContactRule::faces ? plan_.initial.size() : cut_.size();
+  for (const int term : cut_) enter(term);
+  for (std::size_t i = 0; i < state.grown.size(); ++i) {
+    grown_[state.grown[i].term] = i;
+    enter(state.grown[i].term);
+  }
   gone_ = state.pending;
   std::unordered_set<int> pending;
   for (const std::vector<int>& terms : gone_) pending.insert(terms.begin(), terms.end());

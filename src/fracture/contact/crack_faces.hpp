@@ -23,14 +23,6 @@ struct ContactPlan {
   std::vector<pd::FacePlace> initial;
 };
 
-// A place as it is in some states of a row: from one of them on, before another one.
-struct WatchedPlace {
-  coupling::Contact contact;
-  bool closed;
-  bool known;  // from the beginning
-  int since, until;
-};
-
 // The places where faces of cracks can meet: on the initial cracks, and one for every bond between neighbours that has
 // broken since, with the normal of the broken ones around it. The normal of a place may change while it is open. By the
 // rule `rough` each broken bond is a place instead, and presses along itself.
@@ -51,13 +43,15 @@ class CrackFaces {
   void note_gone(std::span<const int> terms, FaceState& state);
   // New places, and normals of open ones near them where they do not overlap for it at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
-  // All places, and those that the terms noted and others that go in this order make; they are gone.
-  std::vector<WatchedPlace> watched(std::span<const std::vector<int>> next);
-
   // Makes the system's places those of a state, whose stages it has; what is pending there stays so.
   void restore(const FaceState& state);
+  // The same where the factor of another matrix is at work.
+  void go_on_from(const FaceState& state);
+  coupling::Contacts contacts_of(const FaceState& state) const;
 
  private:
+  friend class FacesAhead;
+  void enter(const FaceState& state);
   bool can_be_a_place(int term) const;
   std::vector<int> fresh(std::span<const int> terms) const;
   void enter(int term);

@@ -15,7 +15,7 @@ struct FaceState {
   std::vector<GrownFace> grown;
   std::vector<char> closed;         // of the initial places, then of the grown ones
   std::vector<char> closed_inside;  // of those inside operators
-  // Terms that have gone, by event, whose places have not been looked at yet; none in a state that is kept.
+  // Terms that have gone, by event, whose places have not been looked at yet.
   std::vector<std::vector<int>> pending;
 };
 

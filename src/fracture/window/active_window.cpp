@@ -15,16 +15,39 @@ ActiveWindow::ActiveWindow(const coupling::EquilibriumSystem& system, const coup
                            const std::vector<Function>& functions)
     : kept_(static_cast<Eigen::Index>(condensation.dofs().size())),
       functions_(static_cast<Eigen::Index>(functions.size())),
+      kept_dofs_(condensation.dofs()),
       followed_(condensation.dofs().size()),
       terms_(system, condensation, ratios, static_cast<int>(kept_ + functions_)),
       rows_(Affine::Zero(kept_ + functions_ + static_cast<Eigen::Index>(terms_.prescribed_dofs().size()), 2)),
       has_constant_part_(!displacement.col(0).isZero(0)),
       outside_(fracture::outside_stiffness(system, condensation, terms_)),
-      flexibility_(condensation, functions_) {
+      flexibility_(condensation, functions_),
+      row_of_(static_cast<std::size_t>(displacement.rows())) {
   std::iota(followed_.begin(), followed_.end(), 0);
+  number_rows();
   rows_.topRows(kept_) = displacement(condensation.dofs(), Eigen::all);
   rows_.bottomRows(rows_.rows() - kept_ - functions_) = displacement(terms_.prescribed_dofs(), Eigen::all);
+  balance_ = WindowBalance(system, condensation, terms_, rows_);
   collect_functions(condensation, functions, displacement.rows());
+  update_ratios();
+}
+
+Affine ActiveWindow::unbalanced() const {
+  Affine rows = Affine::Zero(kept_ + rows_.rows() - size(), 2), force = Affine::Zero(kept_, 2);
+  rows.topRows(kept_) = displacement();
+  rows.bottomRows(rows_.rows() - size()) = rows_.bottomRows(rows_.rows() - size());
+  for (int part = has_constant_part_ ? 0 : 1; part < 2; ++part)
+    force.col(part) = balance_.unbalanced(rows.col(part), part, outside_);
+  return force;
+}
+
+void ActiveWindow::balance(Affine force) {
+  Affine answer = Affine::Zero(kept_, 2);
+  left_behind_.hand_over(force, answer);
+  for (int part = has_constant_part_ ? 0 : 1; part < 2; ++part) {
+    rows_.col(part).head(size()) += answer.col(part)(followed_);
+    rows_.col(part).head(size()) += flexibility_.answer(force.col(part)(followed_));
+  }
   update_ratios();
 }
 
@@ -60,10 +83,8 @@ double ActiveWindow::elongation(int bond, double load_factor) const {
   return sum;
 }
 
-bool ActiveWindow::change_one(const coupling::StageChange& change, Eigen::Ref<Eigen::VectorXd> w,
-                              Eigen::Index changes_known) {
-  const Pull& pull = terms_.pull(static_cast<std::size_t>(change.term));
-  const double k = stiffness_lost(change);
+bool ActiveWindow::lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> w, Eigen::Index changes_known) {
+  const auto& [pull, k] = loss;
   flexibility_.update_response(pull, changes_known, w);
   double own = 0;
   for (std::size_t i = 0; i < pull.size(); ++i) {
@@ -71,12 +92,11 @@ bool ActiveWindow::change_one(const coupling::StageChange& change, Eigen::Ref<Ei
   }
   const Eigen::RowVector2d e = elongation(pull);
   const double pivot = 1 - k * own;
-  if (k < 0 || !(pivot > WindowSettings::smallest_pivot)) return false;
+  if (!(pivot > WindowSettings::smallest_pivot)) return false;
   detach_functions(pull, k, w);
   if (has_constant_part_) rows_.col(0).head(w.size()) += (k * e[0] / pivot) * w;
   rows_.col(1).head(w.size()) += (k * e[1] / pivot) * w;
-  flexibility_.add_change(std::sqrt(k / pivot) * w);
-  terms_.enter(change);
+  flexibility_.add_change(std::sqrt(std::abs(k) / pivot) * w, k < 0 ? -1 : 1);
   return true;
 }
 
@@ -102,34 +122,40 @@ void ActiveWindow::detach_functions(const Pull& pull, double stiffness, Eigen::R
   }
 }
 
-bool ActiveWindow::is_supported(int bond) const {
-  const std::span<const int> row = terms_.pull(bond).place;
-  return std::any_of(row.begin(), row.end(), [&](int r) { return is_prescribed(r); });
+bool ActiveWindow::is_supported(const Pull& pull) const {
+  return std::any_of(pull.place.begin(), pull.place.end(), [&](int r) { return is_prescribed(r); });
 }
 
 bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
-  flexibility_.make_room(static_cast<Eigen::Index>(changes.size()));
+  std::vector<Loss> losses;
+  for (const coupling::StageChange& c : changes)
+    losses.push_back({terms_.pull(static_cast<std::size_t>(c.term)), stiffness_lost(c)});
+  const bool stiffens = std::any_of(losses.begin(), losses.end(), [](const Loss& loss) { return loss.stiffness < 0; });
+  if (stiffens || !lose(losses)) return false;
+  for (const coupling::StageChange& c : changes) terms_.enter(c);
+  update_ratios();
+  return true;
+}
+
+bool ActiveWindow::lose(const std::vector<Loss>& losses) {
+  flexibility_.make_room(static_cast<Eigen::Index>(losses.size()));
   const Affine before = rows_;
   const Eigen::Index changes_before = flexibility_.changes();
-  std::vector<coupling::StageChange> back;
-  std::vector<double> lost;
   std::vector<Pull> directions;
   bool functions_change = false;
-  for (const coupling::StageChange& c : changes) {
-    back.push_back({c.term, terms_.stage(static_cast<std::size_t>(c.term))});
-    lost.push_back(stiffness_lost(c));
-    directions.push_back(terms_.pull(static_cast<std::size_t>(c.term)));
-    functions_change = functions_change || is_supported(c.term);
+  for (const Loss& loss : losses) {
+    directions.push_back(loss.pull);
+    functions_change = functions_change || is_supported(loss.pull);
   }
   Eigen::MatrixXd functions_before;
   if (functions_change) functions_before = flexibility_.function_rows();
   // Of all terms at once, so that what is pending is read once; every term adds what those before it changed.
   Eigen::MatrixXd answers = flexibility_.responses(directions);
   bool resisted = true;
-  for (std::size_t i = 0; resisted && i < changes.size(); ++i) {
+  for (std::size_t i = 0; resisted && i < losses.size(); ++i) {
     auto answer = answers.col(static_cast<Eigen::Index>(i));
     if (functions_change) answer = flexibility_.responses({&directions[i], 1});
-    resisted = change_one(changes[i], answer, functions_change ? flexibility_.changes() : changes_before);
+    resisted = lose_one(losses[i], answer, functions_change ? flexibility_.changes() : changes_before);
   }
   const auto size_of = [&](const Affine& rows) { return rows.topRows(size()).lpNorm<Eigen::Infinity>(); };
   resisted = resisted && size_of(rows_) <= WindowSettings::most_growth * size_of(before);
@@ -137,13 +163,64 @@ bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
     rows_ = before;
     if (functions_change) flexibility_.set_function_rows(functions_before);
     flexibility_.take_back_changes(changes_before);
-    for (const coupling::StageChange& c : back) terms_.enter(c);
-    update_ratios();
     return false;
   }
   LeftBehind::Forms elongations;
-  for (const Pull& direction : directions) add_form(direction, 1, elongations);
+  std::vector<double> lost;
+  for (const Loss& loss : losses) {
+    add_form(loss.pull, 1, elongations);
+    lost.push_back(loss.stiffness);
+  }
   left_behind_.note_losses(elongations, lost);
+  return true;
+}
+
+bool ActiveWindow::follows(const coupling::Contact& place) const {
+  return std::all_of(place.pull.begin(), place.pull.end(), [&](const coupling::TermEntry& e) {
+    return row_of_[2 * static_cast<std::size_t>(e.node)] >= 0 && row_of_[2 * static_cast<std::size_t>(e.node) + 1] >= 0;
+  });
+}
+
+double ActiveWindow::gap(const coupling::Contact& place, double load_factor) const {
+  const auto value = [&](int dof) { return rows_(row_of_[dof], 0) + load_factor * rows_(row_of_[dof], 1); };
+  double sum = 0;
+  for (const coupling::TermEntry& e : place.pull) sum += e.x * value(2 * e.node) + e.y * value(2 * e.node + 1);
+  return sum;
+}
+
+double ActiveWindow::gap(const coupling::Contact& place, double load_factor, const Affine& kept) const {
+  const auto value = [&](int dof) {
+    const int r = followed_[row_of_[dof]];
+    return kept(r, 0) + load_factor * kept(r, 1);
+  };
+  double sum = 0;
+  for (const coupling::TermEntry& e : place.pull) sum += e.x * value(2 * e.node) + e.y * value(2 * e.node + 1);
+  return sum;
+}
+
+double ActiveWindow::largest_displacement(double load_factor) const {
+  const auto part = [&](Eigen::Index column) { return rows_.col(column).head(size()).lpNorm<Eigen::Infinity>(); };
+  return size() == 0 ? 0 : part(0) + std::abs(load_factor) * part(1);
+}
+
+bool ActiveWindow::switch_faces(std::span<const FaceSwitch> switches) {
+  LinearForms pulls;
+  std::vector<Loss> losses;
+  for (const FaceSwitch& s : switches) {
+    for (const coupling::TermEntry& e : s.place.pull) {
+      pulls.add(row_of_[2 * e.node], e.x);
+      pulls.add(row_of_[2 * e.node + 1], e.y);
+    }
+    pulls.close();
+  }
+  for (std::size_t i = 0; i < switches.size(); ++i)
+    losses.push_back({pulls[i], (switches[i].closes ? -1 : 1) * switches[i].place.stiffness});
+  if (!lose(losses)) return false;
+  for (const Loss& loss : losses) {
+    LeftBehind::Forms form;
+    add_form(loss.pull, 1, form);
+    balance_.note_loss(form.of_displacements, loss.stiffness);
+  }
   update_ratios();
   return true;
 }
@@ -195,6 +272,12 @@ void ActiveWindow::narrow(const std::vector<char>& leaves) {
   terms_.keep(watched);
   keep_rows(stay);
   followed_ = std::move(followed_then);
+  number_rows();
+}
+
+void ActiveWindow::number_rows() {
+  std::fill(row_of_.begin(), row_of_.end(), -1);
+  for (std::size_t i = 0; i < followed_.size(); ++i) row_of_[kept_dofs_[followed_[i]]] = static_cast<int>(i);
 }
 
 // Of everything per degree of freedom, these rows, and all that are not displacements followed.

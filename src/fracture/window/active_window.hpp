@@ -9,6 +9,7 @@
 #include "fracture/window/flexibility.hpp"
 #include "fracture/window/left_behind.hpp"
 #include "fracture/window/outside_stiffness.hpp"
+#include "fracture/window/window_balance.hpp"
 #include "fracture/window/window_terms.hpp"
 
 namespace bempd::fracture {
@@ -69,6 +70,23 @@ class ActiveWindow {
   // or if one stiffens.
   bool change(std::span<const coupling::StageChange> changes);
 
+  // Places where faces meet: whether all of their points are followed, their gaps, and their switches; false, and
+  // nothing changed, if some motion would lose its resistance.
+  struct FaceSwitch {
+    const coupling::Contact& place;
+    bool closes;
+  };
+  bool follows(const coupling::Contact& place) const;
+  double gap(const coupling::Contact& place, double load_factor) const;
+  double gap(const coupling::Contact& place, double load_factor, const coupling::Affine& kept) const;
+  double largest_displacement(double load_factor) const;
+  bool switch_faces(std::span<const FaceSwitch> switches);
+
+  // Forces on the kept degrees of freedom that rounding of the flexibility has left out of balance, the system's terms
+  // being in their stages; and displacements that answer to them are put right. Functions stay as they are.
+  coupling::Affine unbalanced() const;
+  void balance(coupling::Affine force);
+
   // Where a term of the system is in the list; -1: it is not watched.
   int place_of(int global_term) const { return terms_.place_of(global_term); }
 
@@ -81,26 +99,35 @@ class ActiveWindow {
   void collect_functions(const coupling::Condensation& condensation, const std::vector<Function>& functions,
                          Eigen::Index dofs);
   bool is_prescribed(int row) const { return row >= size(); }
-  bool is_supported(int bond) const;
+  bool is_supported(const Pull& pull) const;
+  void number_rows();
   Eigen::RowVector2d elongation(const Pull& pull) const;
   void add_form(const Pull& pull, double scale, LeftBehind::Forms& forms) const;
   void keep_rows(const std::vector<int>& followed);
   void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
+  // A term or a place loses a stiffness, or gains it where that is negative.
+  struct Loss {
+    Pull pull;
+    double stiffness;
+  };
+  bool lose(const std::vector<Loss>& losses);
   // `response` is F b as it was when only this many changes were pending.
-  bool change_one(const coupling::StageChange& change, Eigen::Ref<Eigen::VectorXd> response,
-                  Eigen::Index changes_known);
+  bool lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> response, Eigen::Index changes_known);
   void detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> response);
 
-  Eigen::Index kept_;          // degrees of freedom
-  Eigen::Index functions_;     // count
+  Eigen::Index kept_;       // degrees of freedom
+  Eigen::Index functions_;  // count
+  const std::vector<int>& kept_dofs_;
   std::vector<int> followed_;  // which of the kept ones, ascending
   WindowTerms terms_;
   coupling::Affine rows_;  // followed displacements, values of functions, prescribed displacements at ends of bonds
   bool has_constant_part_;
   OutsideStiffness outside_;
   Flexibility flexibility_;
+  WindowBalance balance_;
   std::vector<Eigen::VectorXd> moved_;  // of every function, at the prescribed ends of bonds; or empty
   LeftBehind left_behind_;
+  std::vector<int> row_of_;  // of every degree of freedom; -1: it is not followed
 };
 
 }  // namespace bempd::fracture

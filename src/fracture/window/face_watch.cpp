@@ -7,13 +7,9 @@
 
 namespace bempd::fracture {
 
-FaceWatch::FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events, double from, bool proportional) {
-  if (!faces.are_none()) {
-    std::vector<std::vector<int>> gone;
-    gone.reserve(events.size());
-    for (const ForeseenEvent& foreseen : events) gone.push_back(coupling::terms_of(foreseen.event.changes));
-    places_ = faces.watched(gone);
-  }
+FaceWatch::FaceWatch(const std::vector<WatchedPlace>& places, const std::vector<ForeseenEvent>& events, double from,
+                     bool proportional)
+    : places_(places) {
   // In proportion all load factors are alike.
   double arrival = proportional ? 1 : from;
   for (std::size_t e = 0; e <= events.size(); ++e) {

@@ -5,21 +5,22 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "fracture/contact/crack_faces.hpp"
+#include "fracture/contact/faces_ahead.hpp"
 #include "fracture/window/outside_gaps.hpp"
 
 namespace bempd::fracture {
 
 struct ForeseenEvent;
 
-// The gaps of the faces of cracks in the states that a window goes through. A window knows closed places as stiffness
-// and open ones not at all: what it has computed counts as long as none closes or opens.
+// The gaps of the faces of cracks in the states that a window goes through. It switches places whose points it follows;
+// what it has computed counts as long as no other closes or opens.
 class FaceWatch {
  public:
   // Nothing to watch.
   FaceWatch() = default;
-  // All places in the states after 0, 1, ... of the events, the first at the load factor `from`.
-  FaceWatch(CrackFaces& faces, const std::vector<ForeseenEvent>& events, double from, bool proportional);
+  // Of these places in the states after 0, 1, ... of the events, the first at the load factor `from`.
+  FaceWatch(const std::vector<WatchedPlace>& places, const std::vector<ForeseenEvent>& events, double from,
+            bool proportional);
 
   bool is_idle() const { return places_.empty(); }
 

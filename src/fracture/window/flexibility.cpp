@@ -13,6 +13,7 @@ Flexibility::Flexibility(const coupling::Condensation& condensation, Eigen::Inde
   matrix_.topRows(size_) = condensation.factor();
   linalg::invert_from_cholesky(matrix_.topRows(size_));
   pending_.resize(size_ + functions_, WindowSettings::most_pending_changes);
+  signs_.resize(pending_.cols());
 }
 
 void Flexibility::set_functions(const Eigen::MatrixXd& weights) {
@@ -33,8 +34,20 @@ Eigen::MatrixXd Flexibility::responses(std::span<const Pull> pulls) const {
       along.col(c) += pull.weight[k] * pending_.row(d).head(pending_count_).transpose();
     }
   }
+  along.array().colwise() *= signs_.head(pending_count_).array();
   w.noalias() += pending_.leftCols(pending_count_) * along;
   return w;
+}
+
+Eigen::VectorXd Flexibility::answer(const Eigen::VectorXd& force) const {
+  if (size_ == 0) return force;
+  Eigen::VectorXd u = matrix_.topRows(size_).selfadjointView<Eigen::Lower>() * force;
+  if (pending_count_ == 0) return u;
+  const auto columns = pending_.leftCols(pending_count_).topRows(size_);
+  Eigen::VectorXd along = columns.transpose() * force;
+  along.array() *= signs_.head(pending_count_).array();
+  u.noalias() += columns * along;
+  return u;
 }
 
 void Flexibility::update_response(const Pull& pull, Eigen::Index changes_known,
@@ -44,21 +57,35 @@ void Flexibility::update_response(const Pull& pull, Eigen::Index changes_known,
     for (std::size_t i = 0; i < pull.size(); ++i) {
       if (pull.place[i] < size_) along += pull.weight[i] * pending_(pull.place[i], c);
     }
-    response += along * pending_.col(c);
+    response += signs_[c] * along * pending_.col(c);
   }
 }
 
 void Flexibility::make_room(Eigen::Index count) {
   if (pending_count_ + count > WindowSettings::most_pending_changes) flush();
-  if (count > pending_.cols()) pending_.conservativeResize(Eigen::NoChange, count);
+  if (count <= pending_.cols()) return;
+  pending_.conservativeResize(Eigen::NoChange, count);
+  signs_.conservativeResize(count);
 }
 
 void Flexibility::flush() {
   if (size_ == 0 || pending_count_ == 0) return;
-  const auto columns = pending_.leftCols(pending_count_);
-  matrix_.topRows(size_).selfadjointView<Eigen::Lower>().rankUpdate(columns.topRows(size_));
-  matrix_.bottomRows(functions_).noalias() += columns.bottomRows(functions_) * columns.topRows(size_).transpose();
+  const auto signs = signs_.head(pending_count_).array();
+  if ((signs > 0).all()) {
+    add(pending_.leftCols(pending_count_), 1);
+  } else {
+    std::vector<Eigen::Index> gained, lost;
+    for (Eigen::Index c = 0; c < pending_count_; ++c) (signs_[c] > 0 ? gained : lost).push_back(c);
+    add(pending_(Eigen::all, gained), 1);
+    add(pending_(Eigen::all, lost), -1);
+  }
   pending_count_ = 0;
+}
+
+void Flexibility::add(const Eigen::Ref<const Eigen::MatrixXd>& columns, double sign) {
+  matrix_.topRows(size_).selfadjointView<Eigen::Lower>().rankUpdate(columns.topRows(size_), sign);
+  matrix_.bottomRows(functions_).noalias() +=
+      sign * columns.bottomRows(functions_) * columns.topRows(size_).transpose();
 }
 
 void Flexibility::subtract_from_function(Eigen::Index function, const Eigen::Ref<const Eigen::VectorXd>& values) {
@@ -68,7 +95,7 @@ void Flexibility::subtract_from_function(Eigen::Index function, const Eigen::Ref
 Eigen::MatrixXd Flexibility::block(const std::vector<int>& rows, const std::vector<int>& columns) const {
   const Eigen::MatrixXd from = pending_.leftCols(pending_count_)(rows, Eigen::all);
   const Eigen::MatrixXd to = pending_.leftCols(pending_count_)(columns, Eigen::all);
-  Eigen::MatrixXd result = from * to.transpose();
+  Eigen::MatrixXd result = from * signs_.head(pending_count_).asDiagonal() * to.transpose();
   for (std::size_t c = 0; c < columns.size(); ++c) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto [column, row] = std::minmax(columns[c], rows[r]);

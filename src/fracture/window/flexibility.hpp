@@ -11,7 +11,7 @@ namespace bempd::fracture {
 
 // The flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows, with
 // rows of functions below: displacements on which no force acts. Changes of rank one are collected and added to it many
-// at a time: F is the matrix kept plus the pending columns times their transpose.
+// at a time: F is the matrix kept plus the pending columns times their transpose, each with its sign.
 class Flexibility {
  public:
   Flexibility(const coupling::Condensation& condensation, Eigen::Index functions);
@@ -22,12 +22,18 @@ class Flexibility {
 
   // F b for some pulls.
   Eigen::MatrixXd responses(std::span<const Pull> pulls) const;
-  // Adds to one of them what has changed since only this many changes were pending.
+  // The displacement of what is followed to any force on it.
+  Eigen::VectorXd answer(const Eigen::VectorXd& force) const;
+  // Adds to one of the responses what has changed since only this many changes were pending.
   void update_response(const Pull& pull, Eigen::Index changes_known, Eigen::Ref<Eigen::VectorXd> response) const;
 
   Eigen::Index changes() const { return pending_count_; }
   void make_room(Eigen::Index count);  // for changes that can be taken back
-  void add_change(const Eigen::Ref<const Eigen::VectorXd>& column) { pending_.col(pending_count_++) = column; }
+  // F gains the column times its transpose, or loses it (sign -1).
+  void add_change(const Eigen::Ref<const Eigen::VectorXd>& column, double sign) {
+    signs_[pending_count_] = sign;
+    pending_.col(pending_count_++) = column;
+  }
   void take_back_changes(Eigen::Index count) { pending_count_ = count; }  // but for the first ones
 
   Eigen::MatrixXd function_rows() const { return matrix_.bottomRows(functions_); }
@@ -40,10 +46,12 @@ class Flexibility {
 
  private:
   void flush();
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& columns, double sign);
 
   Eigen::Index size_, functions_;
   Eigen::MatrixXd matrix_;  // lower triangle, and below it the rows of functions
   Eigen::MatrixXd pending_;
+  Eigen::VectorXd signs_;  // of its columns
   Eigen::Index pending_count_ = 0;
 };
 

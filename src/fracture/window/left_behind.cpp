@@ -66,6 +66,24 @@ std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool 
   return result;
 }
 
+// With left l and followed f when they were left behind, P = sum of k b b^T of what broke since, and F after and F0
+// before that: F = F0 + F P F0, as only the followed ones were changed. So F_fl r_l = y + F_ff P y with y = F0_fl r_l.
+void LeftBehind::hand_over(Affine& force, Affine& answer) const {
+  for (const Level& level : levels_) {
+    const Affine y = level.response.transpose() * force(level.left, Eigen::all);
+    for (std::size_t dof = 0; dof < level.column_of.size(); ++dof) {
+      if (level.column_of[dof] >= 0) answer.row(static_cast<Eigen::Index>(dof)) += y.row(level.column_of[dof]);
+    }
+    for (std::size_t b = level.breaks_before; b < breaks(); ++b) {
+      const LinearForms::Form form = broken_.of_displacements[b];
+      Eigen::RowVector2d elongation = Eigen::RowVector2d::Zero();
+      for (std::size_t k = 0; k < form.size(); ++k)
+        elongation += form.weight[k] * y.row(level.column_of[form.place[k]]);
+      for (std::size_t k = 0; k < form.size(); ++k) force.row(form.place[k]) += lost_[b] * form.weight[k] * elongation;
+    }
+  }
+}
+
 int LeftBehind::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
   // Each bond's ends are fetched once for a batch of states.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;

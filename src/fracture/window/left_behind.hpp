@@ -54,6 +54,10 @@ class LeftBehind {
   // The displacements of states, with what was left behind in them.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
 
+  // Of forces on all degrees of freedom, what those left behind add to the others: after it the displacements followed
+  // answer to `force` on them alone, besides `answer`.
+  void hand_over(coupling::Affine& force, coupling::Affine& answer) const;
+
   // The first state with a check that a bond left behind fails, or the number of states. Of completed states.
   int first_violation(const std::vector<coupling::Affine>& states, const std::vector<OutsideCheck>& checks) const;
 

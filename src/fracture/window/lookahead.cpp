@@ -8,7 +8,6 @@
 #include "cancellation.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/loaded_body.hpp"
-#include "fracture/window/face_watch.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
 
@@ -33,13 +32,28 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   close();
   options_ = options;
   if (!has_window_form(system_) || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
+  open_here(state);
+  return true;
+}
+
+void Lookahead::open_again(const BodyState& state, const Options& options) {
+  options_ = options;
+  place_.stay();
+  open_here(state);
+}
+
+void Lookahead::open_here(const BodyState& state) {
   try {
     build_window(state);
   } catch (...) {
     close();
     throw;
   }
-  return true;
+}
+
+void Lookahead::remember(PlaceMemory place, int most_events) {
+  place_.go_back_to(std::move(place));
+  most_events_ = most_events;
 }
 
 void Lookahead::build_window(const BodyState& state) {
@@ -113,21 +127,37 @@ std::vector<std::uint8_t> Lookahead::stages(int position) const {
 void Lookahead::compute(const BodyState& state) {
   events_.clear();
   checks_.clear();
-  position_ = 0;
+  position_ = balanced_events_ = 0;
+  unbalanced_ = 0;
   foreseen_ = {window_->state()};
-  double from = state.load_factor;
-  while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
-    check_cancelled();
-    if (!foresee(from, state)) {
-      has_ended_ = true;
-    } else {
-      from = events_.back().event.load_factor;
-    }
-  }
+  std::optional<FacesAhead> ahead;
+  if (!faces_.are_none()) ahead.emplace(faces_, state.faces);
+  ahead_ = ahead ? &*ahead : nullptr;
+  const bool keeps_balance = foresee_events(state);
   most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
   states_ = window_->complete(foreseen_);
+  if (!keeps_balance) keep_first(balanced_events_);
   certify(state.load_factor);
   take_back(0);
+  ahead_ = nullptr;
+}
+
+// False where rounding has grown too large since the balance of forces was looked at last.
+bool Lookahead::foresee_events(const BodyState& start) {
+  double from = start.load_factor;
+  while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
+    check_cancelled();
+    if (!foresee(from, start)) {
+      has_ended_ = true;
+      return true;  // in the window the event may be half done
+    }
+    from = events_.back().event.load_factor;
+    const auto since = static_cast<int>(events_.size()) - balanced_events_;
+    if (events_.size() == 1 || since >= WindowSettings::events_between_balances) {
+      if (!is_balanced()) return false;
+    }
+  }
+  return is_balanced();
 }
 
 std::vector<int> Lookahead::choose(double f) const {
@@ -188,6 +218,23 @@ bool Lookahead::foresee(double from, const BodyState& start) {
   return true;
 }
 
+// Squares may be many times as stiff as bonds, and feel rounding as many times more.
+bool Lookahead::is_balanced() {
+  const auto count = static_cast<int>(events_.size());
+  if (system_.terms().followers.empty() || count == balanced_events_) return true;
+  const ForeseenEvent& last = events_.back();
+  const Affine force = window_->unbalanced();
+  const double share = evaluate(force, last.event.load_factor).lpNorm<Eigen::Infinity>() / last.largest_force;
+  if (!(share <= WindowSettings::acceptable_residual)) return false;
+  unbalanced_ = std::max(unbalanced_, share);
+  balanced_events_ = count;
+  if (share <= WindowSettings::negligible_residual) return true;
+  window_->balance(force);
+  narrowing_.stop();
+  foreseen_.back() = window_->state();
+  return true;
+}
+
 // Just before the first of the events computed together.
 double Lookahead::largest_force_before(double load_factor, const BodyState& start) const {
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
@@ -207,7 +254,7 @@ bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
   system_.set_stages(foreseen.event.changes);
   const std::vector<int> gone = system_.gone_with(foreseen.event.changes);
   const auto before = window_->function_values();
-  if (!freed_parts_.frees_nothing(gone, any_displacement_) || !window_->change(here)) {
+  if (!freed_parts_.frees_nothing(gone, any_displacement_) || !window_->change(here) || !settle_faces(foreseen)) {
     system_.set_stages(foreseen.back);
     return false;
   }
@@ -222,63 +269,6 @@ bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
     foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(here[i].term, f);
   }
   return true;
-}
-
-// No bond outside may break before the event, nor with it.
-void Lookahead::add_checks(double from, const Event& event) {
-  const int state = static_cast<int>(events_.size());
-  const double f = event.load_factor, limit = tie_limit(options_.tie_band) * event.ratio;
-  if (proportional_) {
-    checks_.push_back({state, 1, limit / f});
-    return;
-  }
-  if (from != f && options_.control == Control::load) checks_.push_back({state, from, 1});
-  checks_.push_back({state, f, limit});
-}
-
-// Keeps the events that the whole body would go through in the same way.
-void Lookahead::certify(double from) {
-  if (!events_.empty()) keep_first(window_->left_behind().first_violation(states_, checks_));
-  if (events_.empty()) return;
-  // Their bonds are gone while the events computed are not taken back.
-  const FaceWatch watch(faces_, events_, from, proportional_);
-  const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
-  faces_move_ = unchanged < static_cast<int>(events_.size());
-  keep_first(unchanged);
-  if (events_.empty()) return;
-  std::vector<int> breaks{0};
-  for (const ForeseenEvent& foreseen : events_) {
-    breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
-  }
-  const int kept = certificate_->first_violation(states_, breaks, checks_, whole_);
-  faces_move_ = faces_move_ && kept >= unchanged;
-  keep_first(kept);
-  if (!events_.empty()) check_whole_body();
-}
-
-// Forces of the whole body are known before the first and after the last of the events.
-void Lookahead::check_whole_body() {
-  const Affine before = std::move(whole_);  // in state 0
-  whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
-  ForeseenEvent& last = events_.back();
-  const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, last.event.load_factor));
-  last.largest_force = std::max(
-      {last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, last.event.load_factor)});
-  residual_ = fracture::residual(system_, force, last.event.load_factor, last.largest_force);
-  if (residual_ <= WindowSettings::acceptable_residual) return;
-  keep_first(0);
-  whole_ = before;
-}
-
-void Lookahead::keep_first(int count) {
-  if (count >= static_cast<int>(events_.size())) return;
-  has_ended_ = true;
-  needs_whole_body_ = false;
-  most_events_ = std::max(WindowSettings::first_events, 2 * count);  // more would be in vain again
-  take_back(count);
-  events_.resize(count);
-  states_.resize(count + 1);
-  std::erase_if(checks_, [&](const OutsideCheck& check) { return check.state >= count; });
 }
 
 }  // namespace bempd::fracture

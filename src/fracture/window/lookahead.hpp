@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fracture/contact/crack_faces.hpp"
+#include "fracture/contact/faces_ahead.hpp"
 #include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
@@ -26,6 +26,8 @@ struct ForeseenEvent {
   double work = 0, released = 0;                    // of the break itself
   double largest_force = 0;                         // internal nodal force that is known to be reached until then
   std::vector<double> reactions_before, reactions;  // after it
+  std::int64_t switches = 0;                        // places of faces that close or open
+  std::optional<FaceState> faces;                   // after it, where there are such
 };
 
 // Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those
@@ -34,13 +36,7 @@ struct ForeseenEvent {
 // motion.
 class Lookahead {
  public:
-  struct Options {
-    double tie_band;
-    int max_breaks_per_solve;
-    double ahead;  // of a crack tip, in lattice spacings; 0: chosen by the size of the system
-    Control control;
-    bool operator==(const Options&) const = default;
-  };
+  using Options = WindowOptions;
 
   Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
             const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs, CrackFaces& faces);
@@ -51,11 +47,17 @@ class Lookahead {
   // Around the bonds that are hot at the load factor of the next event. False if there is no window that would be
   // smaller than the problem.
   bool open(const BodyState& state, double load_factor, const Options& options);
+  // Where the last one was, and is to be.
+  void open_again(const BodyState& state, const Options& options);
   bool is_open() const { return window_ != nullptr; }
   void close() noexcept;
   void forget();  // and where the window was: a new one is what it would be in a fresh run
 
   const Options& options() const { return options_; }
+  PlaceMemory place() const { return place_.memory(); }
+  int most_events() const { return most_events_; }
+  void remember(PlaceMemory place, int most_events);
+  bool has_changed_terms() const { return system_has_changed_; }
 
   // True where no event is left but more may come.
   bool must_compute() const { return position_ == static_cast<int>(events_.size()) && !has_ended_; }
@@ -68,6 +70,7 @@ class Lookahead {
   // True if the window has come to its end before an event that no window can perform, or after which faces of cracks
   // open or close.
   bool needs_whole_body() const { return needs_whole_body_ || faces_move_; }
+  bool frees_a_motion() const { return needs_whole_body_; }
   bool ended_at_faces() const { return faces_move_; }
 
   // States since the events were computed last, 0 first; only these can be asked for and returned to.
@@ -75,17 +78,25 @@ class Lookahead {
   void return_to(int position) noexcept;
   coupling::Affine displacement(int position) const;
   std::vector<std::uint8_t> stages(int position) const;
-  // Of the whole body after the last of the events computed together; it stands for all of them.
+  // Of the whole body after the last of the events computed together, or of what rounding had led the window away by
+  // where that was more; it stands for all of them.
   double residual() const { return residual_; }
 
  private:
+  void open_here(const BodyState& state);
   void build_window(const BodyState& state);
   bool foresee(double from, const BodyState& start);
   std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;
   bool perform_in_window(ForeseenEvent& foreseen);
+  bool settle_faces(ForeseenEvent& foreseen);
+  std::vector<std::size_t> wrong_places(double load_factor) const;
+  double released_by_faces(const std::vector<std::size_t>& before, double load_factor) const;
+  Eigen::VectorXd internal_force_after_all(double load_factor);
   void take_back(int count);  // of the events computed all but the first ones, from the system
+  bool foresee_events(const BodyState& start);
+  bool is_balanced();
   void add_checks(double from, const Event& event);
   void certify(double from);
   void check_whole_body();
@@ -94,6 +105,7 @@ class Lookahead {
   coupling::EquilibriumSystem& system_;
   const FreedPartFinder& freed_parts_;
   CrackFaces& faces_;
+  FacesAhead* ahead_ = nullptr;  // while events are computed, where faces can meet
   const StretchRatios& whole_ratios_;
   WindowPlace place_;
   WindowFunctions functions_;
@@ -115,6 +127,8 @@ class Lookahead {
   std::vector<coupling::Affine> states_;
   std::vector<LeftBehind::State> foreseen_;  // the states, while events are computed
   std::vector<OutsideCheck> checks_;
+  int balanced_events_ = 0;  // of those, before forces were in balance last
+  double unbalanced_ = 0;    // what was off then and before at most, of the largest force
   int position_ = 0;
   bool system_has_changed_ = false;
   double residual_ = 0;

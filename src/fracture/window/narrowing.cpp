@@ -10,6 +10,8 @@ namespace bempd::fracture {
 
 void Narrowing::restart() { next_ = WindowSettings::breaks_between_narrowings; }
 
+void Narrowing::stop() { next_ = std::numeric_limits<std::size_t>::max(); }
+
 std::vector<double> Narrowing::rears(const ActiveWindow& window, double load_factor) const {
   const AffineRatios& ratios = window.ratios();
   const coupling::Terms& bonds = system_.terms();

@@ -21,6 +21,7 @@ class Narrowing {
                     (system.terms().followers.empty() ? 0 : WindowSettings::reach_of_followers)) {}
 
   void restart();  // with a new window
+  void stop();     // until then: where displacements are put right, what is left behind stays as rounding has made it
 
   // From time to time, at the load factor of an event. `dofs` are those kept by the window's condensation.
   void narrow(ActiveWindow& window, const std::vector<int>& dofs, double load_factor);

@@ -37,6 +37,10 @@ class WindowWatch {
   std::optional<Stopwatch> watch_;
 };
 
+WindowOptions options_of(const SteppingOptions& options) {
+  return {options.tie_band, options.max_breaks_per_solve, options.window_ahead, options.control};
+}
+
 }  // namespace
 
 WindowEvents::WindowEvents(LoadedBody& body, std::function<void()> before_forgetting)
@@ -49,8 +53,13 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   events_performed_ = 0;
   try {
     const WindowWatch watch(body_.seconds_search(), body_.system().counters());
-    return lookahead_.open(body_.state(), load_factor,
-                           {options.tie_band, options.max_breaks_per_solve, options.window_ahead, options.control});
+    const int most_events = lookahead_.most_events();
+    const BodyState& state = body_.state();
+    if (!lookahead_.open(state, load_factor, options_of(options))) return false;
+    origin_ = {lookahead_.options(), state.load_factor, state.displacement, state.faces, {}};
+    faces_have_switched_ = false;
+    most_events_at_first_ = most_events;
+    return true;
   } catch (const Error& error) {
     // Next to a mechanism a fresh factorization may fail: the next break is then found, and held, in the whole body.
     if (error.failure() != Failure::unsolvable) throw;
@@ -58,9 +67,60 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   }
 }
 
-bool WindowEvents::suits(const SteppingOptions& options) const {
-  return lookahead_.options() ==
-         Lookahead::Options{options.tie_band, options.max_breaks_per_solve, options.window_ahead, options.control};
+bool WindowEvents::suits(const SteppingOptions& options) const { return lookahead_.options() == options_of(options); }
+
+WindowOrigin WindowEvents::origin() const {
+  WindowOrigin origin = origin_;
+  origin.events_performed = events_performed_;
+  origin.is_behind = is_behind_ || is_shown_;
+  origin.has_changed_terms = lookahead_.has_changed_terms();
+  origin.needs_whole_body = lookahead_.frees_a_motion();
+  if (!faces_have_switched_) origin.faces.reset();
+  return origin;
+}
+
+bool WindowEvents::open_again(const WindowOrigin& origin) {
+  events_performed_ = 0;
+  is_behind_ = is_shown_ = false;
+  origin_ = origin;
+  most_events_at_first_ = lookahead_.most_events();
+  BodyState& state = body_.state();
+  origin_.faces = state.faces;
+  faces_have_switched_ = false;
+  lookahead_.open_again(state, origin.options);
+  for (const WindowOrigin::Look& look : origin.looks) {
+    while (events_performed_ < look.after)
+      if (!take_again()) return false;
+    if (!lookahead_.must_compute()) return false;
+    state.load_factor = look.load_factor;
+    state.largest_force = look.largest_force;
+    lookahead_.compute(state);
+  }
+  while (events_performed_ < origin.events_performed)
+    if (!take_again()) return false;
+  is_shown_ = origin.is_behind;
+  return true;
+}
+
+bool WindowEvents::take_again() {
+  const ForeseenEvent* foreseen = lookahead_.next();
+  if (!foreseen) return false;
+  take(*foreseen);
+  return true;
+}
+
+void WindowEvents::take(const ForeseenEvent& next) {
+  BodyState& state = body_.state();
+  const std::vector<coupling::StageChange>& changes = next.event.changes;
+  for (const coupling::StageChange& c : changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
+  const std::vector<int> gone = body_.system().gone_with(changes);
+  lookahead_.take();
+  if (next.faces) {
+    take_faces(*next.faces);
+  } else {
+    body_.faces().note_gone(gone, state.faces);
+  }
+  ++events_performed_;
 }
 
 void WindowEvents::close() {
@@ -70,19 +130,24 @@ void WindowEvents::close() {
 
 void WindowEvents::forget() {
   lookahead_.forget();
-  is_behind_ = false;
+  is_behind_ = is_shown_ = false;
 }
 
 void WindowEvents::abandon() noexcept {
   lookahead_.close();
-  is_behind_ = false;
+  is_behind_ = is_shown_ = false;
 }
 
 const Event* WindowEvents::next(double, const SteppingOptions&) {
   const WindowWatch watch(body_.seconds_search(), body_.system().counters());
   if (lookahead_.must_compute()) {
     before_forgetting_();
-    lookahead_.compute(body_.state());
+    // What was shown has other rounding than what the events computed next tell of the same state.
+    is_behind_ = is_behind_ || is_shown_;
+    is_shown_ = false;
+    const BodyState& state = body_.state();
+    origin_.looks.push_back({events_performed_, state.load_factor, state.largest_force});
+    lookahead_.compute(state);
   }
   const ForeseenEvent* foreseen = lookahead_.next();
   return foreseen ? &foreseen->event : nullptr;
@@ -90,10 +155,12 @@ const Event* WindowEvents::next(double, const SteppingOptions&) {
 
 Outcome WindowEvents::perform() {
   const ForeseenEvent& foreseen = *lookahead_.next();
+  if (foreseen.faces) before_forgetting_();  // faces are of the present state only
   const Event& event = foreseen.event;
   BodyState& state = body_.state();
   Outcome outcome;
   outcome.broken = foreseen.broken;
+  outcome.switches = foreseen.switches;
   outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
   outcome.work = foreseen.work;
   outcome.released_energy = foreseen.released;
@@ -108,18 +175,29 @@ Outcome WindowEvents::perform() {
   outcome.resistance_before = body_.resistance(foreseen.reactions_before);
   outcome.resistance = body_.resistance(foreseen.reactions);
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
-  for (const coupling::StageChange& c : event.changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
-  lookahead_.take();
-  body_.faces().note_gone(body_.system().gone_with(event.changes), state.faces);
+  take(foreseen);
   is_behind_ = true;
-  ++events_performed_;
+  is_shown_ = false;
   return outcome;
 }
 
+void WindowEvents::take_faces(FaceState faces) {
+  faces_have_switched_ = true;
+  faces.closed_inside = body_.state().faces.closed_inside;
+  body_.faces().go_on_from(faces);
+  body_.state().faces = std::move(faces);
+}
+
 void WindowEvents::bring_up_to_date() {
+  show();
+  is_shown_ = false;
+}
+
+void WindowEvents::show() {
   if (!is_behind_) return;
   body_.show(lookahead_.displacement(lookahead_.position()));
   is_behind_ = false;
+  is_shown_ = true;
 }
 
 WindowEvents::Place WindowEvents::place() const {
@@ -154,6 +232,7 @@ void WindowEvents::return_to(const Place& place) noexcept {
   state.stages = body_.system().stages();
   events_performed_ = place.events_performed;
   is_behind_ = true;
+  is_shown_ = false;
 }
 
 }  // namespace bempd::fracture

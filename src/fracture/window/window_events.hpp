@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 
 #include "fracture/event_source.hpp"
 #include "fracture/loaded_body.hpp"
@@ -27,6 +28,15 @@ class WindowEvents final : public EventSource {
   void forget();            // and where the window was; the body's state is no longer brought up to date
   void abandon() noexcept;  // the same, but for where it was
 
+  // How an open window has come to where it is; what it remembers of the place of the last one; and the way back.
+  // After remember() in the state in which the window was opened, open_again() leaves it as it was, with the body's
+  // state; false if it does not come to the same.
+  WindowOrigin origin() const;
+  PlaceMemory place_of_last() const { return lookahead_.place(); }
+  int most_events() const { return is_open() ? most_events_at_first_ : lookahead_.most_events(); }
+  void remember(PlaceMemory place, int most_events) { lookahead_.remember(std::move(place), most_events); }
+  bool open_again(const WindowOrigin& origin);
+
   // Null if the window has come to its end.
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
@@ -38,6 +48,8 @@ class WindowEvents final : public EventSource {
   bool ended_at_faces() const { return lookahead_.ended_at_faces(); }
 
   void bring_up_to_date();
+  // The same for someone who looks: the run goes on as if nobody had.
+  void show();
 
   // Where the body is among the events of the window.
   struct Place {
@@ -54,8 +66,16 @@ class WindowEvents final : public EventSource {
   Lookahead lookahead_;
   LoadedBody& body_;
   std::function<void()> before_forgetting_;
+  void take(const ForeseenEvent& next);
+  void take_faces(FaceState faces);
+  bool take_again();
+
   bool is_behind_ = false;
+  bool is_shown_ = false;  // although the run itself is behind
   std::int64_t events_performed_ = 0;
+  WindowOrigin origin_;  // but for what changes from event to event
+  bool faces_have_switched_ = false;
+  int most_events_at_first_ = 0;
 };
 
 }  // namespace bempd::fracture

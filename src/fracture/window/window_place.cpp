@@ -44,6 +44,12 @@ void WindowPlace::return_to_expected() {
   system_.keep_last(nodes_);
 }
 
+void WindowPlace::go_back_to(PlaceMemory memory) {
+  zones_ = std::move(memory.zones);
+  nodes_ = std::move(memory.nodes);
+  system_.keep_last(memory.are_last ? nodes_ : std::vector<int>());
+}
+
 // Nodes that touch the outside come first: what the window needs to know of the outside is then a corner of the factor.
 void WindowPlace::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   zones_ = std::move(zones);

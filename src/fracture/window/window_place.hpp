@@ -4,7 +4,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/critical_events.hpp"
-#include "fracture/window/window_zones.hpp"
+#include "fracture/window/window_origin.hpp"
 #include "geometry/point.hpp"
 
 namespace bempd::fracture {
@@ -26,6 +26,10 @@ class WindowPlace {
   // Around the bonds that are hot at this load factor: stays where it is if it can. `ahead` is the length in front of a
   // crack tip in lattice spacings, 0 to choose it. False if there is no place that would be smaller than the problem.
   bool choose(double load_factor, double tie_band, double ahead);
+
+  PlaceMemory memory() const { return {zones_, nodes_, system_.keeps_last(nodes_)}; }
+  void go_back_to(PlaceMemory memory);
+  void stay() { mark_rim(); }  // where it is, with the present terms
 
   const std::vector<Zone>& zones() const { return zones_; }
   double spacing(int node) const { return spacing_[node]; }  // of the lattice

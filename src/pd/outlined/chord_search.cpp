@@ -14,6 +14,16 @@ Box box_around(const Point& a, const Point& b, double margin) {
   return {a.cwiseMin(b) - pad, a.cwiseMax(b) + pad};
 }
 
+bool is_straight(const Chords& chords, std::size_t piece) {
+  const int first = chords.piece_start[piece], end = chords.piece_start[piece + 1];
+  const Point whole = chords.nodes[chords.chords[end - 1].second] - chords.nodes[chords.chords[first].first];
+  for (int c = first; c < end; ++c) {
+    const Point off = chords.nodes[chords.chords[c].second] - chords.nodes[chords.chords[first].first];
+    if (std::abs(cross(whole, off)) > sight_tolerance * whole.norm()) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Buckets::Buckets(const Box& box, double side) : origin_(box.min()), side_(side) {
@@ -47,6 +57,7 @@ ChordSearch::ChordSearch(const Chords& chords) : chords_(chords) {
     const auto last = static_cast<std::size_t>(std::max(a.y(), b.y()) - low_);
     for (std::size_t row = first; row <= last; ++row) rows_[row].push_back(static_cast<int>(c));
   }
+  for (std::size_t p = 0; p + 1 < chords.piece_start.size(); ++p) straight_.push_back(is_straight(chords, p));
 }
 
 bool ChordSearch::on_chord(const Point& p) const {
@@ -105,6 +116,34 @@ bool ChordSearch::in_sight(const Point& from, const Point& to) const {
     if (!inside(from + 0.5 * (stations[k] + stations[k + 1]) * (to - from))) return false;
   }
   return true;
+}
+
+ChordSearch::View::View(const ChordSearch& search, const Point& from, double reach) : search_(search), from_(from) {
+  const Chords& chords = search.chords_;
+  std::array<int, most_pieces> found{};
+  search.buckets_.any_near(box_around(from, from, reach), [&](int c) {
+    const int piece = chords.chords[c].piece;
+    if (std::find(found.begin(), found.begin() + count_, piece) != found.begin() + count_) return false;
+    const Point &a = chords.nodes[chords.chords[c].first], &b = chords.nodes[chords.chords[c].second];
+    if (distance(Segment{a, b}, from) > reach) return false;
+    if (count_ == most_pieces || !search.straight_[piece]) {
+      count_ = most_pieces + 1;
+      return true;
+    }
+    found[count_] = piece;
+    pieces_[count_++] = {a, b};
+    return false;
+  });
+}
+
+bool ChordSearch::View::sees(const Point& to) const {
+  const auto behind = [&](const Segment& piece) {
+    const Point along = piece.end - piece.start;
+    const double slack = -sight_tolerance * along.norm();
+    return cross(along, from_ - piece.start) < slack || cross(along, to - piece.start) < slack;
+  };
+  const bool simple = count_ <= most_pieces && std::none_of(pieces_.begin(), pieces_.begin() + count_, behind);
+  return simple || search_.in_sight(from_, to);
 }
 
 }  // namespace bempd::pd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geometry/edge.hpp"
@@ -44,6 +45,22 @@ class ChordSearch {
   // Whether the segment between two points of the closed polygon stays in it; along a chord is inside.
   bool in_sight(const Point& from, const Point& to) const;
 
+  // What a point of the closed polygon sees as far as `reach`: everything there is, as long as it lies on the inner
+  // side of all the straight pieces around.
+  class View {
+   public:
+    View(const ChordSearch& search, const Point& from, double reach);
+    bool sees(const Point& to) const;
+
+   private:
+    static constexpr int most_pieces = 4;
+
+    const ChordSearch& search_;
+    Point from_;
+    int count_ = 0;  // of the pieces around; more than most_pieces: too many, or round ones
+    std::array<Segment, most_pieces> pieces_;
+  };
+
  private:
   std::vector<double> meetings(const Point& from, const Point& to) const;
   bool on_chord(const Point& p) const;
@@ -52,6 +69,7 @@ class ChordSearch {
   Buckets buckets_;
   double low_ = 0;
   std::vector<std::vector<int>> rows_;  // chords by the spacings of height that they cross
+  std::vector<char> straight_;          // per piece
 };
 
 }  // namespace bempd::pd

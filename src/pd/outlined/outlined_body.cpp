@@ -5,10 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "linalg/disjoint_sets.hpp"
-#include "linalg/least_change.hpp"
-#include "parallel.hpp"
 #include "pd/cell_squares.hpp"
+#include "pd/outlined/layer_balance.hpp"
 #include "pd/outlined/outlined_bonds.hpp"
 #include "pd/outlined/surface_balance.hpp"
 
@@ -40,72 +38,13 @@ std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move) {
   return attempts;
 }
 
-// Free bonds by sets that share no point.
-std::vector<std::vector<int>> free_clusters(const OutlinedBonds& bonds, int point_count) {
-  linalg::DisjointSets sets(point_count);
-  for (const OutlinedBond& b : bonds.bonds)
-    if (b.free) sets.join(b.first, b.second);
-  std::vector<int> number(static_cast<std::size_t>(point_count), -1);
-  std::vector<std::vector<int>> clusters;
-  for (std::size_t b = 0; b < bonds.bonds.size(); ++b) {
-    if (!bonds.bonds[b].free) continue;
-    int& n = number[static_cast<std::size_t>(sets.find(bonds.bonds[b].first))];
-    if (n < 0) {
-      n = static_cast<int>(clusters.size());
-      clusters.emplace_back();
-    }
-    clusters[static_cast<std::size_t>(n)].push_back(static_cast<int>(b));
-  }
-  return clusters;
-}
-
-linalg::LeastChange outlined_problem(const OutlinedBonds& all, const std::vector<Vector4d>& missing,
-                                     const std::vector<int>& cluster) {
-  std::vector<int> points;
-  for (const int b : cluster) points.insert(points.end(), {all.bonds[b].first, all.bonds[b].second});
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  const auto row = [&](int point) {
-    return 4 * static_cast<int>(std::lower_bound(points.begin(), points.end(), point) - points.begin());
-  };
-  const int count = static_cast<int>(cluster.size());
-  linalg::LeastChange problem;
-  problem.lower = smallest_outlined_ratio;
-  problem.start.resize(count);
-  problem.scale.resize(count);
-  problem.target.resize(4 * static_cast<Eigen::Index>(points.size()));
-  for (std::size_t p = 0; p < points.size(); ++p)
-    problem.target.segment<4>(4 * static_cast<Eigen::Index>(p)) = missing[points[p]];
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(8 * cluster.size());
-  for (int k = 0; k < count; ++k) {
-    const OutlinedBond& b = all.bonds[cluster[k]];
-    const BondOffset& offset = all.offsets[b.offset];
-    const int first = row(b.first), second = row(b.second);
-    problem.start[k] = b.stiffness;
-    problem.scale[k] = offset.bulk_stiffness;
-    for (int c = 0; c < 4; ++c) {
-      entries.emplace_back(first + c, k, offset.moment[c]);
-      entries.emplace_back(second + c, k, -offset.moment[c]);
-      problem.target[first + c] += offset.moment[c] * b.stiffness;
-      problem.target[second + c] -= offset.moment[c] * b.stiffness;
-    }
-  }
-  problem.constraints.resize(problem.target.size(), count);
-  problem.constraints.setFromTriplets(entries.begin(), entries.end());
-  return problem;
-}
-
-void balance_outlined(const std::vector<Point>& surface, int threads, OutlinedBonds& bonds) {
-  const std::vector<Vector4d> missing = missing_moments(surface, bonds);
-  const std::vector<std::vector<int>> clusters = free_clusters(bonds, static_cast<int>(surface.size()));
-  std::vector<linalg::LeastChangeResult> results(clusters.size());
-  parallel_for(clusters.size(), threads, [&](std::size_t c) {
-    results[c] = solve_long_least_change(outlined_problem(bonds, missing, clusters[c]));
-  });
-  for (std::size_t c = 0; c < clusters.size(); ++c)
-    for (std::size_t k = 0; k < clusters[c].size(); ++k)
-      bonds.bonds[clusters[c][k]].stiffness = results[c].values[static_cast<Eigen::Index>(k)];
+// Of the bonds of a lattice.
+double longest_bond(int horizon_ratio) {
+  int longest = 0;
+  for (int x = 0; x < horizon_ratio; ++x)
+    for (int y = 0; y < horizon_ratio; ++y)
+      if (x * x + y * y < horizon_ratio * horizon_ratio) longest = std::max(longest, x * x + y * y);
+  return std::sqrt(longest);
 }
 
 Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, const PlaneElasticity& elasticity) {
@@ -114,6 +53,8 @@ Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, 
     network.max_residual = std::max(network.max_residual, r.lpNorm<Eigen::Infinity>());
   const double unit = elasticity.thickness * bond_c1111(elasticity);
   network.min_weight_ratio = HUGE_VAL;
+  network.bonds.reserve(bonds.bonds.size());
+  network.offset_of.reserve(bonds.bonds.size());
   for (const OutlinedBond& b : bonds.bonds) {
     network.bonds.push_back({b.first, b.second, unit * b.stiffness});
     network.offset_of.push_back(static_cast<std::uint32_t>(b.offset));
@@ -123,18 +64,33 @@ Network finish_outlined(const std::vector<Point>& surface, OutlinedBonds bonds, 
   return network;
 }
 
+// As deep as points lack bonds. Short families tell the stress at an edge better with some that lack none.
+double layer_depth(const Attempt& attempt, int horizon_ratio) {
+  return longest_bond(horizon_ratio) + attempt.gap + (horizon_ratio == 3 ? 0.75 : 0);
+}
+
+// Short bonds between those points do it almost everywhere, and their equations are few and close together; the others
+// follow where they do not.
+std::vector<Layer> layers_for(const Attempt& attempt, int horizon_ratio) {
+  const double reach = horizon_ratio == 3 ? HUGE_VAL : 0.8 * horizon_ratio;
+  return {{attempt.free_depth, layer_depth(attempt, horizon_ratio), reach}, {attempt.free_depth, HUGE_VAL, HUGE_VAL}};
+}
+
 OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace place, int horizon_ratio,
                      const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
   place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
-  const OutlinedPoints points(chords, place, attempt.gap, horizon_ratio);
+  const OutlinedPoints points(chords, place, attempt.gap, 1 + layer_depth(attempt, horizon_ratio));
   OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords), {}, {}};
   body.place = place;
   body.areas = areas_of_points(body.points, body.cells);
   std::vector<Point> surface(body.points.size(), Point::Zero());
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
-  OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, attempt.free_depth, kernel);
-  share_by_area(body.areas, bonds);
-  balance_outlined(surface, threads, bonds);
+  OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
+  for (const Layer& layer : layers_for(attempt, horizon_ratio)) {
+    mark_layer(points, layer, bonds);
+    share_by_area(body.areas, bonds);
+    if (balance_layer(surface, smallest_outlined_ratio, threads, bonds)) break;
+  }
   body.network = finish_outlined(surface, std::move(bonds), elasticity);
   return body;
 }

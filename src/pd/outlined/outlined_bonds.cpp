@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cancellation.hpp"
 
@@ -24,9 +25,8 @@ BondOffset offset_along(const Point& step, double bulk_stiffness) {
 
 class Drafting {
  public:
-  Drafting(const Chords& chords, const OutlinedPoints& points, int horizon_ratio, double free_depth,
-           const BondKernel& kernel)
-      : points_(points), search_(chords), horizon_(horizon_ratio), free_depth_(free_depth), kernel_(kernel) {
+  Drafting(const Chords& chords, const OutlinedPoints& points, int horizon_ratio, const BondKernel& kernel)
+      : points_(points), search_(chords), horizon_(horizon_ratio), kernel_(kernel) {
     for (const BondOffset& offset : bond_family(horizon_ratio, kernel)) {
       steps_.emplace_back(offset.step.cast<int>());
       made_.offsets.push_back(offset_along(points.turn() * offset.step, offset.bulk_stiffness));
@@ -38,6 +38,7 @@ class Drafting {
   }
 
   OutlinedBonds draft() {
+    made_.bonds.reserve(steps_.size() * static_cast<std::size_t>(points_.count()));
     for (int i = 0; i < points_.count(); ++i) {
       check_cancelled();
       if (points_.on_lattice(i)) {
@@ -51,13 +52,15 @@ class Drafting {
 
  private:
   void bond_on_lattice(int i) {
+    std::optional<ChordSearch::View> view;
     for (std::size_t o = 0; o < steps_.size(); ++o) {
       const int j = points_.find_point(points_.lattice_point(i) + steps_[o]);
       if (j < 0) continue;
-      const double clear = std::max(points_.depth(i), points_.depth(j));
-      if (clear < made_.offsets[o].length && !search_.in_sight(points_.points()[i], points_.points()[j])) continue;
-      const bool free = points_.depth(i) < free_depth_ || points_.depth(j) < free_depth_;
-      made_.bonds.push_back({i, j, static_cast<int>(o), made_.offsets[o].bulk_stiffness, free});
+      if (points_.depth(i) + points_.depth(j) < made_.offsets[o].length) {
+        if (!view) view.emplace(search_, points_.points()[i], horizon_);
+        if (!view->sees(points_.points()[j])) continue;
+      }
+      made_.bonds.push_back({i, j, static_cast<int>(o), made_.offsets[o].bulk_stiffness, false, false});
     }
   }
 
@@ -75,19 +78,20 @@ class Drafting {
       for (int x = low.x(); x <= high.x(); ++x)
         if (const int j = points_.find_point({x, y}); j >= 0) others.push_back(j);
     std::sort(others.begin(), others.end());
+    const ChordSearch::View view(search_, p, horizon_);
     for (const int j : others) {
       const Point step = points_.points()[j] - p;
       // What is as long as the horizon up to rounding carries nothing.
-      if (step.norm() > horizon_ - 1e-6 || !search_.in_sight(p, points_.points()[j])) continue;
+      if (step.norm() > horizon_ - 1e-6 || !view.sees(points_.points()[j])) continue;
       const double stiffness = kernel_stiffness(kernel_, step.norm(), horizon_);
-      made_.bonds.push_back({i, j, static_cast<int>(made_.offsets.size()), stiffness, true});
+      made_.bonds.push_back({i, j, static_cast<int>(made_.offsets.size()), stiffness, false, false});
       made_.offsets.push_back(offset_along(step, stiffness));
     }
   }
 
   const OutlinedPoints& points_;
   ChordSearch search_;
-  double horizon_, free_depth_;
+  double horizon_;
   const BondKernel& kernel_;
   std::vector<Vector2i> steps_;
   Buckets near_;
@@ -97,40 +101,62 @@ class Drafting {
 }  // namespace
 
 OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
-                                   double free_depth, const BondKernel& kernel) {
-  return Drafting(chords, points, horizon_ratio, free_depth, kernel).draft();
+                                   const BondKernel& kernel) {
+  return Drafting(chords, points, horizon_ratio, kernel).draft();
+}
+
+void mark_layer(const OutlinedPoints& points, const Layer& layer, OutlinedBonds& bonds) {
+  for (OutlinedBond& b : bonds.bonds) {
+    const BondOffset& offset = bonds.offsets[b.offset];
+    const auto [less, more] = std::minmax({points.depth(b.first), points.depth(b.second)});
+    b.stiffness = offset.bulk_stiffness;
+    b.in_layer = less < layer.depth && more < layer.deepest;
+    b.free = b.in_layer && offset.length < layer.reach;
+  }
 }
 
 void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds) {
   constexpr double volume_stiffness = 8.0 / 3;
-  constexpr int rounds = 30;
-  struct Free {
-    int first, second;
-    double half;  // of k L^2
+  constexpr int rounds = 10;
+  struct Shared {
+    int first, second;  // among the points of such bonds
+    double half;        // of k L^2
   };
-  std::vector<Free> free;
-  std::vector<double> of_others(areas.size(), 0.0), factor(areas.size(), 1.0);
-  std::vector<char> near(areas.size(), 0);
+  std::vector<int> number(areas.size(), -1);
+  std::vector<double> wanted, of_others, factor;
   for (const OutlinedBond& b : bonds.bonds) {
-    const double length = bonds.offsets[b.offset].length, half = 0.5 * b.stiffness * length * length;
-    if (b.free) {
-      free.push_back({b.first, b.second, half});
-      near[b.first] = near[b.second] = 1;
-    } else {
-      of_others[b.first] += half, of_others[b.second] += half;
+    if (!b.in_layer) continue;
+    for (const int point : {b.first, b.second}) {
+      if (number[point] >= 0) continue;
+      number[point] = static_cast<int>(wanted.size());
+      wanted.push_back(volume_stiffness * areas[point]);
     }
   }
+  of_others.assign(wanted.size(), 0.0), factor.assign(wanted.size(), 1.0);
+  std::vector<Shared> shared;
+  for (const OutlinedBond& b : bonds.bonds) {
+    const int first = number[b.first], second = number[b.second];
+    if (first < 0 && second < 0) continue;
+    const double length = bonds.offsets[b.offset].length, half = 0.5 * b.stiffness * length * length;
+    if (b.in_layer) {
+      shared.push_back({first, second, half});
+    } else {
+      if (first >= 0) of_others[first] += half;
+      if (second >= 0) of_others[second] += half;
+    }
+  }
+  std::vector<double> resisted;
   for (int round = 0; round < rounds; ++round) {
-    std::vector<double> resisted = of_others;
-    for (const Free& b : free) {
+    resisted = of_others;
+    for (const Shared& b : shared) {
       const double half = factor[b.first] * factor[b.second] * b.half;
       resisted[b.first] += half, resisted[b.second] += half;
     }
-    for (std::size_t i = 0; i < areas.size(); ++i)
-      if (near[i] && resisted[i] > 0) factor[i] *= std::sqrt(volume_stiffness * areas[i] / resisted[i]);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (resisted[i] > 0) factor[i] *= std::sqrt(wanted[i] / resisted[i]);
   }
   for (OutlinedBond& b : bonds.bonds)
-    if (b.free) b.stiffness *= factor[b.first] * factor[b.second];
+    if (b.in_layer) b.stiffness *= factor[number[b.first]] * factor[number[b.second]];
 }
 
 std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const OutlinedBonds& bonds) {

@@ -12,7 +12,7 @@ struct OutlinedBond {
   int first, second;
   int offset;  // in the list of offsets
   double stiffness;
-  bool free;  // near the outline
+  bool in_layer, free;  // see Layer
 };
 
 struct OutlinedBonds {
@@ -22,12 +22,20 @@ struct OutlinedBonds {
 };
 
 // All pairs closer than the horizon that see each other, with the stiffness of the bulk or, on the outline, of the
-// kernel at their length. Those with an end less deep than `free_depth` are free.
+// kernel at their length.
 OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
-                                   double free_depth, const BondKernel& kernel);
+                                   const BondKernel& kernel);
 
-// Multiplies the free ones by factors of their ends, so that every point resists a change of volume as its area asks
-// for: half of the sum of k L^2 is 8/3 C1111 times the area.
+// Which bonds differ from the bulk's: those with an end less deep than `depth` and the other less deep than `deepest`;
+// free of them are those shorter than `reach`. Points deeper than the longest bond and the gap at the outline lack
+// none.
+struct Layer {
+  double depth, deepest, reach;
+};
+void mark_layer(const OutlinedPoints& points, const Layer& layer, OutlinedBonds& bonds);
+
+// Multiplies those in the layer by factors of their ends, so that every point resists a change of volume as its area
+// asks for: half of the sum of k L^2 is 8/3 C1111 times the area.
 void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds);
 
 // For every point the four third moments 111, 112, 122, 222 that its bonds lack. `surface`: outward vectors of points.

@@ -160,9 +160,16 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
     if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
       return coupling::DenseOperator{nodes_, other.dense.stiffness, &solution_method(), rest_};
   }
+  return coupling::DenseOperator{nodes_, stiffness_of_nodes(), &solution_method(), rest_, face_openings()};
+}
+
+std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {
+  // Without mid nodes that follow their ends the region's nodes are the mesh's, in their order.
+  const bool all_nodes = trace_.rows() == trace_.cols();
+  if (all_nodes && stiffness_.size() == 0) return {operator_, &operator_->stiffness()};
+  if (all_nodes) return std::make_shared<const Eigen::MatrixXd>(stiffness_);
   const Eigen::MatrixXd half = mesh_stiffness() * trace_;
-  return coupling::DenseOperator{nodes_, std::make_shared<const Eigen::MatrixXd>(trace_.transpose() * half),
-                                 &solution_method(), rest_, face_openings()};
+  return std::make_shared<const Eigen::MatrixXd>(trace_.transpose() * half);
 }
 
 std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {

@@ -96,6 +96,7 @@ class BoundaryRegion : public Region {
 
   NodeRoles roles() const;
   void number_nodes(NodeRegistry& registry);
+  std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
   LinearBodyForce particular(const BodyForce& body_force) const;

@@ -2760,8 +2760,8 @@ extern "C" {
 extern "C" {
     /// Save the state of a prepared model in memory, so that a host can repeat a step.
     ///
-    /// From then on the model goes on as one restored from that state does, to the last bit. A run
-    /// that never saves may differ from both by rounding.
+    /// Saving alters nothing: the model goes on as one that was never saved, and one restored from
+    /// that state goes on as both do, to the last bit.
     ///
     /// * model \[in\]: the model
     /// * state \[out\]: the saved state; free it with bempd_state_free()

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "fracture/contact/crack_faces.hpp"
+
+namespace bempd::fracture {
+
+// A place as it is in some states of a row: from one of them on, before another one.
+struct WatchedPlace {
+  coupling::Contact contact;
+  bool closed;
+  bool known;  // from the beginning
+  int since, until;
+  std::size_t number;  // in the system, also of places to come
+  int event;           // that made it as it is
+};
+
+// The places of faces in states to come, 0 being the present one: what CrackFaces::update() would do, without doing it.
+class FacesAhead {
+ public:
+  FacesAhead(CrackFaces& faces, const FaceState& state);
+  FacesAhead(const FacesAhead&) = delete;
+  FacesAhead& operator=(const FacesAhead&) = delete;
+  ~FacesAhead();
+
+  // Terms that the event before a state takes away, which are gone: places come, and open ones have other normals.
+  void follow(std::span<const int> gone, int state);
+  void switch_place(std::size_t place, int state);
+  void forget_after(int state);  // and no more is asked but places()
+
+  // In all states, those of the system at first and in its order.
+  const std::vector<WatchedPlace>& places() const { return places_; }
+  // Of them those that there are in the last state and that may press.
+  std::vector<std::size_t> last() const;
+  FaceState last_state() const;
+
+ private:
+  CrackFaces& faces_;
+  std::vector<WatchedPlace> places_;
+  std::vector<std::size_t> latest_;  // by numbers in the system: which of them in the last state
+  std::vector<GrownFace> grown_;
+  std::unordered_map<int, std::size_t> number_of_;  // of terms that have a place
+  std::vector<int> entered_;
+};
+
+}  // namespace bempd::fracture

@@ -1,0 +1,57 @@
+// Faces of cracks that close or open at the events of a window.
+#include <set>
+
+#include "fracture/window/lookahead.hpp"
+
+namespace bempd::fracture {
+
+std::vector<std::size_t> Lookahead::wrong_places(double f) const {
+  std::vector<std::size_t> wrong;
+  const double zero = gap_rounding(window_->largest_displacement(f));
+  for (const std::size_t i : ahead_->last()) {
+    const WatchedPlace& place = ahead_->places()[i];
+    if (!window_->follows(place.contact)) continue;
+    const double gap = window_->gap(place.contact, f);
+    if (place.closed ? gap > zero : gap < -zero) wrong.push_back(i);
+  }
+  return wrong;
+}
+
+// Newton's method, as in the whole body.
+bool Lookahead::settle_faces(ForeseenEvent& foreseen) {
+  if (!ahead_) return true;
+  const int state = static_cast<int>(events_.size()) + 1;
+  const double f = foreseen.event.load_factor;
+  ahead_->follow(coupling::terms_of(foreseen.event.changes), state);
+  if (!system_.springs().empty()) return true;  // which may bar places
+  const std::vector<std::size_t> before = ahead_->last();
+  std::set<std::vector<char>> met;
+  for (;;) {
+    const std::vector<std::size_t> wrong = wrong_places(f);
+    if (wrong.empty()) break;
+    if (!met.insert(ahead_->last_state().closed).second) return false;
+    std::vector<ActiveWindow::FaceSwitch> switches;
+    for (const std::size_t i : wrong) switches.push_back({ahead_->places()[i].contact, !ahead_->places()[i].closed});
+    if (!window_->switch_faces(switches)) return false;
+    for (const std::size_t i : wrong) ahead_->switch_place(i, state);
+    foreseen.switches += static_cast<std::int64_t>(wrong.size());
+  }
+  if (foreseen.switches == 0) return true;
+  foreseen.faces = ahead_->last_state();
+  foreseen.released += released_by_faces(before, f);
+  return true;
+}
+
+double Lookahead::released_by_faces(const std::vector<std::size_t>& before, double f) const {
+  const std::vector<std::size_t> after = ahead_->last();
+  double sum = 0;
+  for (std::size_t k = 0; k < after.size(); ++k) {
+    const WatchedPlace &was = ahead_->places()[before[k]], &is = ahead_->places()[after[k]];
+    if (was.closed == is.closed) continue;
+    const double lost = (was.closed ? 1 : -1) * is.contact.stiffness;
+    sum += 0.5 * lost * window_->gap(is.contact, f, foreseen_.back().displacement) * window_->gap(is.contact, f);
+  }
+  return sum;
+}
+
+}  // namespace bempd::fracture

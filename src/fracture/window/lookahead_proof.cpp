@@ -1,0 +1,83 @@
+// Which of the events of a window are kept.
+#include <algorithm>
+#include <optional>
+
+#include "fracture/balance.hpp"
+#include "fracture/window/face_watch.hpp"
+#include "fracture/window/lookahead.hpp"
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+using coupling::Affine;
+using coupling::evaluate;
+
+// No bond outside may break before the event, nor with it.
+void Lookahead::add_checks(double from, const Event& event) {
+  const int state = static_cast<int>(events_.size());
+  const double f = event.load_factor, limit = tie_limit(options_.tie_band) * event.ratio;
+  if (proportional_) {
+    checks_.push_back({state, 1, limit / f});
+    return;
+  }
+  if (from != f && options_.control == Control::load) checks_.push_back({state, from, 1});
+  checks_.push_back({state, f, limit});
+}
+
+// Keeps the events that the whole body would go through in the same way.
+void Lookahead::certify(double from) {
+  if (!events_.empty()) keep_first(window_->left_behind().first_violation(states_, checks_));
+  if (events_.empty()) return;
+  // Their bonds are gone while the events computed are not taken back.
+  if (ahead_) ahead_->forget_after(static_cast<int>(events_.size()));
+  const FaceWatch watch(ahead_ ? ahead_->places() : std::vector<WatchedPlace>(), events_, from, proportional_);
+  const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
+  faces_move_ = unchanged < static_cast<int>(events_.size());
+  keep_first(unchanged);
+  if (events_.empty()) return;
+  std::vector<int> breaks{0};
+  for (const ForeseenEvent& foreseen : events_) {
+    breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
+  }
+  const int kept = certificate_->first_violation(states_, breaks, checks_, whole_);
+  faces_move_ = faces_move_ && kept >= unchanged;
+  keep_first(kept);
+  if (!events_.empty()) check_whole_body();
+}
+
+// Forces of the whole body are known before the first and after the last of the events.
+void Lookahead::check_whole_body() {
+  const Affine before = std::move(whole_);  // in state 0
+  whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
+  ForeseenEvent& last = events_.back();
+  const Eigen::VectorXd force = internal_force_after_all(last.event.load_factor);
+  last.largest_force = std::max(
+      {last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, last.event.load_factor)});
+  residual_ = std::max(unbalanced_, fracture::residual(system_, force, last.event.load_factor, last.largest_force));
+  if (residual_ <= WindowSettings::acceptable_residual) return;
+  keep_first(0);
+  whole_ = before;
+}
+
+Eigen::VectorXd Lookahead::internal_force_after_all(double load_factor) {
+  const auto last = std::find_if(events_.rbegin(), events_.rend(), [](const ForeseenEvent& e) { return e.faces; });
+  if (last == events_.rend()) return system_.internal_force(evaluate(whole_, load_factor));
+  coupling::Contacts present = system_.contacts();
+  system_.put_contacts(faces_.contacts_of(*last->faces));
+  Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
+  system_.put_contacts(std::move(present));
+  return force;
+}
+
+void Lookahead::keep_first(int count) {
+  if (count >= static_cast<int>(events_.size())) return;
+  has_ended_ = true;
+  needs_whole_body_ = false;
+  most_events_ = std::max(WindowSettings::first_events, 2 * count);  // more would be in vain again
+  take_back(count);
+  events_.resize(count);
+  states_.resize(count + 1);
+  std::erase_if(checks_, [&](const OutsideCheck& check) { return check.state >= count; });
+}
+
+}  // namespace bempd::fracture

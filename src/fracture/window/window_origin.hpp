@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "coupling/affine.hpp"
+#include "fracture/contact/face_state.hpp"
+#include "fracture/stepping_options.hpp"
+#include "fracture/window/window_zones.hpp"
+
+namespace bempd::fracture {
+
+// Where windows are, or were last.
+struct PlaceMemory {
+  std::vector<Zone> zones;
+  std::vector<int> nodes;
+  bool are_last = false;  // these nodes are eliminated last
+};
+
+// What decides how a window computes.
+struct WindowOptions {
+  double tie_band = 0;
+  int max_breaks_per_solve = 0;
+  double ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen by the size of the system
+  Control control = Control::load;
+  bool operator==(const WindowOptions&) const = default;
+};
+
+// How an open window has come to where it is: what it was opened with, and when it computed events ahead. The stages of
+// terms are those of which the factor was made.
+struct WindowOrigin {
+  WindowOptions options;
+  double load_factor = 0;
+  coupling::Affine displacement{0, 2};
+  std::optional<FaceState> faces;  // then, if places have closed or opened in the window since
+  struct Look {
+    std::int64_t after = 0;  // events performed
+    double load_factor = 0, largest_force = 0;
+  };
+  std::vector<Look> looks;
+  std::int64_t events_performed = 0;
+  bool is_behind = false;  // the displacements were not asked for by the run itself
+  // What closing it does to the factor.
+  bool has_changed_terms = false, needs_whole_body = false;
+};
+
+}  // namespace bempd::fracture
