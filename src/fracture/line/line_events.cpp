@@ -96,20 +96,21 @@ std::optional<LineEvents::Step> LineEvents::step_of(std::size_t number) const {
   const BodyState& state = body_.state();
   const GrowingTip& tip = state.tips[number];
   const pd::TipLaw& law = law_of(tip);
-  const TipIntensity intensity = stress_.at(tip, law, state.displacement, body_.pressure_in(law.crack));
+  const AffineIntensity intensity = stress_.at(tip, law, state.displacement, body_.pressure_in(law.crack));
+  const AffineIntensity turning =
+      is_short(tip) ? stress_.closely_ahead_of(tip, law, state.displacement, body_.pressure_in(law.crack)) : intensity;
   Step step{number, tip.direction, 0, state.load_factor, 0, 0, {}};
   // Without constant loads the kink does not depend on the load factor.
-  const bool proportional = intensity.near.one[0] == 0 && intensity.near.two[0] == 0;
+  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
   double load_factor = proportional || state.load_factor <= 0 ? 1 : state.load_factor;
   for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
     const Eigen::Vector2d at(1, load_factor);
-    const double kink = kink_of({intensity.near.one.dot(at), intensity.near.two.dot(at)}).angle;
-    const double fitted = kink_of({intensity.fitted.one.dot(at), intensity.fitted.two.dot(at)}).angle;
+    const double kink = kink_of({intensity.one.dot(at), intensity.two.dot(at)}).angle;
+    const double turn = kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
     const auto share = [&](int part) {
-      return hoop_factor({intensity.fitted.one[part], intensity.fitted.two[part]}, fitted) * correction(tip) /
-             law.toughness;
+      return hoop_factor({intensity.one[part], intensity.two[part]}, kink) * correction(tip) / law.toughness;
     };
-    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, kink);
+    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, turn);
     if (!(step.growing > 0)) return std::nullopt;
     load_factor = (1 - step.constant) / step.growing;
   }
@@ -219,6 +220,18 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   return &event_;
 }
 
+// Of a crack that has begun in the run, as long as it is shorter than the steps that are remembered.
+bool LineEvents::is_short(const GrowingTip& tip) const {
+  return law_of(tip).crack == 0 && tip.energy_ratios.size() < remembered_steps;
+}
+
+double LineEvents::hoop_ratio(const GrowingTip& tip) const {
+  const pd::TipLaw& law = law_of(tip);
+  const Eigen::Vector2d at(1, body_.state().load_factor);
+  const AffineIntensity found = stress_.at(tip, law, body_.state().displacement, body_.pressure_in(law.crack));
+  return kink_of({found.one.dot(at), found.two.dot(at)}).equivalent_factor / law.toughness;
+}
+
 Outcome LineEvents::perform() {
   bool arrives = false;
   if (step_) {
@@ -236,13 +249,18 @@ Outcome LineEvents::perform() {
   GrowingTip& tip = tips[step_->tip];
   const pd::TipLaw& law = law_of(tip);
   // The ratio of the event holds the correction that was made; what is remembered must not.
-  const double expected_ratio = event_.ratio / correction(tip);
-  const double expected = law.toughness * law.toughness / law.modulus * expected_ratio * expected_ratio * law.thickness;
-  const double ratio = outcome.released_energy / (expected * step_->length);
-  tip.energy_ratios.push_back(std::clamp(ratio, least_ratio, largest_ratio));
-  if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
+  const double before = event_.ratio / correction(tip);
   tip.place += step_->length * step_->direction;
   tip.direction = step_->direction;
+  // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
+  // is expected is the mean of the rates at both ends of the step.
+  const double after = arrives ? before : std::max(hoop_ratio(tip), 0.0);
+  const double rate = law.toughness * law.toughness / law.modulus * (before * before + after * after) / 2;
+  const double ratio = outcome.released_energy / (rate * law.thickness * step_->length);
+  // The first step releases more or less by where among the points the crack was described to end.
+  const bool is_first = tip.energy_ratios.empty();
+  tip.energy_ratios.push_back(is_first ? 1 : std::clamp(ratio, least_ratio, largest_ratio));
+  if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
   if (arrives) tip.law = ended(tip.law);
   return outcome;
 }

@@ -37,6 +37,8 @@ class LineEvents final : public EventSource {
 
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
   std::optional<Step> step_of(std::size_t tip) const;
+  bool is_short(const GrowingTip& tip) const;
+  double hoop_ratio(const GrowingTip& tip) const;  // at the present load: largest hoop intensity over the toughness
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
   std::vector<char> intact_away_from_tips(const std::vector<char>& growing) const;
   std::optional<Birth> birth_at(int bond, double load_factor) const;
