@@ -67,10 +67,10 @@ def jobs() -> list[tuple]:
                 found.append(("strip", m, angle, 0, seed, "lattice", "gauss", BONDS[:1]))
     for m in (3, 4):
         for angle, seed in [(a, s) for s in (1, 2, 3, 4) for a in (10, 20)] + [(a, 1) for a in (0, 15, 22.5, 30, 45)]:
-            found.append(("strip", m, angle, 0, seed, "lattice", "quartic", RELEASE + EVEN))
+            found.append(("strip", m, angle, 0, seed, "lattice", "quartic", RELEASE + EVEN + BONDS[:1]))
         for seed in (1, 2, 3, 4):
             for angle in (10, 20):
-                found.append(("strip", m, angle, 0, seed, "jitter=0.35", "quartic", RELEASE[:1]))
+                found.append(("strip", m, angle, 0, seed, "jitter=0.35", "quartic", RELEASE[:1] + BONDS[:1]))
         for seed in (1, 2):
             found.append(("strip", m, 0, 0, seed, "lloyd=4", "quartic", RELEASE[:1]))
     for seed in (1, 2):
