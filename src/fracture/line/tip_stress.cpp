@@ -62,6 +62,7 @@ std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nod
 TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
     : system_(system),
       positions_(positions),
+      near_(positions),
       bonds_at_(linalg::make_adjacency(positions.size(),
                                        [&](const auto& add) {
                                          const coupling::Terms& terms = system.terms();
@@ -141,7 +142,8 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
   using Parts = Eigen::Matrix<double, amplitudes_fitted, 2>;
   Square normal = Square::Zero();
   Parts right = Parts::Zero();
-  for (std::size_t node = 0; node < positions_.size(); ++node) {
+  for (const int number : near_.about(tip.place, outer_reach * law.horizon)) {
+    const auto node = static_cast<std::size_t>(number);
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm(), ahead = step.dot(tip.direction);
     if (r >= outer_reach || ahead < fitted_cosine * r || bonds_at_.of(static_cast<int>(node)).empty()) continue;
