@@ -166,7 +166,8 @@ void Window::keep_compliances() {
 }
 
 double Window::release_of(int bond) const {
-  const double left = 1 - stiffness(bond) * compliance_[static_cast<std::size_t>(place_[static_cast<std::size_t>(bond)])];
+  const double left =
+      1 - stiffness(bond) * compliance_[static_cast<std::size_t>(place_[static_cast<std::size_t>(bond)])];
   const double opening = elongation(bond);
   return left < loose ? 0 : stiffness(bond) * opening * opening / left / 2;
 }
@@ -206,8 +207,8 @@ std::vector<Point> solved(const Body& body) {
 }
 
 double energy_of(const Bond& bond, const std::vector<Point>& moved) {
-  const double opening = bond.direction.dot(moved[static_cast<std::size_t>(bond.second)] -
-                                            moved[static_cast<std::size_t>(bond.first)]);
+  const double opening =
+      bond.direction.dot(moved[static_cast<std::size_t>(bond.second)] - moved[static_cast<std::size_t>(bond.first)]);
   return bond.stiffness * opening * opening / 2;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "linalg/least_squares.hpp"
+
 namespace bempd::fracture {
 
 namespace {
@@ -62,6 +64,7 @@ std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nod
 TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
     : system_(system),
       positions_(positions),
+      near_(positions),
       bonds_at_(linalg::make_adjacency(positions.size(),
                                        [&](const auto& add) {
                                          const coupling::Terms& terms = system.terms();
@@ -141,7 +144,8 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
   using Parts = Eigen::Matrix<double, amplitudes_fitted, 2>;
   Square normal = Square::Zero();
   Parts right = Parts::Zero();
-  for (std::size_t node = 0; node < positions_.size(); ++node) {
+  for (const int number : near_.about(tip.place, outer_reach * law.horizon)) {
+    const auto node = static_cast<std::size_t>(number);
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm(), ahead = step.dot(tip.direction);
     if (r >= outer_reach || ahead < fitted_cosine * r || bonds_at_.of(static_cast<int>(node)).empty()) continue;
@@ -165,7 +169,7 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
     found.near = {opening * root / near_opening, shear * root / near_shear};
   }
   // The second term has no shear of its own: the decomposition leaves it out.
-  const Parts amplitudes = normal.completeOrthogonalDecomposition().solve(right);
+  const Parts amplitudes = linalg::LeastSquares(normal).solve(right);
   const double root = std::sqrt(2 * std::numbers::pi * law.horizon);
   found.fitted = {amplitudes.row(0) * root, -amplitudes.row(1) * root};
   return found;
