@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "fracture/line/tip_stress.hpp"
+#include "fracture/line/line_steps.hpp"
 #include "fracture/whole_body_events.hpp"
 
 namespace bempd::fracture {
@@ -21,36 +21,21 @@ class LineEvents final : public EventSource {
   Outcome perform() override;
 
  private:
-  struct Step {
-    std::size_t tip;
-    Point direction;
-    double length;
-    double load_factor;        // critical
-    double constant, growing;  // hoop intensity there, over the toughness, corrected
-    std::vector<int> bonds;
-  };
-
   struct Birth {
     Point middle, direction;
     int law;
   };
 
-  const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
-  std::optional<Step> step_of(std::size_t tip) const;
-  bool is_short(const GrowingTip& tip) const;
-  double hoop_ratio(const GrowingTip& tip) const;  // at the present load: largest hoop intensity over the toughness
-  std::vector<int> across(const Point& from, const Point& to, double horizon) const;
-  std::vector<char> intact_away_from_tips(const std::vector<char>& growing) const;
+  const pd::TipLaws& laws() const { return steps_.laws(); }
   std::optional<Birth> birth_at(int bond, double load_factor) const;
   const Event* tell_birth(int bond, const Birth& birth, double load_factor);
   const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 
   LoadedBody& body_;
   WholeBodyEvents& whole_body_;
-  TipStress stress_;
-  pd::TipLaws laws_;
-  std::optional<Step> step_;    // that the event told is
-  std::optional<Birth> birth_;  // likewise
+  LineSteps steps_;
+  std::optional<LineStep> step_;  // that the event told is
+  std::optional<Birth> birth_;    // likewise
   Event event_;
 };
 

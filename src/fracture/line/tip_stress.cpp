@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "linalg/least_squares.hpp"
+
 namespace bempd::fracture {
 
 namespace {
@@ -17,8 +19,8 @@ constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
 constexpr double inner_reach_beside = 0.5, outer_reach_beside = 1.25;
 constexpr double beside_surface = 1, away_from_surfaces = 3;
 
-// For short cracks that have begun: the mean of the stress closely ahead, over a factor measured on lattices in the
-// field of K, for horizons of 3 and 4 spacings and any angle of the rows within 1 % (docs/directions.md).
+// For cracks that have begun in the run: the mean of the stress closely ahead, over a factor measured on lattices in
+// the field of K, for horizons of 3 and 4 spacings and any angle of the rows within 1 % (docs/directions.md).
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
@@ -68,6 +70,7 @@ std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nod
 TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
     : system_(system),
       positions_(positions),
+      near_(positions),
       bonds_at_(linalg::make_adjacency(positions.size(),
                                        [&](const auto& add) {
                                          const coupling::Terms& terms = system.terms();
@@ -156,7 +159,8 @@ AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, cons
   Square normal = Square::Zero();
   Parts right = Parts::Zero();
   const Reach reach = reach_at(tip.place, law.horizon);
-  for (std::size_t node = 0; node < positions_.size(); ++node) {
+  for (const int number : near_.about(tip.place, reach.outer * law.horizon)) {
+    const auto node = static_cast<std::size_t>(number);
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm(), ahead = step.dot(tip.direction);
     if (r < reach.inner || r >= reach.outer || ahead < fitted_cosine * r) continue;
@@ -169,7 +173,7 @@ AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, cons
     right += r * terms.transpose() * s;
   }
   // The second term has no shear of its own: the decomposition leaves it out.
-  const Parts amplitudes = normal.completeOrthogonalDecomposition().solve(right);
+  const Parts amplitudes = linalg::LeastSquares(normal).solve(right);
   const double root = std::sqrt(2 * std::numbers::pi * law.horizon);
   return {amplitudes.row(0) * root, -amplitudes.row(1) * root};
 }
@@ -179,7 +183,8 @@ AffineIntensity TipStress::closely_ahead_of(const GrowingTip& tip, const pd::Tip
                                             const Eigen::RowVector2d& pressure) const {
   AffineIntensity sum;
   double total = 0;
-  for (std::size_t node = 0; node < positions_.size(); ++node) {
+  for (const int number : near_.about(tip.place, near_reach * law.horizon)) {
+    const auto node = static_cast<std::size_t>(number);
     const Point step = (positions_[node] - tip.place) / law.horizon;
     const double r = step.norm();
     if (r >= near_reach || step.dot(tip.direction) < near_cosine * r) continue;

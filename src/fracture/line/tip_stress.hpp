@@ -5,6 +5,7 @@
 
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/line/growing_tip.hpp"
+#include "fracture/line/near_points.hpp"
 #include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"
 
@@ -42,6 +43,8 @@ class TipStress {
       if (system_.intact()[static_cast<std::size_t>(bond)]) visit(bond);
   }
 
+  const NearPoints& near() const { return near_; }
+
  private:
   using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
   struct Reach {
@@ -54,6 +57,7 @@ class TipStress {
 
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
+  NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
   std::vector<double> share_;             // of a full point's area
   std::vector<Point> outline_;            // points on it

@@ -1,0 +1,204 @@
+#include "fracture/line/line_steps.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "elasticity/kinked_tip.hpp"
+#include "geometry/turning.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// A tip whose way meets no bond within this many spacings has arrived at an edge or a crack.
+constexpr int most_empty_steps = 2;
+
+// The last steps whose energies correct the load factor, and as many besides that are taken to be exact.
+constexpr std::size_t remembered_steps = 8;
+constexpr double steps_taken_exact = 2;
+
+// What a step may have released of what was expected, for the correction: a sharp kink, or one beside an edge, releases
+// little at first.
+constexpr double least_ratio = 0.5, largest_ratio = 2;
+
+// Within this many horizons of a tip no bond breaks by itself.
+constexpr double guarded_reach = 3;
+
+constexpr int rounds_for_kink = 8;
+
+double correction(const GrowingTip& tip) {
+  const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
+  return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
+}
+
+// Positive where c lies to the left of the way from a to b.
+double side(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
+
+// A tip that has run into a face keeps its law as the number before -1 that stands for it.
+bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
+int ended(int law) { return -1 - law; }
+
+// Its other tip lies closely behind it at first, which the fitted series does not know.
+bool has_begun(const pd::TipLaw& law) { return law.crack == 0; }
+
+// Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
+constexpr int stations = 10;
+constexpr double beside = 1, least_cosine = 0.8;
+constexpr int enough_bonds = 2;
+
+}  // namespace
+
+LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
+    : body_(body),
+      system_(body.system()),
+      terms_from_(linalg::make_adjacency(body.positions().size(),
+                                         [&](const auto& add) {
+                                           const std::vector<int>& first = body.system().terms().first;
+                                           for (std::size_t t = 0; t < first.size(); ++t)
+                                             add(first[t], static_cast<int>(t));
+                                         })),
+      stress_(body.system(), body.positions()),
+      laws_(std::move(laws)) {}
+
+// How far from a tip its way meets the face of a crack: there all bonds along the way are gone.
+std::optional<double> LineSteps::face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
+  const coupling::Terms& terms = system_.terms();
+  std::array<int, stations> present{}, left{};
+  const auto count = [&](std::size_t t, const Point& from) {
+    const Point bond = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
+    if (std::abs(bond.dot(way)) < least_cosine * terms.length[t]) return;
+    for (int k = 0; k < stations; ++k) {
+      const double at = (k + 1) * law.spacing / stations, part = (at - from.dot(way)) / bond.dot(way);
+      if (part <= 0 || part >= 1 || std::abs(cross(way, from + part * bond)) > beside * law.spacing) continue;
+      ++present[static_cast<std::size_t>(k)];
+      left[static_cast<std::size_t>(k)] += system_.intact()[t] != 0 ? 1 : 0;
+    }
+  };
+  for (const int node : stress_.near().about(tip, law.horizon + law.spacing)) {
+    const Point from = body_.positions()[static_cast<std::size_t>(node)] - tip;
+    if (from.norm() > law.horizon + law.spacing) continue;
+    for (const int term : terms_from_.of(node))
+      if (!terms.is_wide(static_cast<std::size_t>(term))) count(static_cast<std::size_t>(term), from);
+  }
+  for (std::size_t k = 0; k < stations; ++k)
+    if (present[k] >= enough_bonds && left[k] == 0) return static_cast<double>(k + 1) * law.spacing / stations;
+  return std::nullopt;
+}
+
+// A point that lies on the way belongs to one of its sides, so that none is left hanging between.
+std::vector<int> LineSteps::across(const Point& from, const Point& to, double horizon) const {
+  const std::vector<Point>& positions = body_.positions();
+  const coupling::Terms& terms = system_.terms();
+  const double reach = horizon + (to - from).norm();
+  std::vector<int> found;
+  for (const int node : stress_.near().about(from, reach)) {
+    const Point& p = positions[static_cast<std::size_t>(node)];
+    if ((p - from).norm() > reach) continue;
+    for (const int bond : terms_from_.of(node)) {
+      const auto b = static_cast<std::size_t>(bond);
+      if (terms.is_wide(b) || !system_.intact()[b]) continue;
+      const Point& q = positions[static_cast<std::size_t>(terms.second[b])];
+      if ((side(from, to, p) > 0) != (side(from, to, q) > 0) && (side(p, q, from) > 0) != (side(p, q, to) > 0))
+        found.push_back(bond);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
+                                        const coupling::Affine& displacement, double present) const {
+  const GrowingTip& tip = tips[number];
+  const pd::TipLaw& law = law_of(tip);
+  const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
+  const AffineIntensity turning =
+      has_begun(law) ? stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack)) : intensity;
+  LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
+  // Without constant loads the kink does not depend on the load factor.
+  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
+  double load_factor = proportional || present <= 0 ? 1 : present;
+  for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
+    const Eigen::Vector2d at(1, load_factor);
+    const double kink = kink_of({intensity.one.dot(at), intensity.two.dot(at)}).angle;
+    const double turn = kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
+    const auto share = [&](int part) {
+      return hoop_factor({intensity.one[part], intensity.two[part]}, kink) * correction(tip) / law.toughness;
+    };
+    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, turn);
+    if (!(step.growing > 0)) return std::nullopt;
+    load_factor = (1 - step.constant) / step.growing;
+  }
+  step.load_factor = load_factor;
+  find_bonds(tip.place, law, step);
+  return step.bonds.empty() ? std::nullopt : std::optional(std::move(step));
+}
+
+void LineSteps::find_bonds(const Point& place, const pd::TipLaw& law, LineStep& step) const {
+  if (const std::optional<double> face = face_ahead(place, step.direction, law)) {
+    step.arrives = true;
+    // As far as the row of points behind the face may lie.
+    step.length = *face + law.spacing / 2;
+    step.bonds = across(place, place + step.length * step.direction, law.horizon);
+    return;
+  }
+  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) {
+    step.length = k * law.spacing;
+    step.bonds = across(place, place + step.length * step.direction, law.horizon);
+  }
+}
+
+std::optional<LineStep> LineSteps::first(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
+                                         double load_factor, std::vector<char>& growing) const {
+  growing.assign(tips.size(), 0);
+  std::optional<LineStep> found;
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    if (has_ended(tips[k])) continue;
+    std::optional<LineStep> step = next(tips, k, displacement, load_factor);
+    growing[k] = step.has_value();
+    if (step && (!found || step->load_factor < found->load_factor)) found = std::move(step);
+  }
+  return found;
+}
+
+double LineSteps::hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
+  const pd::TipLaw& law = law_of(tip);
+  const Eigen::Vector2d at(1, load_factor);
+  const AffineIntensity found = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
+  return kink_of({found.one.dot(at), found.two.dot(at)}).equivalent_factor / law.toughness;
+}
+
+void LineSteps::take(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
+                     double load_factor, std::vector<GrowingTip>& tips) const {
+  GrowingTip& tip = tips[step.tip];
+  const pd::TipLaw& law = law_of(tip);
+  // The ratio of the event holds the correction that was made; what is remembered must not.
+  const double before = ratio / correction(tip);
+  tip.place += step.length * step.direction;
+  tip.direction = step.direction;
+  // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
+  // is expected is the mean of the rates at both ends of the step.
+  const double after = step.arrives ? before : std::max(hoop_ratio(tip, displacement, load_factor), 0.0);
+  const double rate = law.toughness * law.toughness / law.modulus * (before * before + after * after) / 2;
+  const double released = released_energy / (rate * law.thickness * step.length);
+  // The first step releases more or less by where among the points the crack was described to end.
+  const bool is_first = tip.energy_ratios.empty();
+  tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
+  if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
+  if (step.arrives) tip.law = ended(tip.law);
+}
+
+void LineSteps::spare(const std::vector<GrowingTip>& tips, const std::vector<char>& growing,
+                      std::vector<char>& intact) const {
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    if (!growing[k]) continue;
+    const double reach = guarded_reach * law_of(tips[k]).horizon;
+    for (const int node : stress_.near().about(tips[k].place, reach)) {
+      if ((body_.positions()[static_cast<std::size_t>(node)] - tips[k].place).norm() >= reach) continue;
+      for (const int term : terms_from_.of(node)) intact[static_cast<std::size_t>(term)] = 0;
+    }
+  }
+}
+
+}  // namespace bempd::fracture

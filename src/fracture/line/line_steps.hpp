@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fracture/line/tip_stress.hpp"
+#include "fracture/loaded_body.hpp"
+
+namespace bempd::fracture {
+
+// What a tip does next.
+struct LineStep {
+  std::size_t tip;
+  Point direction;
+  double length;
+  bool arrives;              // at the face of a crack
+  double load_factor;        // critical
+  double constant, growing;  // hoop intensity there, over the toughness, corrected
+  std::vector<int> bonds;    // across it
+
+  double ratio_at(double at) const { return constant + at * growing; }
+};
+
+// Steps of lines by displacements, which have to be known around tips only: the tip that reaches its toughness first
+// goes on by a spacing towards the largest hoop stress. The load factor is corrected by what the last steps released,
+// so that a length of crack takes the fracture energy.
+class LineSteps {
+ public:
+  LineSteps(LoadedBody& body, pd::TipLaws laws);
+
+  const pd::TipLaws& laws() const { return laws_; }
+  const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
+
+  // Null where the way meets no bond, or nothing drives the tip.
+  std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
+                               const coupling::Affine& displacement, double load_factor) const;
+  // The first of all tips', marking those that have one.
+  std::optional<LineStep> first(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
+                                double load_factor, std::vector<char>& growing) const;
+  // After an event with this ratio that released this energy and has led to these displacements.
+  void take(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
+            double load_factor, std::vector<GrowingTip>& tips) const;
+
+  // Bonds that are left across a way.
+  std::vector<int> across(const Point& from, const Point& to, double horizon) const;
+  // Marks as gone the terms near tips that grow: they do not break by themselves.
+  void spare(const std::vector<GrowingTip>& tips, const std::vector<char>& growing, std::vector<char>& intact) const;
+
+  const TipStress& stress() const { return stress_; }
+
+ private:
+  std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
+  // Largest hoop intensity over the toughness.
+  double hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
+  void find_bonds(const Point& place, const pd::TipLaw& law, LineStep& step) const;
+
+  LoadedBody& body_;
+  const coupling::EquilibriumSystem& system_;
+  linalg::Adjacency terms_from_;  // nodes, the first ones of terms
+  TipStress stress_;
+  pd::TipLaws laws_;
+};
+
+}  // namespace bempd::fracture
