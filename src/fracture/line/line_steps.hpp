@@ -37,8 +37,9 @@ class LineSteps {
   // The first of all tips', marking those that have one.
   std::optional<LineStep> first(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                                 double load_factor, std::vector<char>& growing) const;
-  // After an event with this ratio that released this energy.
-  void take(const LineStep& step, double ratio, double released_energy, std::vector<GrowingTip>& tips) const;
+  // After an event with this ratio that released this energy and has led to these displacements.
+  void take(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
+            double load_factor, std::vector<GrowingTip>& tips) const;
 
   // Bonds that are left across a way.
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
@@ -49,6 +50,8 @@ class LineSteps {
 
  private:
   std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
+  // Largest hoop intensity over the toughness.
+  double hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
   void find_bonds(const Point& place, const pd::TipLaw& law, LineStep& step) const;
 
   LoadedBody& body_;

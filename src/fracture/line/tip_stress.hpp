@@ -16,11 +16,6 @@ struct AffineIntensity {
   Eigen::RowVector2d one{0, 0}, two{0, 0};
 };
 
-struct TipIntensity {
-  AffineIntensity near;    // from the mean stress closely ahead: what turns the crack
-  AffineIntensity fitted;  // from the stress further ahead: what drives it
-};
-
 // Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
 // either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
 // a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only, none
@@ -31,8 +26,12 @@ class TipStress {
 
   // `pressure`: in its crack, constant and proportional part. The body is looked at under that on all sides besides, by
   // which the crack's faces are free.
-  TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
-                  const Eigen::RowVector2d& pressure) const;
+  AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                     const Eigen::RowVector2d& pressure) const;
+
+  // By the mean stress closely ahead, which tells the ratio of both better where another tip lies closely behind.
+  AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                                   const Eigen::RowVector2d& pressure) const;
 
   // Unit vector across the largest principal stress where a bond is.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
@@ -48,7 +47,11 @@ class TipStress {
 
  private:
   using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
+  struct Reach {
+    double inner, outer;  // in horizons, of what is asked around a tip
+  };
 
+  Reach reach_at(const Point& place, double horizon) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
@@ -57,6 +60,7 @@ class TipStress {
   NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
   std::vector<double> share_;             // of a full point's area
+  std::vector<Point> outline_;            // points on it
 };
 
 }  // namespace bempd::fracture
