@@ -113,7 +113,8 @@ bempd_status with_model(bempd_model* model, const char* function, const Work<mod
   return guarded(model, function, body);
 }
 
-bempd_status with_model(const bempd_model* model, const char* function, const Work<const model::Model&>& body) noexcept {
+bempd_status with_model(const bempd_model* model, const char* function,
+                        const Work<const model::Model&>& body) noexcept {
   return guarded(model, function, body);
 }
 

@@ -57,7 +57,8 @@ class Work {
  public:
   template <class Body>
   Work(const Body& body)
-      : body_(&body), call_([](const void* b, Arguments... arguments) { (*static_cast<const Body*>(b))(arguments...); }) {}
+      : body_(&body),
+        call_([](const void* b, Arguments... arguments) { (*static_cast<const Body*>(b))(arguments...); }) {}
 
   void operator()(Arguments... arguments) const { call_(body_, arguments...); }
 
