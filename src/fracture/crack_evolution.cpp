@@ -13,6 +13,9 @@ namespace bempd::fracture {
 
 namespace {
 
+// Of faces at one load factor, each of which leaves all as they should be.
+constexpr int most_events = 1000;
+
 // Where faces close or open a path of equilibrium may turn. Where it turns back again at the same load factor the way
 // on leads down with the faces as they are above it, and up with those below: there is none.
 class Turns {
@@ -20,15 +23,17 @@ class Turns {
   // False if the path ends at this event of faces.
   bool pass(const Event& event) {
     const bool here = event.load_factor == load_factor_;
-    count_ = here ? count_ + (event.goes_down != down_ ? 1 : 0) : 0;
+    events_ = here ? events_ + 1 : 1;
+    if (events_ > most_events) fail(Failure::convergence, "faces of cracks open and close without an end");
+    turns_ = here ? turns_ + (event.goes_down != down_ ? 1 : 0) : 0;
     load_factor_ = event.load_factor, down_ = event.goes_down;
-    return count_ < 2;
+    return turns_ < 2;
   }
 
  private:
   double load_factor_ = std::numeric_limits<double>::quiet_NaN();
   bool down_ = false;
-  int count_ = 0;
+  int turns_ = 0, events_ = 0;
 };
 
 }  // namespace
