@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/resistance.hpp"
+#include "number_range.hpp"
 
 namespace bempd::fracture {
 
