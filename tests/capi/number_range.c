@@ -112,6 +112,32 @@ static void tips_keep_their_digits_over_the_range(void) {
   }
 }
 
+/* So does how far a piece is from a rigid one. */
+static void pieces_move_by_numbers(void) {
+  const double pulls[] = {1e-250, 1.0, 1e170, 1e300};
+  double first = 0.0;
+  size_t k;
+  for (k = 0; k < sizeof pulls / sizeof pulls[0]; ++k) {
+    bempd_model* model = new_model();
+    bempd_material material = sound_material();
+    int32_t id = 0;
+    bempd_piece piece;
+    material.critical_stretch = 0.0;
+    material.young_modulus = 1.0;
+    CHECK_OK(model, bempd_add_material(model, &material, &id));
+    add_pd_rectangle(model, id, 0.0, 0.0, 10.0, 8.0, 1.0);
+    CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+    CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_Y, 1, NULL, &pulls[k], NULL));
+    CHECK_OK(model, bempd_step(model, 1.0, NULL));
+    CHECK_OK(NULL, bempd_piece_init(&piece, sizeof piece));
+    CHECK_OK(model, bempd_get_piece(model, 1, &piece));
+    if (k == 0) first = piece.deviation / pulls[k];
+    CHECK(first > 1.0 && fabs(piece.deviation / pulls[k] / first - 1.0) < 1e-12);
+    CHECK(isfinite(piece.rotation) && piece.rotation > 0.1 * pulls[k]);
+    bempd_model_free(model);
+  }
+}
+
 static void bonds_that_no_int_counts_are_refused_before_memory_is_taken(void) {
   bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
@@ -133,5 +159,6 @@ int main(void) {
   results_beyond_the_range_are_an_error();
   energies_beyond_the_range_stay_numbers();
   tips_keep_their_digits_over_the_range();
+  pieces_move_by_numbers();
   return check_finish();
 }
