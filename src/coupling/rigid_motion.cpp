@@ -116,7 +116,9 @@ std::string RigidMotion::describe() const {
 
 RigidFit nearest_rigid_motion(const std::vector<Point>& positions, const std::vector<int>& nodes,
                               const Eigen::VectorXd& displacement) {
-  if (const int far = far_exponent(displacement.lpNorm<Eigen::Infinity>()); far != 0) {
+  double largest = 0;
+  for (const int node : nodes) largest = std::max(largest, displacement.segment<2>(2 * node).lpNorm<Eigen::Infinity>());
+  if (const int far = far_exponent(largest); far != 0) {
     RigidFit near = nearest_rigid_motion(positions, nodes, displacement * std::ldexp(1, -far));
     for (double* value : {&near.translation.x(), &near.translation.y(), &near.rotation, &near.deviation})
       *value = in_range(std::ldexp(*value, far));
