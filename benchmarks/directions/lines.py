@@ -164,7 +164,8 @@ def jobs() -> list[list]:
             for hole in (True, False):
                 found.append(["begun", m, angle, hole])
     for name, spacing, m in (("plate free", 0.2, 3), ("plate free", 0.1, 3), ("plate free", 0.1, 4), ("plate held", 0.1, 3),
-                             ("beam 1.0 6", 0.125, 4), ("beam 1.5 5", 0.125, 4)):
+                             ("beam 1.0 6", 0.125, 4), ("beam 1.0 6", 0.0625, 4), ("beam 1.5 5", 0.125, 4), ("beam 1.5 5", 0.0625, 3),
+                             ("beam 1.5 5", 0.0625, 4)):
         found.append(["body", name, spacing, m])
     return found
 
