@@ -1,5 +1,6 @@
 #include "fracture/balance.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "number_range.hpp"
 
 // What comes upon a run from outside: new loads, and cracks that have grown.
 namespace bempd::fracture {
