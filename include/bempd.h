@@ -1423,7 +1423,7 @@ BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state)
 typedef enum bempd_state_contents {
   /** Bonds, cracks, displacements, history: loads and supports keep the values they have when it is restored. */
   BEMPD_STATE_BODY = 1,
-  /** With the values of loads and supports, which restoring brings back. */
+  /** With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which restoring brings back. */
   BEMPD_STATE_BODY_AND_VALUES = 2
 } bempd_state_contents;
 

@@ -33,6 +33,7 @@ struct SavedState {
   double end_of_way = 0;
   scene::SceneValues acting_values;        // under which the body is; functions are not among the bytes
   std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
+  std::vector<int> frozen;                 // crack and end of each tip that the host keeps, together with `said`
 };
 
 // Bytes of a saved state and back (state_bytes.cpp); throws Error (argument) for damaged bytes.

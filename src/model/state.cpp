@@ -99,6 +99,9 @@ SavedState Model::save(bool with_values) const {
       loads_.acting == Acting::values
           ? load_fingerprint(scene_, prepared_->conditions)
           : load_fingerprint(scene_, regions::apply_conditions(scene_, prepared_->discretization));
+  std::vector<int> frozen;
+  if (with_values)
+    for (const auto& [crack, end] : frozen_tips_) frozen.insert(frozen.end(), {crack, end});
   return {prepared_->fingerprint,
           said,
           prepared_->evolution->state(),
@@ -108,7 +111,8 @@ SavedState Model::save(bool with_values) const {
           loads_.acting,
           loads_.acting == Acting::on_a_way ? loads_.end_of_way : 0,
           acting_values(),
-          with_values ? std::optional(scene_.values()) : std::nullopt};
+          with_values ? std::optional(scene_.values()) : std::nullopt,
+          std::move(frozen)};
 }
 
 void Model::restore(const SavedState& state) {
@@ -124,6 +128,9 @@ void Model::restore(const SavedState& state) {
     scene_.exchange_values(said);
     throw;
   }
+  if (!state.said) return;
+  frozen_tips_.clear();
+  for (std::size_t k = 1; k < state.frozen.size(); k += 2) frozen_tips_.insert({state.frozen[k - 1], state.frozen[k]});
 }
 
 void Model::restore_body(const SavedState& state) {

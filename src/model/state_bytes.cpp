@@ -215,8 +215,7 @@ class Reader {
   void raw(void* target, std::size_t size) {
     require(size <= left_, "the bytes of the state end too early; give all bytes that bempd_state_to_bytes() wrote");
     std::memcpy(target, bytes_, size);
-    bytes_ += size;
-    left_ -= size;
+    bytes_ += size, left_ -= size;
   }
   std::size_t left() const { return left_; }
 
@@ -275,9 +274,9 @@ void check_header(Reader& reader) {
 std::vector<std::uint8_t> to_bytes(const SavedState& state) {
   Writer writer;
   writer.raw(magic, sizeof magic);
-  writer(byte_order_mark);
-  writer(format_version);
+  writer(byte_order_mark), writer(format_version);
   visit_members(state, writer);
+  if (!state.frozen.empty()) writer(state.frozen);
   return writer.finish();
 }
 
@@ -292,6 +291,7 @@ SavedState from_bytes(const std::uint8_t* bytes, std::size_t size) {
   require(stored == hash.value(), "the bytes of the state are damaged: their checksum does not match");
   SavedState state;
   visit_members(state, reader);
+  if (reader.left() > sizeof stored) reader(state.frozen);
   require(reader.left() == sizeof stored, "the bytes of the state are damaged: something is left over");
   require_consistent(state);
   return state;

@@ -82,6 +82,9 @@ void require_consistent(const SavedState& state) {
   sound(state.acting <= Acting::on_a_way && (state.acting != Acting::on_a_way || state.in_force),
         "it has no values between which it is");
   sound(std::isfinite(state.end_of_way), "a load factor is not a finite number");
+  sound(state.frozen.empty() || (state.said && state.frozen.size() % 2 == 0), "it keeps tips without saying which");
+  for (std::size_t k = 1; k < state.frozen.size(); k += 2)
+    sound(state.frozen[k - 1] > 0 && (state.frozen[k] == 0 || state.frozen[k] == 1), "a tip that it keeps is none");
   require_consistent(state.evolution);
   for (const std::optional<scene::SceneValues>& both :
        {state.in_force, std::optional(state.acting_values), state.said}) {

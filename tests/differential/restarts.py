@@ -70,11 +70,11 @@ def heated_bar(**options: object) -> bempd.Model:
     return model
 
 
-def boundary_crack(**options: object) -> bempd.Model:
+def boundary_crack(points: tuple = ((0, 10), (3, 10.4)), **options: object) -> bempd.Model:
     model = bempd.Model(options={"threads": 1, **options})
     material = model.add_material(young_modulus=1, poisson_ratio=0.3, fracture_energy=1e-6)
     plate = model.add_bem_region(material, bempd.rectangle(0, 0, 10, 20), 2)
-    model.add_crack([(0, 10), (3, 10.4)])
+    model.add_crack(points)
     model.fix_edge(plate, 1)
     model.prescribe_edge(plate, 3, "y", 1e-2)
     return model
@@ -134,6 +134,10 @@ SCENES: dict[str, tuple[Build, list[Call]]] = {
     "new values of the whole body": (lambda: torn_plate(stepping__solver="plain"), moved(0.012, 0.016, 0.014, 0.02)),
     "heat": (heated_bar, reheated(-0.5, -0.9, -1.1, -0.6, -1.3, -1.4) + events(8)),
     "growing crack": (boundary_crack, [lambda model: model.grow_cracks(0.7)] * 4),
+    "growing crack of which a tip is kept": (lambda: boundary_crack(((3, 9.7), (6, 10.4))), [
+        lambda model: model.set_tip_frozen(1, bempd.TipEnd.START), *[lambda model: model.grow_cracks(0.7)] * 2,
+        lambda model: model.set_tip_frozen(1, bempd.TipEnd.END), lambda model: model.set_tip_frozen(1, 1, False),
+        lambda model: model.grow_cracks(0.7)]),
     "scheme paper": (lambda: torn_plate(scheme="paper"), events(20)),
 }
 
