@@ -202,7 +202,7 @@ module bempd_c
   integer, parameter :: bempd_state_contents = c_int
   !> Bonds, cracks, displacements, history: loads and supports keep the values they have when it is restored.
   integer(c_int), parameter :: BEMPD_STATE_BODY = 1
-  !> With the values of loads and supports, which restoring brings back.
+  !> With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which restoring brings back.
   integer(c_int), parameter :: BEMPD_STATE_BODY_AND_VALUES = 2
 
   !> Description of one option. Fill it with bempd_option_info_init().

@@ -2219,7 +2219,9 @@ since: 0.3""",
     "BEMPD_STATE_BODY": """\
 Bonds, cracks, displacements, history: loads and supports keep the values they have when it is
 restored.""",
-    "BEMPD_STATE_BODY_AND_VALUES": """With the values of loads and supports, which restoring brings back.""",
+    "BEMPD_STATE_BODY_AND_VALUES": """\
+With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which restoring
+brings back.""",
     "bempd_state_save_with": """\
 Save the state as bempd_state_save(), with or without the values of loads and supports.
 

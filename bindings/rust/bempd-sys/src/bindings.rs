@@ -2772,7 +2772,8 @@ extern "C" {
 /// Bonds, cracks, displacements, history: loads and supports keep the values they have when it is
 /// restored.
 pub const BEMPD_STATE_BODY: bempd_state_contents = 1;
-/// With the values of loads and supports, which restoring brings back.
+/// With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which
+/// restoring brings back.
 pub const BEMPD_STATE_BODY_AND_VALUES: bempd_state_contents = 2;
 /// What a saved state contains.
 ///
