@@ -1,6 +1,8 @@
 // Which faces of a body's cracks press on each other at its load factor.
 #include <algorithm>
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -13,6 +15,31 @@ namespace {
 
 // Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
 constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
+
+// Which places a round of Newton's method switches: all that are wrong, until it comes back to the same places; from
+// then on one at a time, by the least number, until fewer are wrong than ever before, and all again for some rounds.
+// One by one alone ends (Murty 1974), but after very many rounds; so both do after few (Judice and Pires 1994).
+class Rounds {
+ public:
+  using Places = std::pair<std::vector<char>, std::vector<char>>;
+
+  bool takes_all(std::size_t wrong, Places closed) {
+    comes_back_ = comes_back_ || !met_.insert(std::move(closed)).second;
+    if (wrong < fewest_) {
+      fewest_ = wrong, left_ = rounds_of_all;
+    } else if (comes_back_ && left_ > 0) {
+      --left_;
+    }
+    return !comes_back_ || left_ > 0;
+  }
+
+ private:
+  static constexpr int rounds_of_all = 10;
+  std::set<Places> met_;
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  bool comes_back_ = false;
+  int left_ = 0;
+};
 
 // A node that a held motion takes along by less than this share of its largest displacement stays where it is.
 constexpr double taken_along = 1e-6;
@@ -73,11 +100,9 @@ void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t springs) {
 }
 
 LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
-  // Newton's method, as the energy is convex and once differentiable; where it comes back to the same places, one at a
-  // time by the least number, which ends (Murty 1974).
+  // Newton's method, as the energy is convex and once differentiable.
   Settled result;
-  std::set<std::pair<std::vector<char>, std::vector<char>>> met;
-  bool one_by_one = false;
+  Rounds rounds;
   const std::size_t places = system_.contacts().size() + system_.face_count();
   const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
   for (std::int64_t round = 0;; ++round) {
@@ -90,8 +115,8 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
     if (wrong.empty() && inside.empty()) break;
     check_cancelled();
     if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
-    one_by_one = one_by_one || !met.insert({contacts.closed(), system_.closed_faces()}).second;
-    if (one_by_one) keep_least(wrong, inside);
+    if (!rounds.takes_all(wrong.size() + inside.size(), {contacts.closed(), system_.closed_faces()}))
+      keep_least(wrong, inside);
     const bool some_open = std::any_of(wrong.begin(), wrong.end(), [&](int i) { return contacts.is_closed(i); });
     system_.switch_contacts(wrong);
     if (!inside.empty()) system_.switch_faces(inside);

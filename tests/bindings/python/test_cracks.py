@@ -168,3 +168,19 @@ def test_misuse_of_growth():
         model.set_tip_frozen(crack, 3)
     with pytest.raises(bempd.ArgumentError, match="growth.criterion"):
         model.options["growth.criterion"] = "strain"
+
+
+def test_faces_of_crossing_cracks_meet_where_the_load_turns_round():
+    # All gaps pass zero at one load factor, at which as many places close as are open.
+    model = bempd.Model()
+    steel = model.add_material(young_modulus=2e11, poisson_ratio=1 / 3, plane="strain")
+    plate = model.add_bem_region(steel, bempd.rectangle(0, 0, 6, 10), 1.5)
+    model.add_crack([(3.4247986250787656, 6.232911910303123), (2.438611830628353, 7.7544249397797875),
+                     (4.399748154549009, 3.971060738089508)])
+    model.add_crack([(4.030846176863626, 3.8961101029586604), (3.932056775058208, 6.288360650134045)])
+    model.add_crack([(6, 2.3729463246317586), (3.39707878719296, 1.9261199432182754)])
+    support = model.fix_edge(plate, 4)
+    model.add_pressure(plate, 2, -2e8)
+    report = model.run_program([0.3, 0.5, 1.2], [0.5, -0.2, 0.8])
+    assert report.energy_balance_error < 1e-9 and report.residual < 1e-9
+    assert abs(model.reaction(support)[0] + 0.8 * 2e8 * 10) < 1e-9 * 2e9
