@@ -20,6 +20,9 @@ class LineEvents final : public EventSource {
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
 
+  const LineSteps& steps() const { return steps_; }
+  bool tells_step() const { return step_.has_value(); }  // and no crack begins
+
  private:
   struct Birth {
     Point middle, direction;

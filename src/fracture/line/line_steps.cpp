@@ -37,7 +37,6 @@ double correction(const GrowingTip& tip) {
 double side(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
 
 // A tip that has run into a face keeps its law as the number before -1 that stands for it.
-bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
 int ended(int law) { return -1 - law; }
 
 // Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
@@ -172,13 +171,26 @@ void LineSteps::take(const LineStep& step, double ratio, double released_energy,
   if (step.arrives) tip.law = ended(tip.law);
 }
 
+std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) const {
+  std::vector<int> nodes;
+  for (const GrowingTip& tip : tips)
+    if (!has_ended(tip)) stress_.add_nodes_asked(tip, law_of(tip), nodes);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+bool LineSteps::is_spared(const Point& first, const GrowingTip& tip) const {
+  return (first - tip.place).norm() < guarded_reach * law_of(tip).horizon;
+}
+
 void LineSteps::spare(const std::vector<GrowingTip>& tips, const std::vector<char>& growing,
                       std::vector<char>& intact) const {
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (!growing[k]) continue;
     const double reach = guarded_reach * law_of(tips[k]).horizon;
     for (const int node : stress_.near().about(tips[k].place, reach)) {
-      if ((body_.positions()[static_cast<std::size_t>(node)] - tips[k].place).norm() >= reach) continue;
+      if (!is_spared(body_.positions()[static_cast<std::size_t>(node)], tips[k])) continue;
       for (const int term : terms_from_.of(node)) intact[static_cast<std::size_t>(term)] = 0;
     }
   }

@@ -40,6 +40,13 @@ class LineSteps {
   // After an event with this ratio that released this energy.
   void take(const LineStep& step, double ratio, double released_energy, std::vector<GrowingTip>& tips) const;
 
+  // Nodes whose displacements decide on the steps of these tips, each once.
+  std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
+  static bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
+
+  // Where a bond does not break by itself, as near as it is to a tip that grows.
+  bool is_spared(const Point& first, const GrowingTip& tip) const;
+
   // Bonds that are left across a way.
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
   // Marks as gone the terms near tips that grow: they do not break by themselves.

@@ -134,6 +134,19 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
   return {-std::sin(angle), std::cos(angle)};
 }
 
+void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, std::vector<int>& nodes) const {
+  for (const int node : near_.about(tip.place, outer_reach * law.horizon)) {
+    nodes.push_back(node);
+    for_each_bond(node, [&](int bond) {
+      const auto b = static_cast<std::size_t>(bond);
+      const coupling::Terms& terms = system_.terms();
+      nodes.push_back(terms.first[b] == node ? terms.second[b] : terms.first[b]);
+    });
+    for (const int wide : wide_at_.of(node))
+      system_.terms().for_each_node(static_cast<std::size_t>(wide), [&](int other) { nodes.push_back(other); });
+  }
+}
+
 TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                            const Eigen::RowVector2d& pressure) const {
   Eigen::RowVector2d opening(0, 0), shear(0, 0);

@@ -34,6 +34,9 @@ class TipStress {
   TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                   const Eigen::RowVector2d& pressure) const;
 
+  // Nodes on whose displacements that depends, some of them twice.
+  void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, std::vector<int>& nodes) const;
+
   // Unit vector across the largest principal stress where a bond is.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 

@@ -1,0 +1,68 @@
+// Steps of lines in a window.
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/window/lookahead.hpp"
+#include "fracture/window/window_settings.hpp"
+
+namespace bempd::fracture {
+
+using coupling::Affine;
+
+// Where the next ways are kept for a while.
+bool Lookahead::choose_place_of_lines(const BodyState& state) {
+  if (!faces_.are_none() || !state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
+  std::vector<WindowPlace::Way> ways;
+  for (std::size_t k = 0; k < state.tips.size(); ++k) {
+    if (LineSteps::has_ended(state.tips[k])) continue;
+    const std::optional<LineStep> step = lines_->next(state.tips, k, state.displacement, state.load_factor);
+    if (!step) continue;
+    const pd::TipLaw& law = lines_->law_of(state.tips[k]);
+    const Point& from = state.tips[k].place;
+    const double length = std::max(step->length, WindowSettings::least_way * law.spacing);
+    ways.push_back({from, step->direction, law.horizon, {}});
+    ways.back().bonds = lines_->across(from, from + length * step->direction, law.horizon);
+  }
+  return place_.choose(ways, options_.ahead);
+}
+
+std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
+  const std::vector<GrowingTip>& tips = last_tips();
+  const Affine near = condensation_->displacement_at(lines_->nodes_asked(tips), window_->displacement());
+  std::vector<char> growing;
+  std::optional<LineStep> step = lines_->first(tips, near, from, growing);
+  if (!step) return std::nullopt;
+  const double at = options_.control == Control::path ? step->load_factor : std::max(step->load_factor, from);
+  if (!(at >= 0)) return std::nullopt;
+  foreseen.event = {at, step->ratio_at(at), step->load_factor, {}};
+  for (const int bond : step->bonds)
+    foreseen.event.changes.push_back({bond, system_.terms().law_of(static_cast<std::size_t>(bond)).gone()});
+  for (std::size_t k = 0; k < tips.size(); ++k)
+    if (growing[k]) foreseen.growing.push_back(tips[k]);
+  return step;
+}
+
+void Lookahead::narrow(double load_factor) {
+  if (!lines_) {
+    narrowing_.narrow(*window_, condensation_->dofs(), load_factor);
+    return;
+  }
+  std::vector<Narrowing::Reach> tips;
+  for (const GrowingTip& tip : last_tips())
+    if (!LineSteps::has_ended(tip)) tips.push_back({tip.place, lines_->law_of(tip).horizon});
+  narrowing_.narrow(*window_, condensation_->dofs(), tips);
+}
+
+// How many of the events come before a bond away from tips breaks; where nothing begins there, all.
+int Lookahead::steps_as_foreseen() const {
+  if (lines_->laws().of_node.empty()) return static_cast<int>(events_.size());
+  std::vector<AwayFromTips::Step> steps;
+  for (const ForeseenEvent& e : events_) steps.push_back({e.event.load_factor, e.growing, &e.event.changes});
+  return away_from_tips_->first_break(states_, steps);
+}
+
+Affine Lookahead::whole_in(int state) const {
+  return certificate_ ? certificate_->last_displacement(state) : condensation_->displacement(states_[state]);
+}
+
+}  // namespace bempd::fracture
