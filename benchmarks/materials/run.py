@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 import sys
 import time
+from functools import partial
 from pathlib import Path
 from typing import Callable, Iterator
 
@@ -14,6 +15,7 @@ import bempd
 import numpy as np
 
 import contact
+from timing import least_in_turns
 
 RATIOS = {"stress": (-0.2, 0.0, 0.2, 1 / 3, 0.45, 0.49), "strain": (0.0, 0.25, 0.4, 0.45, 0.49)}
 Field = Callable[[float, float], tuple[float, float]]
@@ -238,17 +240,20 @@ def long_strip(plane: str, ratio: float, m: int, length: float = 150, start: flo
 # --- What runs take
 
 
-def strip_costs(plane: str, ratio: float, m: int, events: int) -> tuple[float, int]:
-    """Processor seconds of so many events, the least of three runs, and entries of the factor."""
-    least = math.inf
-    for _ in range(3):
-        model, _, _ = long_strip(plane, ratio, m)
-        model.prepare()
-        began = time.process_time()
-        for _ in range(events):
-            model.step_to_next_event(1e9)
-        least = min(least, time.process_time() - began)
-    return least, model.statistics().factor_nonzeros
+def strip_seconds(plane: str, ratio: float, m: int, events: int) -> float:
+    """Processor seconds of so many events."""
+    model, _, _ = long_strip(plane, ratio, m)
+    model.prepare()
+    began = time.process_time()
+    for _ in range(events):
+        model.step_to_next_event(1e9)
+    return time.process_time() - began
+
+
+def factor_entries(plane: str, ratio: float, m: int) -> int:
+    model, _, _ = long_strip(plane, ratio, m)
+    model.step_to_next_event(1e9)
+    return int(model.statistics().factor_nonzeros)
 
 
 def cracked_plate(plane: str, ratio: float) -> bempd.Model:
@@ -277,16 +282,19 @@ def cracked_layers(plane: str, ratio: float) -> bempd.Model:
     return model
 
 
-def run_costs(build: Callable[[str, float], bempd.Model], plane: str, ratio: float) -> tuple[float, int]:
-    """Processor seconds of a run to separation, the least of three, and its events."""
-    least = math.inf
-    for _ in range(3):
-        model = build(plane, ratio)
-        model.prepare()
-        began = time.process_time()
-        model.run_to_separation(1e9)
-        least = min(least, time.process_time() - began)
-    return least, len(model.history())
+def run_seconds(build: Callable[[str, float], bempd.Model], plane: str, ratio: float) -> float:
+    """Processor seconds of a run to separation."""
+    model = build(plane, ratio)
+    model.prepare()
+    began = time.process_time()
+    model.run_to_separation(1e9)
+    return time.process_time() - began
+
+
+def run_events(build: Callable[[str, float], bempd.Model], plane: str, ratio: float) -> int:
+    model = build(plane, ratio)
+    model.run_to_separation(1e9)
+    return len(model.history())
 
 
 def is_of_bonds(plane: str, ratio: float) -> bool:
@@ -296,7 +304,8 @@ def is_of_bonds(plane: str, ratio: float) -> bool:
 def runs_table() -> list[list[str]]:
     """Seconds of whole runs and of their events over those without squares, of the same plane state."""
     builds = (cracked_plate, cracked_layers)
-    found = {of: [run_costs(build, *of) for build in builds] for of in materials()}
+    times = [least_in_turns({of: partial(run_seconds, build, *of) for of in materials()}) for build in builds]
+    found = {of: [(least[of], run_events(build, *of)) for least, build in zip(times, builds)] for of in materials()}
     rows = []
     for of, costs in found.items():
         plain = found[next(other for other in found if other[0] == of[0] and is_of_bonds(*other))]
@@ -347,13 +356,15 @@ def strip_tables() -> dict[str, str]:
     """Toughness, and what that takes."""
     rows, costs = [], []
     for m in (3, 4):
-        taken = {}
+        events_of = {}
         for of in materials():
             values, events = strip(*of, m)
             rows.append([f"{m}", name(*of), *(f"{first_break(*of, m, slanted):.2f}" for slanted in (False, True)),
                          *(f"{value:.2f}" for value in values)])
-            taken[of] = (*strip_costs(*of, m, events), events)
-            print(rows[-1], taken[of], flush=True)
+            events_of[of] = events
+            print(rows[-1], flush=True)
+        seconds = least_in_turns({of: partial(strip_seconds, *of, m, events) for of, events in events_of.items()})
+        taken = {of: (least, factor_entries(*of, m), events_of[of]) for of, least in seconds.items()}
         costs += [cost_row(m, of, taken) for of in taken]
     return {"toughness": table(["m", "material", "first break along rows", "at 45 degrees", "strip: first break",
                                 "most in growth", "energy per length"], rows),

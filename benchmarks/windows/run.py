@@ -1,5 +1,5 @@
 """What each number in src/fracture/window/window_settings.hpp is worth: processor seconds of whole crack runs with the
-number halved and doubled, over those of the same runs as it is, and whether the same bonds broke. Writes the table into
+number halved and doubled, over those of the same runs as it is, taken in turns, and whether the same bonds broke. Writes the table into
 docs/windows.md.
 
     benchmarks/run.sh windows [--only NAME,...] [--write]
@@ -44,7 +44,7 @@ SCENES_BESIDES = {
     "plate of 50 x 50, Poisson's ratio 0.45": ["plate", {"n": 50, "ratio": 0.45}],
     "plate of 100 x 100, whose faces meet": ["plate", {"n": 100}],
 }
-REPEATS = 5
+REPEATS = 7
 
 VARIED = """
 #include <cstdlib>
@@ -121,7 +121,7 @@ def measure(scenes: dict[str, Any], varied: str) -> list[dict[str, Any]]:
     """Of each scene processor seconds of some runs and a digest of which bonds broke."""
     environment = os.environ | {"BEMPD_LIBRARY": str(BUILD / "src/capi/libbempd.so"), "OMP_NUM_THREADS": "1",
                                 "OPENBLAS_NUM_THREADS": "1", "BEMPD_VARIED": varied}
-    command = [sys.executable, str(HERE / "worker.py"), json.dumps(list(scenes.values())), str(REPEATS)]
+    command = [sys.executable, str(HERE / "worker.py"), json.dumps(list(scenes.values())), "1"]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     if done.returncode:
         raise SystemExit(f"{varied}: {done.stderr}")
@@ -129,14 +129,18 @@ def measure(scenes: dict[str, Any], varied: str) -> list[dict[str, Any]]:
 
 
 def ratios(scenes: dict[str, Any], varied: str) -> list[str]:
-    """Least seconds with a setting over least seconds without, which are measured before and after it."""
-    before, changed, after = (measure(scenes, words) for words in ("", varied, ""))
-    result = []
-    for k, one in enumerate(changed):
-        plain = min(before[k]["seconds"] + after[k]["seconds"])
-        ratio = f"{min(one['seconds']) / plain:.2f}"
-        result.append(ratio if one["digest"] == before[k]["digest"] else ratio + " OTHER BONDS")
-    return result
+    """Least seconds with a setting over least seconds without, of runs in turns."""
+    plain, changed = [], []
+    for _ in range(REPEATS):
+        plain.append(measure(scenes, ""))
+        changed.append(measure(scenes, varied))
+    return [ratio([one[k] for one in plain], [one[k] for one in changed]) for k in range(len(scenes))]
+
+
+def ratio(plain: list[dict[str, Any]], changed: list[dict[str, Any]]) -> str:
+    least, with_it = (min(run["seconds"][0] for run in runs) for runs in (plain, changed))
+    words = f"{with_it / least:.2f}"
+    return words if changed[0]["digest"] == plain[0]["digest"] else words + " OTHER BONDS"
 
 
 def table(chosen: list[Setting], scenes: dict[str, Any]) -> list[str]:
@@ -162,11 +166,10 @@ def table(chosen: list[Setting], scenes: dict[str, Any]) -> list[str]:
 
 def ratios_of_compiled(scenes: dict[str, Any], name: str, value: float) -> list[str]:
     build({})
-    plain = measure(scenes, "")
+    plain = [measure(scenes, "") for _ in range(REPEATS)]
     build({name: value})
-    changed = measure(scenes, "")
-    return [f"{min(one['seconds']) / min(first['seconds']):.2f}" +
-            ("" if one["digest"] == first["digest"] else " OTHER BONDS") for one, first in zip(changed, plain)]
+    changed = [measure(scenes, "") for _ in range(REPEATS)]
+    return [ratio([one[k] for one in plain], [one[k] for one in changed]) for k in range(len(scenes))]
 
 
 def write(name: str, lines: list[str], into_document: bool) -> None:

@@ -62,17 +62,23 @@ static broken_bond middle_of(const crack_paths* paths, int64_t bond) {
   return middle;
 }
 
+/* Square of the distance from a bond to a place. */
+static double square_to(const broken_bond* bond, double x, double y) {
+  const double across = bond->x - x, up = bond->y - y;
+  return across * across + up * up;
+}
+
 /* The tip that is nearest itself or through one of the bonds that broke before. */
 static int nearest_tip(const crack_paths* paths, const broken_bond* bond, int64_t broken_before) {
-  double nearest = HUGE_VAL;
+  double nearest = HUGE_VAL; /* squares */
   int tip = 0, t;
   int64_t k;
   for (t = 0; t < paths->tip_count; ++t) {
-    const double distance = hypot(bond->x - paths->tips[2 * t], bond->y - paths->tips[2 * t + 1]);
+    const double distance = square_to(bond, paths->tips[2 * t], paths->tips[2 * t + 1]);
     if (distance < nearest) nearest = distance, tip = t;
   }
   for (k = 0; k < broken_before; ++k) {
-    const double distance = hypot(bond->x - paths->broken[k].x, bond->y - paths->broken[k].y);
+    const double distance = square_to(bond, paths->broken[k].x, paths->broken[k].y);
     if (distance < nearest) nearest = distance, tip = paths->broken[k].tip;
   }
   return tip;
@@ -80,14 +86,17 @@ static int nearest_tip(const crack_paths* paths, const broken_bond* bond, int64_
 
 /* How near the newest bonds come to those of other tips. */
 static void update_gap(crack_paths* paths, int64_t broken_before) {
+  double least = HUGE_VAL;
   int64_t i, k;
   for (i = broken_before; i < paths->broken_count; ++i) {
     for (k = 0; k < i; ++k) {
+      double square;
       if (paths->broken[i].tip == paths->broken[k].tip) continue;
-      paths->gap =
-          fmin(paths->gap, hypot(paths->broken[i].x - paths->broken[k].x, paths->broken[i].y - paths->broken[k].y));
+      square = square_to(&paths->broken[i], paths->broken[k].x, paths->broken[k].y);
+      if (square < least) least = square;
     }
   }
+  paths->gap = fmin(paths->gap, sqrt(least));
 }
 
 void crack_paths_update(crack_paths* paths) {

@@ -19,6 +19,11 @@ constexpr double suspicious_response = 1e8;
 // Springs alone resist a motion if terms take less than this share of its energy.
 constexpr double resisted_by_others = 1e-6;
 
+// Columns over the root of the number of unknowns beyond which a fresh factor costs less than a changed one: in the plane
+// its operations grow as the power 3/2 of that number, those of a column's change as the number itself. At 12,500
+// unknowns a fresh one takes the time of some 100 to 200 columns.
+constexpr double most_columns_over_root = 2;
+
 }  // namespace
 
 std::vector<StageChange> EquilibriumSystem::all_gone(std::span<const int> terms) const {
@@ -124,6 +129,10 @@ void EquilibriumSystem::commit(std::span<const StageChange> changes, std::span<c
     } else {
       add_pulls(c.term, std::sqrt(-drop), columns_added++, added);
     }
+  }
+  if (is_symmetric() && columns_added + columns_removed > most_columns_over_root * std::sqrt(unknowns_.count())) {
+    forget_factor();
+    return;
   }
   change_factor(added, columns_added, linalg::Change::add);
   change_factor(removed, columns_removed, linalg::Change::remove);

@@ -63,6 +63,27 @@ TEST(Increments, one_long_step_equals_many_short_ones) {
   EXPECT_GT(ends[0].total_broken_bonds, 0);
 }
 
+// What breaks at once by the hundreds leaves nothing of a factor that is worth changing.
+TEST(Increments, many_bonds_at_once_are_a_fresh_factor_and_few_a_changed_one) {
+  const CentreCrack scene = CentreCrack::small();
+  Model model;
+  build(model, scene);
+  step_by_increments(model, 1000);
+  const bempd_step_report report = model.step(350.5);
+  const bempd_statistics many = model.statistics();
+  EXPECT_GT(report.broken_bonds, 300);
+  EXPECT_EQ(many.factor_updates, 0);
+  EXPECT_EQ(many.sparse_factorizations, 2);
+  EXPECT_LT(report.residual, 1e-11);
+
+  Model by_events;
+  build(by_events, scene);
+  by_events.set_text("stepping.solver", "plain");
+  for (int event = 0; event < 5; ++event) by_events.next_event(1e9);
+  EXPECT_GE(by_events.statistics().factor_updates, 4);
+  EXPECT_EQ(by_events.statistics().sparse_factorizations, 1);
+}
+
 // Increments count from zero; a step that ends between two of them ends with an increment of its own.
 TEST(Increments, the_end_of_a_step_is_the_end_of_an_increment) {
   const CentreCrack scene = CentreCrack::small();
