@@ -13,7 +13,7 @@ EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
 
 bool EventSources::may_use_window(double target, const SteppingOptions& options) const {
   return options.window && options.mode == SteppingMode::events && has_window_form(body_.system()) &&
-         !body_.has_fluid() && target >= body_.state().load_factor && (!lines_ || body_.faces().are_none());
+         !body_.has_fluid() && target >= body_.state().load_factor;
 }
 
 void EventSources::grow_lines(pd::TipLaws laws) {

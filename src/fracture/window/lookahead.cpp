@@ -72,9 +72,7 @@ void Lookahead::build_window(const BodyState& state) {
   check_cancelled();
   phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
-  if (lines_)
-    away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_, positions_);
-  else
+  if (!lines_)
     certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
   tips_ = state.tips;
   outside_gaps_ = OutsideGaps(system_, *condensation_);
@@ -139,6 +137,8 @@ void Lookahead::compute(const BodyState& state) {
   checks_.clear();
   position_ = balanced_events_ = 0;
   tips_ = state.tips;
+  if (lines_)
+    away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_, positions_);
   unbalanced_ = 0;
   foreseen_ = {window_->state()};
   std::optional<FacesAhead> ahead;

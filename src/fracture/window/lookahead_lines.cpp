@@ -11,7 +11,7 @@ using coupling::Affine;
 
 // Where the next ways are kept for a while.
 bool Lookahead::choose_place_of_lines(const BodyState& state) {
-  if (!faces_.are_none() || !state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
+  if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
   std::vector<WindowPlace::Way> ways;
   for (std::size_t k = 0; k < state.tips.size(); ++k) {
     if (LineSteps::has_ended(state.tips[k])) continue;
