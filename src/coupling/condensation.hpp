@@ -49,7 +49,7 @@ class Condensation {
   ReducedSystem system_;
   std::vector<int> dofs_;
   Eigen::MatrixXd factor_;
-  Affine eliminated_;  // L^-1 load
+  Affine eliminated_;          // L^-1 load
   std::vector<int> place_of_;  // of a degree of freedom in the order of elimination; -1: it is no unknown
 };
 

@@ -19,8 +19,8 @@ constexpr double suspicious_response = 1e8;
 // Springs alone resist a motion if terms take less than this share of its energy.
 constexpr double resisted_by_others = 1e-6;
 
-// Columns over the root of the number of unknowns beyond which a fresh factor costs less than a changed one: in the plane
-// its operations grow as the power 3/2 of that number, those of a column's change as the number itself. At 12,500
+// Columns over the root of the number of unknowns beyond which a fresh factor costs less than a changed one: in the
+// plane its operations grow as the power 3/2 of that number, those of a column's change as the number itself. At 12,500
 // unknowns a fresh one takes the time of some 100 to 200 columns.
 constexpr double most_columns_over_root = 2;
 

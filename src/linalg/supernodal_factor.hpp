@@ -42,9 +42,10 @@ class SupernodalFactor {
   void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
   void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
 
-  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already; in all supernodes or
-  // in those marked.
-  void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known, const std::vector<char>* marked = nullptr) const;
+  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already; in all supernodes
+  // or in those marked.
+  void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
+                      const std::vector<char>* marked = nullptr) const;
   // Marks the supernodes that solutions in these places depend on: their own and the way from there to the root.
   std::vector<char> asked_by(const std::vector<int>& places) const;
 

@@ -56,7 +56,8 @@ int AwayFromTips::first_break(const Eigen::MatrixXd& stretched, int begin, const
                               const std::vector<int>& gone_at) const {
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   constexpr double limit = 1 - WindowSettings::certificate_margin;
-  Eigen::Array<double, batch, Eigen::Dynamic> u = Eigen::Array<double, batch, Eigen::Dynamic>::Zero(batch, stretched.cols());
+  Eigen::Array<double, batch, Eigen::Dynamic> u =
+      Eigen::Array<double, batch, Eigen::Dynamic>::Zero(batch, stretched.cols());
   u.topRows(stretched.rows()) = stretched;
   int found = static_cast<int>(steps.size());
   for (std::size_t b = 0; b < bonds_.size(); ++b) {

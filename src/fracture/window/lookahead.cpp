@@ -216,7 +216,8 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     if (window_->place_of(c.term) < 0) return false;  // a follower that reaches out of the window
     foreseen.back.push_back({c.term, system_.stages()[c.term]});
   }
-  foreseen.largest_force = events_.empty() ? largest_force_before(foreseen.event.load_factor, start) : events_.back().largest_force;
+  foreseen.largest_force =
+      events_.empty() ? largest_force_before(foreseen.event.load_factor, start) : events_.back().largest_force;
   if (!perform_in_window(foreseen)) {
     needs_whole_body_ = true;
     return false;

@@ -39,8 +39,7 @@ void Lookahead::certify(double from) {
   for (const ForeseenEvent& foreseen : events_) {
     breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
-  const int kept =
-      lines_ ? steps_as_foreseen() : certificate_->first_violation(states_, breaks, checks_, whole_);
+  const int kept = lines_ ? steps_as_foreseen() : certificate_->first_violation(states_, breaks, checks_, whole_);
   faces_move_ = faces_move_ && kept >= unchanged;
   keep_first(kept);
   if (!events_.empty()) check_whole_body();

@@ -204,7 +204,7 @@ void WindowEvents::show() {
 WindowEvents::Place WindowEvents::place() const {
   const BodyState& state = body_.state();
   return {lookahead_.position(), events_performed_, state.load_factor,
-          state.largest_force,    state.separated,   state.tips};
+          state.largest_force,   state.separated,   state.tips};
 }
 
 BodyState WindowEvents::state_at(const Place& place) const {

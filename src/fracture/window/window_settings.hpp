@@ -54,8 +54,8 @@ struct WindowSettings {
   // each window would cost a factorization.
   static constexpr int events_beside_faces = 16;
 
-  // Lines: a window has to hold the way for so many spacings at first, how much wider it is than a step reaches, and how
-  // many steps it has to save for the next one to be tried at once, which costs a factorization.
+  // Lines: a window has to hold the way for so many spacings at first, how much wider it is than a step reaches, and
+  // how many steps it has to save for the next one to be tried at once, which costs a factorization.
   static constexpr double least_way = 8, beside_way = 0.5;
   static constexpr int worthwhile_steps = 16;
 
