@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "even_cuts.hpp"
 #include "rules.hpp"
 
 namespace directions {
 namespace {
 
-// Bonds break one by one, or soften tooth by tooth, by their own stretch, by the mean strain in their direction or by a
-// mixture of both.
+// Bonds break one by one, or soften tooth by tooth, by their own stretch, by the mean strain in their direction, by a
+// mixture of both, or by the energy that breaking them releases over their own fracture energy.
 class BondRule final : public Rule {
  public:
   BondRule(const Setting& setting, const Body& body, Window& window, unsigned seed)
@@ -20,6 +21,12 @@ class BondRule final : public Rule {
     std::mt19937 random(seed + 77);
     std::normal_distribution<double> normal(0, 1);
     for (double& f : factor_) f = 1 + setting.scatter * std::clamp(normal(random), -2.0, 2.0);
+    if (setting.even != 0) {
+      const std::vector<double> even = even_stretches(body);
+      for (std::size_t k = 0; k < factor_.size(); ++k)
+        factor_[k] *= std::sqrt(1 + setting.even * (even[k] * even[k] - 1));
+    }
+    if (setting.release != 0) window.keep_compliances();
     teeth();
   }
 
@@ -45,8 +52,10 @@ class BondRule final : public Rule {
  private:
   double measure(int k) const {
     const double own = window_.stretch(k);
-    if (setting_.radius == 0) return own;
     const Bond& bond = body_.bonds[static_cast<std::size_t>(k)];
+    if (setting_.release != 0)  // over the energy of a bond at stretch one
+      return own > 0 ? std::sqrt(2 * window_.release_of(k) / bond.stiffness) / bond.length : 0;
+    if (setting_.radius == 0) return own;
     const Eigen::Vector3d s = (mean_.at(bond.first) + mean_.at(bond.second)) / 2;
     const Eigen::Vector3d strain(9.0 / 8 * (s[0] - s[1] / 3), 9.0 / 8 * (s[1] - s[0] / 3), 1.5 * s[2]);
     const Point e = bond.direction;

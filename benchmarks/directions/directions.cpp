@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "check.hpp"
 #include "rules.hpp"
 
 namespace directions {
@@ -114,53 +115,29 @@ void report(const Setting& setting, const Layout& layout, const Body& body, cons
 }
 
 Setting parse(const std::string& text) {
+  static const std::map<std::string, double Setting::*> numbers = {
+      {"radius", &Setting::radius}, {"mix", &Setting::mix},         {"scatter", &Setting::scatter},
+      {"even", &Setting::even},     {"step", &Setting::step},       {"ductility", &Setting::ductility},
+      {"look", &Setting::look},     {"smooth", &Setting::smooth},   {"cone", &Setting::cone},
+      {"shear", &Setting::shear},   {"opening", &Setting::opening}, {"inner", &Setting::inner},
+      {"outer", &Setting::outer},   {"back", &Setting::back}};
+  static const std::map<std::string, int Setting::*> counts = {
+      {"teeth", &Setting::teeth}, {"learn", &Setting::learn}, {"release", &Setting::release}};
+  static const std::map<std::string, std::string Setting::*> words = {
+      {"turn", &Setting::turn}, {"load", &Setting::load}, {"name", &Setting::name}};
   Setting s;
   std::stringstream in(text);
   std::string item;
   s.name = text;
-  for (bool first = true; std::getline(in, item, ':'); first = false) {
-    if (first) {
-      s.rule = item;
-      continue;
-    }
+  std::getline(in, s.rule, ':');
+  while (std::getline(in, item, ':')) {
     const std::string key = item.substr(0, item.find('=')), value = item.substr(item.find('=') + 1);
-    const double number = std::atof(value.c_str());
-    if (key == "radius")
-      s.radius = number;
-    else if (key == "mix")
-      s.mix = number;
-    else if (key == "scatter")
-      s.scatter = number;
-    else if (key == "teeth")
-      s.teeth = static_cast<int>(number);
-    else if (key == "ductility")
-      s.ductility = number;
-    else if (key == "step")
-      s.step = number;
-    else if (key == "look")
-      s.look = number;
-    else if (key == "smooth")
-      s.smooth = number;
-    else if (key == "cone")
-      s.cone = number;
-    else if (key == "opening")
-      s.opening = number;
-    else if (key == "shear")
-      s.shear = number;
-    else if (key == "learn")
-      s.learn = static_cast<int>(number);
-    else if (key == "inner")
-      s.inner = number;
-    else if (key == "outer")
-      s.outer = number;
-    else if (key == "back")
-      s.back = number;
-    else if (key == "turn")
-      s.turn = value;
-    else if (key == "load")
-      s.load = value;
-    else if (key == "name")
-      s.name = value;
+    if (numbers.count(key))
+      s.*numbers.at(key) = std::atof(value.c_str());
+    else if (counts.count(key))
+      s.*counts.at(key) = std::atoi(value.c_str());
+    else if (words.count(key))
+      s.*words.at(key) = value;
     else
       throw std::runtime_error("no setting " + key);
   }
@@ -170,12 +147,14 @@ Setting parse(const std::string& text) {
 }  // namespace
 }  // namespace directions
 
-// bempd_directions strip|narrow|disc m angle mode seed points kernel paths-file rule...
+// bempd_directions check
+// bempd_directions strip|narrow|disc|plate m angle mode seed points kernel paths-file rule...
 //   points: lattice, jitter=0.3, lloyd=4
 int main(int count, char** argument) {
   using namespace directions;
   Layout layout;
   const std::string scene = argument[1];
+  if (scene == "check") return check();
   const bool is_strip = scene != "disc";
   layout.horizon = std::atoi(argument[2]);
   layout.angle = std::atof(argument[3]);

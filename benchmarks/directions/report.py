@@ -20,12 +20,18 @@ NAMES = {
     ("lattice", "quartic", "softening-4"): "bonds soften to 4 times the stretch of their peak, 6 teeth",
     ("lattice", "quartic", "half-mean-strain"): "half the mean strain within half a horizon, half the bond's own",
     ("lattice", "quartic", "facet"): "all bonds across a facet at the most stressed point",
+    ("lattice", "quartic", "release"): "the bond whose breaking releases most over its own fracture energy",
+    ("lattice", "quartic", "release-scatter-10"): "most released over own energy, critical stretch scatters by 10 %",
+    ("lattice", "quartic", "even"): "critical stretch by direction, straight cuts with the least ripple",
+    ("lattice", "quartic", "release-even"): "both: most released over own energy, least ripple of cuts",
     ("lattice", "conical", "stretch"): "conical kernel",
     ("lattice", "gauss", "stretch"): "Gaussian kernel",
     ("jitter=0.35", "quartic", "stretch"): "points moved by up to 0.35",
+    ("jitter=0.35", "quartic", "release"): "moved points, most released over own energy",
     ("lloyd=4", "quartic", "stretch"): "random points, four of Lloyd's steps",
-    ("lloyd=4", "quartic", "scatter-10"): "the same, critical stretch scatters by 10 %",
-    ("lloyd=4", "quartic", "softening-4"): "the same, bonds soften",
+    ("lloyd=4", "quartic", "scatter-10"): "random points, critical stretch scatters by 10 %",
+    ("lloyd=4", "quartic", "softening-4"): "random points, bonds soften",
+    ("lloyd=4", "quartic", "release"): "random points, most released over own energy",
     ("lattice", "quartic", "line-most-release"): "line: way and load by energy released over 4 spacings",
     ("lattice", "quartic", "line-principal"): "line: way across mean principal stress, load by energy released over 6",
     ("lattice", "quartic", "line-williams"): "line: way and load by Williams' series of displacements",
@@ -73,6 +79,34 @@ def straight(rows: list[dict]) -> list[str]:
                          f" {span([r['largest'] for r in some])} | {span([r['energy'] for r in some])} |"
                          f" {statistics.median(r['seconds'] for r in some):.1f} |")
     return lines
+
+
+def with_page(lines: list[str]) -> list[str]:
+    """Rows of candidates that have fewer runs here than on the page, or none, as they are on the page."""
+    def keyed(rows: list[str]) -> dict:
+        cells = [[cell.strip() for cell in row.split("|")[1:4]] for row in rows]
+        return {(name, m): (int(runs), row) for (name, m, runs), row in zip(cells, rows)}
+
+    old, new = keyed(section("straight")[2:]), keyed(lines[2:])
+    order = [(name, str(m)) for name in NAMES.values() for m in (3, 4, 5, 6)]
+    return lines[:2] + [max(old.get(k, (0, "")), new.get(k, (0, "")), key=lambda found: (found[0], found == new.get(k)))[1]
+                        for k in order if k in old or k in new]
+
+
+def cuts(file: pathlib.Path) -> list[str]:
+    """What straight cuts cost over their directions."""
+    lines = ["| m | cost of straight cuts / G0, one critical stretch | critical stretch by direction | that over the one |",
+             "|---|---|---|---|"]
+    for line in file.read_text(encoding="ascii").splitlines():
+        m, *values = line.split(",")
+        value = [float(v) for v in values]
+        lines.append(f"| {m} | {value[0]:.3f} .. {value[1]:.3f} ({value[1] / value[0] - 1:.1%}) | {value[2]:.3f} .. {value[3]:.3f}"
+                     f" ({value[3] / value[2] - 1:.1%}) | {value[4]:.2f} .. {value[5]:.2f} |".replace("%", " %"))
+    return lines
+
+
+def straight_and_cuts(out: pathlib.Path) -> dict[str, list[str]]:
+    return {"straight": with_page(straight(read(out / "results.csv"))), "cuts": cuts(out / "cuts.csv")}
 
 
 def over_angle(rows: list[dict]) -> list[str]:
@@ -210,8 +244,13 @@ def write(out: pathlib.Path) -> None:
         values = [float(v) for v in line.split()]
         reference[values[0]] = list(zip(values[2::3], values[3::3]))
     picture(drawn, reference, ROOT / "docs" / "directions.png")
-    tables = {"straight": straight(rows), "angles": over_angle(rows), "running": running(rows), "mixed": mixed(rows), "inclined": inclined(drawn, reference)}
+    tables = straight_and_cuts(out) | {"angles": over_angle(rows), "running": running(rows), "mixed": mixed(rows), "inclined": inclined(drawn, reference)}
     put(tables)
+
+
+def section(name: str) -> list[str]:
+    text = (ROOT / "docs" / "directions.md").read_text(encoding="utf-8")
+    return text.split(f"<!-- {name} -->\n")[1].split(f"\n<!-- end {name} -->")[0].splitlines()
 
 
 def put(tables: dict[str, list[str]]) -> None:

@@ -31,10 +31,12 @@ class Rule {
 struct Setting {
   std::string name;
   std::string rule = "stretch";
-  double radius = 0;     // of averages, in horizons
-  double mix = 1;        // share of the average in what a bond breaks by
-  double scatter = 0;    // of the critical stretch, from bond to bond
-  int teeth = 1;         // of a softening bond
+  double radius = 0;   // of averages, in horizons
+  double mix = 1;      // share of the average in what a bond breaks by
+  double scatter = 0;  // of the critical stretch, from bond to bond
+  double even = 0;     // share of the way to critical stretches by which straight cuts cost the same in all directions
+  int release = 0;     // 1: a bond breaks when that would release its own fracture energy
+  int teeth = 1;       // of a softening bond
   double ductility = 1;  // stretch without force over stretch of the peak
   double step = 1;       // of a crack line, in spacings
   double look = 3;       // ahead, for the release of energy

@@ -1,6 +1,7 @@
 """What turns a crack: every candidate on one table, into out/directions/ and docs/directions.md.
 
-    run.py [--jobs N] [--only WORD] [--lines] [--table]    --table: from what is there; --lines: the library's own lines only
+    run.py [--jobs N] [--only WORD] [--lines] [--table]    --table: from what is there; --lines: the library's own lines only;
+                                                           --only: jobs with this word, and the first table's rows of them
 
 A strip between clamps, the crack along its middle, the lattice turned under it; and a disc about a crack tip in mixed
 mode. Results are kept line by line in results.csv: what is there is not run again."""
@@ -21,6 +22,9 @@ OUT = pathlib.Path(os.environ.get("BEMPD_OUTPUT", "out/directions"))
 PROGRAM = pathlib.Path(os.environ.get("BEMPD_BENCHMARKS", "build/release/benchmarks")) / "bempd_directions"
 BONDS = ["stretch:name=stretch", "stretch:scatter=0.1:name=scatter-10", "stretch:scatter=0.2:name=scatter-20",
          "bond:radius=0.5:mix=0.5:name=half-mean-strain", "facet:radius=0.5:name=facet"]
+RELEASE = ["stretch:release=1:name=release", "stretch:release=1:even=1:name=release-even",
+           "stretch:release=1:scatter=0.1:name=release-scatter-10"]
+EVEN = ["stretch:even=1:name=even"]
 SOFT = ["stretch:teeth=6:ductility=4:name=softening-4"]
 AHEAD = "line:turn=ahead:radius=1.5:cone=0.5:opening=0.79:shear=0.482"
 FIELD = AHEAD + ":load=field:inner=1:outer=3"
@@ -61,6 +65,14 @@ def jobs() -> list[tuple]:
                 found.append(("strip", m, angle, 0, seed, "jitter=0.35", "quartic", BONDS[:1]))
                 found.append(("strip", m, angle, 0, seed, "lattice", "conical", BONDS[:1]))
                 found.append(("strip", m, angle, 0, seed, "lattice", "gauss", BONDS[:1]))
+    for m in (3, 4):
+        for angle, seed in [(a, s) for s in (1, 2, 3, 4) for a in (10, 20)] + [(a, 1) for a in (0, 15, 22.5, 30, 45)]:
+            found.append(("strip", m, angle, 0, seed, "lattice", "quartic", RELEASE + EVEN + BONDS[:1]))
+        for seed in (1, 2, 3, 4):
+            for angle in (10, 20):
+                found.append(("strip", m, angle, 0, seed, "jitter=0.35", "quartic", RELEASE[:1] + BONDS[:1]))
+        for seed in (1, 2):
+            found.append(("strip", m, 0, 0, seed, "lloyd=4", "quartic", RELEASE[:1]))
     for seed in (1, 2):
         for m in (2, 3, 4, 5, 6, 7):
             for angle in (0, 15, 22.5, 30, 45):
@@ -133,13 +145,17 @@ def main() -> None:
             if lines:
                 with open(file, "a", encoding="ascii") as table:
                     table.write("\n".join(lines) + "\n")
+    cuts = subprocess.run([PROGRAM, "check"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    (OUT / "cuts.csv").write_text(cuts, encoding="ascii")
+    if options.only:
+        report.put(report.straight_and_cuts(OUT))
+        return
     references = OUT / "boundary_paths.txt"
     if not references.exists():
         answer = subprocess.run([sys.executable, pathlib.Path(__file__).with_name("boundary_path.py"), "15", "30", "45", "60", "75"],
                                 capture_output=True, text=True, check=True)
         references.write_text(answer.stdout, encoding="ascii")
-    if not options.only:
-        report.write(OUT)
+    report.write(OUT)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ namespace directions {
 namespace {
 
 constexpr int most_pending = 192;
+constexpr double loose = 1e-7;  // of what is left of a bond's compliance where it holds something alone
 
 struct System {
   std::vector<int> unknown;  // of a point, -1 if held
@@ -78,7 +79,9 @@ Window::Window(Body& body) : body_(body), local_(body.points.size(), -1), change
     if (body.in_window[k]) local_[k] = static_cast<int>(points_.size()), points_.push_back(static_cast<int>(k));
   for (std::size_t k = 0; k < body.bonds.size(); ++k) {
     stiffness_.push_back(body.bonds[k].stiffness);
-    if (local(body.bonds[k].first) >= 0 && local(body.bonds[k].second) >= 0) bonds_.push_back(static_cast<int>(k));
+    const bool inside = local(body.bonds[k].first) >= 0 && local(body.bonds[k].second) >= 0;
+    place_.push_back(inside ? static_cast<int>(bonds_.size()) : -1);
+    if (inside) bonds_.push_back(static_cast<int>(k));
   }
   const System system = assemble(body);
   const int size = 2 * static_cast<int>(points_.size());
@@ -134,9 +137,15 @@ double Window::soften(int bond, double loss) {
     column.noalias() += changes_.leftCols(pending_) * along;
   }
   const double pivot = 1 - loss * b.direction.dot(column.segment<2>(j) - column.segment<2>(i));
-  if (pivot < 1e-7) return -1;
+  if (pivot < loose) return -1;
   const double opening = elongation(bond);
   displacement_ += column * (loss * opening / pivot);
+  for (std::size_t k = 0; k < compliance_.size(); ++k) {
+    const Bond& other = body_.bonds[static_cast<std::size_t>(bonds_[k])];
+    const double along =
+        other.direction.dot(column.segment<2>(2 * local(other.second)) - column.segment<2>(2 * local(other.first)));
+    compliance_[static_cast<std::size_t>(k)] += loss / pivot * along * along;
+  }
   changes_.col(pending_++) = column * std::sqrt(loss / pivot);
   if (pending_ == most_pending) fold();
   stiffness_[static_cast<std::size_t>(bond)] -= loss;
@@ -149,6 +158,18 @@ double Window::flexibility(int bond, int other) const {
   const Eigen::Matrix2d block = flexibility_.block<2, 2>(j, l) - flexibility_.block<2, 2>(j, k) -
                                 flexibility_.block<2, 2>(i, l) + flexibility_.block<2, 2>(i, k);
   return a.direction.dot(block * b.direction);
+}
+
+void Window::keep_compliances() {
+  compliance_.clear();
+  for (const int bond : bonds_) compliance_.push_back(flexibility(bond, bond));
+}
+
+double Window::release_of(int bond) const {
+  const double left =
+      1 - stiffness(bond) * compliance_[static_cast<std::size_t>(place_[static_cast<std::size_t>(bond)])];
+  const double opening = elongation(bond);
+  return left < loose ? 0 : stiffness(bond) * opening * opening / left / 2;
 }
 
 double Window::release_of(const std::vector<int>& bonds) const {
@@ -170,25 +191,49 @@ double Window::release_of(const std::vector<int>& bonds) const {
   return factor.info() == Eigen::Success ? force.dot(factor.solve(force)) / 2 : 1e300;
 }
 
-double strip_release(Layout layout, double half_height, double growth) {
-  layout.cracked = false;
-  const Body body = strip(layout, half_height, growth);
+namespace {
+
+// Displacements of all points at load factor one.
+std::vector<Point> solved(const Body& body) {
   const System system = assemble(body);
   const auto factor = bempd::linalg::make_sparse_cholesky();
   if (!factor->factorize(system.matrix)) throw std::runtime_error("the body is loose");
   Eigen::MatrixXd free = system.load;
   factor->solve_in_place(free);
-  const auto moved = [&](int point) -> Point {
-    const int unknown = system.unknown[static_cast<std::size_t>(point)];
-    return unknown < 0 ? body.given[static_cast<std::size_t>(point)] : Point(free.col(0).segment<2>(2 * unknown));
-  };
+  std::vector<Point> moved = body.given;
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    if (system.unknown[k] >= 0) moved[k] = free.col(0).segment<2>(2 * system.unknown[k]);
+  return moved;
+}
+
+double energy_of(const Bond& bond, const std::vector<Point>& moved) {
+  const double opening =
+      bond.direction.dot(moved[static_cast<std::size_t>(bond.second)] - moved[static_cast<std::size_t>(bond.first)]);
+  return bond.stiffness * opening * opening / 2;
+}
+
+}  // namespace
+
+double elastic_energy(const Body& body, const std::vector<char>& out) {
+  Body left = body;
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (out[k]) left.bonds[k].stiffness = 0;
+  const std::vector<Point> moved = solved(left);
+  double energy = 0;
+  for (const Bond& bond : left.bonds) energy += energy_of(bond, moved);
+  return energy;
+}
+
+double strip_release(Layout layout, double half_height, double growth) {
+  layout.cracked = false;
+  const Body body = strip(layout, half_height, growth);
+  const std::vector<Point> moved = solved(body);
   double energy = 0;
   for (const Bond& bond : body.bonds) {
     const double middle = (body.points[static_cast<std::size_t>(bond.first)].x() +
                            body.points[static_cast<std::size_t>(bond.second)].x()) /
                           2;
-    const double opening = bond.direction.dot(moved(bond.second) - moved(bond.first));
-    if (middle > 0 && middle < growth) energy += bond.stiffness * opening * opening / 2;
+    if (middle > 0 && middle < growth) energy += energy_of(bond, moved);
   }
   return energy / growth;
 }

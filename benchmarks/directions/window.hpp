@@ -23,6 +23,11 @@ class Window {
   // would leave something loose: then nothing is changed.
   double soften(int bond, double loss);
 
+  // Energy at load factor one that taking the whole bond out would release, k e^2 / 2 / (1 - k c.K^-1 c) with its
+  // elongation e = c.u: what soften() would return. From compliances c.K^-1 c that are kept for all bonds.
+  double release_of(int bond) const;
+  void keep_compliances();
+
   // Takes a bond out that holds something loose only.
   void forget(int bond) { stiffness_[static_cast<std::size_t>(bond)] = 0; }
 
@@ -34,12 +39,16 @@ class Window {
   void fold();
 
   const Body& body_;
-  std::vector<int> points_, local_, bonds_;
+  std::vector<int> points_, local_, bonds_, place_;  // place_: of a bond of the body in bonds_
   std::vector<double> stiffness_;
   Eigen::MatrixXd flexibility_, changes_;  // flexibility_ + changes_ changes_^T
   int pending_ = 0;
   Eigen::VectorXd displacement_;
+  std::vector<double> compliance_;  // of the window's bonds where they are kept
 };
+
+// Elastic energy of the body at load factor one, without the bonds that are out, by a solution of its own.
+double elastic_energy(const Body& body, const std::vector<char>& out);
 
 // Energy per length of the uncracked strip at load factor one, from its middle.
 double strip_release(Layout layout, double half_height, double growth);

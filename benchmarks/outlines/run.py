@@ -92,6 +92,44 @@ def ratios_table() -> str:
     return "\n".join(lines)
 
 
+def first_break(radius: float, horizon_ratio: int | None, angle: float, balance: str, place: float) -> float:
+    """Load factor of the first break at a hole in a square plate, side 10 radii; of boundary elements by their stress."""
+    options = {"threads": 1, "pd.lattice_angle": angle, "pd.outline_balance": balance}
+    model = bempd.Model(options=options)
+    half, strength = 5 * radius, 1e-3
+    outline, centre = bempd.rectangle(-half, -half, half, half), (place, 0.7 * place)
+    if horizon_ratio is None:
+        plate = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=NU), outline, half / 12)
+    else:
+        material = model.add_material(young_modulus=1, poisson_ratio=NU, critical_stretch=strength)
+        plate = model.add_pd_region(material, outline, 1, horizon_ratio)
+    model.add_circular_hole(plate, centre, radius)
+    model.add_traction(plate, 1, "y", -1)
+    model.add_traction(plate, 3, "y", 1)
+    model.fix_point((-half, -half))
+    model.fix_point((half, -half), "y")
+    if horizon_ratio is None:
+        model.step(1)
+        return strength / max(model.evaluate([(centre[0] + side * radius, centre[1])]).stress[0][1] for side in (-1, 1))
+    model.step_to_next_event(1)
+    return model.load_factor
+
+
+def breaks_table() -> str:
+    lines = ["| radius, horizon ratio | `constant` | `linear` |", "|---|---|---|"]
+    angles, places = (0, 7.5, 15, 22.5, 30, 45), (0.1, 0.3)
+    for radius in (3, 5):
+        references = {place: first_break(radius, None, 0, "constant", place) for place in places}
+        for horizon_ratio in (3, 4, 5):
+            cells = []
+            for balance in ("constant", "linear"):
+                found = [first_break(radius, horizon_ratio, math.radians(angle), balance, place) / references[place]
+                         for angle in angles for place in places]
+                cells.append(f"{min(found):.2f} .. {max(found):.2f}")
+            lines.append(f"| {radius}, {horizon_ratio} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def cracked_hole(radius: float, lengths: tuple[float, float], lattice_angle: float | None) -> list[bempd.CrackTip]:
     """Tips of two cracks at a hole in a square plate, side 8 radii, pulled across them (Bowie, Journal of Mathematics and
     Physics 35, 1956, has the wide plate): in a lattice, or in boundary elements."""
@@ -206,7 +244,7 @@ def cost_table() -> str:
 def main() -> None:
     program = pathlib.Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_outlines"
     makers = {"networks": lambda: subprocess.run([program], check=True, capture_output=True, text=True).stdout.strip(),
-              "kirsch": kirsch_table, "ratios": ratios_table, "tips": tips_table, "crossings": crossings_table,
+              "kirsch": kirsch_table, "breaks": breaks_table, "ratios": ratios_table, "tips": tips_table, "crossings": crossings_table,
               "cost": cost_table}
     chosen = sys.argv[2].split(",") if sys.argv[1:2] == ["--only"] else list(makers)
     tables = {name: makers[name]() for name in chosen}

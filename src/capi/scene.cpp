@@ -37,8 +37,10 @@ bempd_status add_pd_region(bempd_model* model, const char* call, int32_t materia
   return with_model(model, call, [&](model::Model& m) {
     const auto points = loop.points();
     const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
-    const regions::PointChoice choice{m.options().text_value("pd.outline_points") == "always",
-                                      m.options().number("pd.lattice_angle")};
+    const regions::PointChoice choice{
+        m.options().text_value("pd.outline_points") == "always", m.options().number("pd.lattice_angle"),
+        m.options().text_value("pd.outline_balance") == "linear" ? pd::OutlineBalance::linear_stress
+                                                                 : pd::OutlineBalance::constant_stress};
     const int added =
         regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice, loop.bends());
     if (region) *region = added;

@@ -17,6 +17,42 @@ double operations(const Lower& lower, Eigen::Index vectors) {
 
 }  // namespace
 
+void add_product(Matrix c, const Operand& a, const Operand& b, double factor) {
+  constexpr Eigen::Index widest = 512;
+  const double inner = 2.0 * static_cast<double>(a.cols());
+  const bool in_parts = is_long(inner * static_cast<double>(c.size()));
+  const Eigen::Index across = in_parts ? widest : c.cols();
+  const Eigen::Index down =
+      in_parts ? std::max<Eigen::Index>(64, static_cast<Eigen::Index>(operations_at_once / inner) / widest) : c.rows();
+  for (Eigen::Index j = 0; j < c.cols(); j += across) {
+    const Eigen::Index columns = std::min(across, c.cols() - j);
+    const Operand right = b.transpose().middle_rows(j, columns).transpose();
+    for (Eigen::Index i = 0; i < c.rows(); i += down) {
+      const Eigen::Index rows = std::min(down, c.rows() - i);
+      if (in_parts) check_cancelled();
+      a.middle_rows(i, rows).as_matrix([&](const auto& left) {
+        right.as_matrix([&](const auto& other) { c.block(i, j, rows, columns).noalias() += factor * (left * other); });
+      });
+    }
+  }
+}
+
+void add_square(Matrix c, const Operand& a, double factor) {
+  const auto n = static_cast<double>(c.rows());
+  const bool in_parts = is_long(n * n * static_cast<double>(a.cols()));
+  const Eigen::Index across = in_parts ? width : c.rows();
+  for (Eigen::Index j = 0; j < c.rows(); j += across) {
+    const Eigen::Index columns = std::min(across, c.rows() - j), below = c.rows() - j - columns;
+    if (in_parts) check_cancelled();
+    const Operand own = a.middle_rows(j, columns);
+    own.as_matrix([&](const auto& part) {
+      c.block(j, j, columns, columns).selfadjointView<Eigen::Lower>().rankUpdate(part, factor);
+    });
+    if (below == 0) continue;
+    add_product(c.bottomRows(below).middleCols(j, columns), a.middle_rows(j + columns, below), own.transpose(), factor);
+  }
+}
+
 void solve_lower(const Lower& lower, Matrix x) {
   const Eigen::Index n = lower.rows();
   if (!is_long(operations(lower, x.cols()))) {

@@ -17,45 +17,51 @@ constexpr double operations_at_once = 5e8;
 
 inline bool is_long(double operations) { return operations > operations_at_once; }
 
-// c += factor * a * b.
-template <class A, class B>
-void add_product(Eigen::Ref<Eigen::MatrixXd> c, const A& a, const B& b, double factor = 1) {
-  const double inner = 2.0 * static_cast<double>(a.cols());
-  if (!is_long(inner * static_cast<double>(c.size()))) {
-    c.noalias() += factor * (a * b);
-    return;
+// A matrix in memory, or the transpose of one. Products are compiled for these alone, as every kind takes seconds.
+class Operand {
+ public:
+  template <class Derived>
+  Operand(const Eigen::MatrixBase<Derived>& matrix)
+      : data_(matrix.derived().data()),
+        rows_(matrix.rows()),
+        cols_(matrix.cols()),
+        stride_(matrix.derived().outerStride()),
+        is_transposed_(Derived::IsRowMajor) {
+    static_assert(Derived::InnerStrideAtCompileTime == 1 && !Derived::IsVectorAtCompileTime);
   }
-  constexpr Eigen::Index width = 512;
-  const Eigen::Index height = std::max<Eigen::Index>(64, static_cast<Eigen::Index>(operations_at_once / inner) / width);
-  for (Eigen::Index j = 0; j < c.cols(); j += width) {
-    const Eigen::Index columns = std::min(width, c.cols() - j);
-    for (Eigen::Index i = 0; i < c.rows(); i += height) {
-      const Eigen::Index rows = std::min(height, c.rows() - i);
-      check_cancelled();
-      c.block(i, j, rows, columns).noalias() += factor * (a.middleRows(i, rows) * b.middleCols(j, columns));
+
+  Eigen::Index rows() const { return rows_; }
+  Eigen::Index cols() const { return cols_; }
+  Operand middle_rows(Eigen::Index first, Eigen::Index count) const {
+    return {data_ + first * (is_transposed_ ? stride_ : 1), count, cols_, stride_, is_transposed_};
+  }
+  Operand transpose() const { return {data_, cols_, rows_, stride_, !is_transposed_}; }
+
+  // visit(matrix), an expression of Eigen's.
+  template <class Visit>
+  void as_matrix(const Visit& visit) const {
+    using Stored = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+    if (is_transposed_) {
+      visit(Stored(data_, cols_, rows_, Eigen::OuterStride<>(stride_)).transpose());
+    } else {
+      visit(Stored(data_, rows_, cols_, Eigen::OuterStride<>(stride_)));
     }
   }
-}
+
+ private:
+  Operand(const double* data, Eigen::Index rows, Eigen::Index cols, Eigen::Index stride, bool is_transposed)
+      : data_(data), rows_(rows), cols_(cols), stride_(stride), is_transposed_(is_transposed) {}
+
+  const double* data_;
+  Eigen::Index rows_, cols_, stride_;
+  bool is_transposed_;
+};
+
+// c += factor * a * b.
+void add_product(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, const Operand& b, double factor = 1);
 
 // The lower triangle of c += factor * a * a^T.
-template <class A>
-void add_square(Eigen::Ref<Eigen::MatrixXd> c, const A& a, double factor = 1) {
-  const auto n = static_cast<double>(c.rows());
-  if (!is_long(n * n * static_cast<double>(a.cols()))) {
-    c.selfadjointView<Eigen::Lower>().rankUpdate(a, factor);
-    return;
-  }
-  constexpr Eigen::Index width = 256;
-  for (Eigen::Index j = 0; j < c.rows(); j += width) {
-    const Eigen::Index columns = std::min(width, c.rows() - j), below = c.rows() - j - columns;
-    check_cancelled();
-    c.block(j, j, columns, columns)
-        .template selfadjointView<Eigen::Lower>()
-        .rankUpdate(a.middleRows(j, columns), factor);
-    add_product(c.bottomRows(below).middleCols(j, columns), a.bottomRows(below), a.middleRows(j, columns).transpose(),
-                factor);
-  }
-}
+void add_square(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, double factor = 1);
 
 // x <- L^-1 x, x <- L^-T x and x <- x L^-T, of the lower triangle of a matrix.
 void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);

@@ -1,6 +1,5 @@
 #include "linalg/least_change.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "cancellation.hpp"
+#include "linalg/least_squares.hpp"
 #include "linalg/minimum_norm.hpp"
 
 namespace bempd::linalg {
@@ -32,19 +32,16 @@ class MinimumNormSolver {
 // Complete orthogonal decomposition, for a few equations that may be close to dependent.
 class DenseSolver final : public MinimumNormSolver {
  public:
-  explicit DenseSolver(const Sparse& b) {
-    rows_.setThreshold(1e-13);
-    columns_.setThreshold(1e-13);
-    rows_.compute(Eigen::MatrixXd(b));
-    columns_.compute(Eigen::MatrixXd(b.transpose()));
-  }
+  explicit DenseSolver(const Sparse& b)
+      : rows_(Eigen::MatrixXd(b), dependent), columns_(Eigen::MatrixXd(b.transpose()), dependent) {}
   Step solve(VectorXd r) const override {
     const VectorXd change = rows_.solve(r);
     return {columns_.solve(change), change};
   }
 
  private:
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rows_, columns_;
+  static constexpr double dependent = 1e-13;
+  LeastSquares rows_, columns_;
 };
 
 class SparseSolver final : public MinimumNormSolver {

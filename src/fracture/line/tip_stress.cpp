@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "linalg/least_squares.hpp"
+
 namespace bempd::fracture {
 
 namespace {
@@ -180,7 +182,7 @@ TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const c
     found.near = {opening * root / near_opening, shear * root / near_shear};
   }
   // The second term has no shear of its own: the decomposition leaves it out.
-  const Parts amplitudes = normal.completeOrthogonalDecomposition().solve(right);
+  const Parts amplitudes = linalg::LeastSquares(normal).solve(right);
   const double root = std::sqrt(2 * std::numbers::pi * law.horizon);
   found.fitted = {amplitudes.row(0) * root, -amplitudes.row(1) * root};
   return found;

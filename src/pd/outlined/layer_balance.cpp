@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "cancellation.hpp"
-#include "linalg/disjoint_sets.hpp"
 #include "linalg/profile_cholesky.hpp"
 #include "parallel.hpp"
 
@@ -20,62 +19,47 @@ using linalg::ProfileCholesky;
 
 constexpr double balanced = 1e-14;  // for values and equations of order one
 
-// Free bonds that share no point with others, and their points.
-struct Part {
-  std::vector<int> bonds, points;
+// Of every point, and how much each of the even ones weighs; no weights, no even moments.
+struct Missing {
+  std::vector<Vector4d> odd, even;
+  std::vector<double> evenness;
 };
-
-struct Parts {
-  std::vector<Part> parts;
-  std::vector<int> number;  // of every point in its part
-};
-
-Parts parts_of(const OutlinedBonds& bonds, std::size_t point_count) {
-  linalg::DisjointSets sets(static_cast<int>(point_count));
-  for (const OutlinedBond& b : bonds.bonds)
-    if (b.free) sets.join(b.first, b.second);
-  Parts found;
-  found.number.assign(point_count, -1);
-  std::vector<int> part_of(point_count, -1);
-  for (std::size_t b = 0; b < bonds.bonds.size(); ++b) {
-    const OutlinedBond& bond = bonds.bonds[b];
-    if (!bond.free) continue;
-    int& part = part_of[sets.find(bond.first)];
-    if (part < 0) {
-      part = static_cast<int>(found.parts.size());
-      found.parts.emplace_back();
-    }
-    Part& own = found.parts[part];
-    own.bonds.push_back(static_cast<int>(b));
-    for (const int point : {bond.first, bond.second}) {
-      if (found.number[point] >= 0) continue;
-      found.number[point] = static_cast<int>(own.points.size());
-      own.points.push_back(point);
-    }
-  }
-  return found;
-}
 
 // Primal-dual active sets (Hintermueller, Ito, Kunisch 2002) as in linalg::solve_long_least_change(), with the normal
 // equations in an order in which points along the outline come one after the other.
 class PartBalance {
  public:
-  PartBalance(const OutlinedBonds& all, const Part& part, const std::vector<int>& number,
-              const std::vector<Vector4d>& missing, double lower)
-      : lower_(lower) {
+  PartBalance(const OutlinedBonds& all, const LayerParts::Part& part, const std::vector<int>& number,
+              const Missing& missing, double lower)
+      : lower_(lower), groups_(missing.evenness.empty() ? 1 : 2) {
     bonds_.reserve(part.bonds.size());
     for (const int b : part.bonds) {
       const OutlinedBond& bond = all.bonds[b];
       const BondOffset& offset = all.offsets[bond.offset];
-      bonds_.push_back({number[bond.first], number[bond.second], offset.bulk_stiffness * offset.moment,
-                        bond.stiffness / offset.bulk_stiffness, 0.0, false});
+      bonds_.push_back({number[bond.first],
+                        number[bond.second],
+                        offset.bulk_stiffness * offset.moment,
+                        {Vector4d::Zero(), Vector4d::Zero()},
+                        bond.stiffness / offset.bulk_stiffness,
+                        0.0,
+                        false});
+      if (groups_ == 1) continue;
+      const Vector4d even = offset.bulk_stiffness * even_moment(offset);
+      if (missing.evenness[bond.first] > 0) bonds_.back().even[0] = even;
+      if (missing.evenness[bond.second] > 0) bonds_.back().even[1] = even;
     }
     const std::vector<int> order = order_of(part.points.size());
     std::vector<int> place(order.size()), first(order.size());
-    target_.resize(4 * static_cast<Eigen::Index>(order.size()));
+    target_.resize(size_of(order.size()));
+    slack_ = VectorXd::Zero(target_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
+      const int point = part.points[order[k]];
       place[order[k]] = first[k] = static_cast<int>(k);
-      target_.segment<4>(4 * static_cast<Eigen::Index>(k)) = missing[part.points[order[k]]];
+      target_.segment<4>(row(static_cast<int>(k), 0)) = missing.odd[point];
+      if (groups_ == 1) continue;
+      const double weight = missing.evenness[point];
+      target_.segment<4>(row(static_cast<int>(k), 1)) = weight > 0 ? missing.even[point] : Vector4d::Zero();
+      slack_.segment<4>(row(static_cast<int>(k), 1)).setConstant(weight > 0 ? 1 / weight : 1);
     }
     for (Bond& b : bonds_) {
       b.first = place[b.first], b.second = place[b.second];
@@ -83,7 +67,9 @@ class PartBalance {
       earliest = std::min({earliest, b.first, b.second});
       add_moment(b, b.start, target_);
     }
-    normal_ = std::make_unique<ProfileCholesky>(first);
+    std::vector<int> first_group;
+    for (const int f : first) first_group.insert(first_group.end(), static_cast<std::size_t>(groups_), groups_ * f);
+    normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
   // Mostly the first digits of the multipliers tell which values are held at the bound.
@@ -114,17 +100,42 @@ class PartBalance {
   struct Bond {
     int first, second;
     Vector4d moment;      // of the kernel's stiffness
+    Vector4d even[2];     // what it adds to the even moments of either end
     double start, value;  // over the kernel's
     bool held;
   };
 
-  static void add_moment(const Bond& b, double value, VectorXd& sum) {
-    sum.segment<4>(4 * static_cast<Eigen::Index>(b.first)) += value * b.moment;
-    sum.segment<4>(4 * static_cast<Eigen::Index>(b.second)) -= value * b.moment;
+  Eigen::Index size_of(std::size_t points) const { return 4 * groups_ * static_cast<Eigen::Index>(points); }
+  Eigen::Index row(int place, int group) const { return 4 * (groups_ * static_cast<Eigen::Index>(place) + group); }
+
+  void add_moment(const Bond& b, double value, VectorXd& sum) const {
+    sum.segment<4>(row(b.first, 0)) += value * b.moment;
+    sum.segment<4>(row(b.second, 0)) -= value * b.moment;
+    if (groups_ == 1) return;
+    sum.segment<4>(row(b.first, 1)) += value * b.even[0];
+    sum.segment<4>(row(b.second, 1)) += value * b.even[1];
   }
-  static double pull(const Bond& b, const VectorXd& lambda) {
-    return b.moment.dot(lambda.segment<4>(4 * static_cast<Eigen::Index>(b.first)) -
-                        lambda.segment<4>(4 * static_cast<Eigen::Index>(b.second)));
+  double pull(const Bond& b, const VectorXd& lambda) const {
+    const double odd = b.moment.dot(lambda.segment<4>(row(b.first, 0)) - lambda.segment<4>(row(b.second, 0)));
+    if (groups_ == 1) return odd;
+    return odd + b.even[0].dot(lambda.segment<4>(row(b.first, 1))) + b.even[1].dot(lambda.segment<4>(row(b.second, 1)));
+  }
+  void add_square(const Bond& b) {
+    const Eigen::Matrix4d square = b.moment * b.moment.transpose();
+    const int low = std::min(b.first, b.second), high = std::max(b.first, b.second);
+    normal_->at(groups_ * b.first, groups_ * b.first) += square;
+    normal_->at(groups_ * b.second, groups_ * b.second) += square;
+    normal_->at(groups_ * high, groups_ * low) -= square;
+    if (groups_ == 1) return;
+    const Vector4d &of_low = b.even[low == b.first ? 0 : 1], &of_high = b.even[low == b.first ? 1 : 0];
+    const Vector4d odd = low == b.first ? b.moment : Vector4d(-b.moment);
+    normal_->at(2 * low + 1, 2 * low) += of_low * odd.transpose();
+    normal_->at(2 * low + 1, 2 * low + 1) += of_low * of_low.transpose();
+    normal_->at(2 * high, 2 * low + 1) -= odd * of_low.transpose();
+    normal_->at(2 * high + 1, 2 * low) += of_high * odd.transpose();
+    normal_->at(2 * high + 1, 2 * low + 1) += of_high * of_low.transpose();
+    normal_->at(2 * high + 1, 2 * high) -= of_high * odd.transpose();
+    normal_->at(2 * high + 1, 2 * high + 1) += of_high * of_high.transpose();
   }
 
   std::vector<int> order_of(std::size_t count) const {
@@ -143,13 +154,10 @@ class PartBalance {
   bool factorize() {
     for (double shift = 3e-17; shift < 1e-11; shift *= 10) {
       normal_->clear();
-      for (const Bond& b : bonds_) {
-        if (b.held) continue;
-        const Eigen::Matrix4d square = b.moment * b.moment.transpose();
-        normal_->at(b.first, b.first) += square;
-        normal_->at(b.second, b.second) += square;
-        normal_->at(std::max(b.first, b.second), std::min(b.first, b.second)) -= square;
-      }
+      for (const Bond& b : bonds_)
+        if (!b.held) add_square(b);
+      for (int k = 1; groups_ == 2 && row(k / 2, 1) < slack_.size(); k += 2)
+        normal_->at(k, k) += slack_.segment<4>(row(k / 2, 1)).asDiagonal();
       if (normal_->factorize(shift * normal_->largest_diagonal())) return true;
     }
     return false;
@@ -167,6 +175,7 @@ class PartBalance {
     for (int round = 0; round <= most_rounds; ++round) {
       VectorXd r = target_;
       for (const Bond& b : bonds_) add_moment(b, -b.value, r);
+      if (groups_ == 2) r -= slack_.cwiseProduct(lambda_);
       left = r.lpNorm<Eigen::Infinity>();
       if (round == most_rounds || left <= balanced || left > 0.5 * before) break;
       before = left;
@@ -200,6 +209,7 @@ class PartBalance {
     VectorXd q = VectorXd::Zero(target_.size());
     for (const Bond& b : bonds_)
       if (!b.held) add_moment(b, pull(b, p), q);
+    if (groups_ == 2) q += slack_.cwiseProduct(p);
     return q;
   }
   // F^-1 with the factor F, and F^-1 N F^-1 once what is missing is so small that its rounding in the kernel of N would
@@ -235,20 +245,24 @@ class PartBalance {
   }
 
   double lower_;
+  int groups_;  // of four equations a point: odd moments, and even ones up to a slack
   std::vector<Bond> bonds_;
-  VectorXd target_, lambda_;
+  VectorXd target_, lambda_, slack_;
   std::unique_ptr<ProfileCholesky> normal_;
   bool is_rough_ = true;
 };
 
 }  // namespace
 
-bool balance_layer(const std::vector<Point>& surface, double lower, int threads, OutlinedBonds& bonds) {
-  const std::vector<Vector4d> missing = missing_moments(surface, bonds);
-  const Parts all = parts_of(bonds, surface.size());
+bool balance_layer(const std::vector<Point>& surface, const std::vector<double>& evenness, double lower, int threads,
+                   OutlinedBonds& bonds) {
+  const Missing missing{missing_moments(surface, bonds),
+                        evenness.empty() ? std::vector<Vector4d>() : missing_even_moments(surface.size(), bonds),
+                        evenness};
+  const LayerParts all = parts_of_layer(bonds, surface.size());
   std::vector<char> done(all.parts.size(), 0);
   parallel_for(all.parts.size(), threads, [&](std::size_t p) {
-    const Part& part = all.parts[p];
+    const LayerParts::Part& part = all.parts[p];
     PartBalance balance(bonds, part, all.number, missing, lower);
     if (!balance.solve()) return;
     done[p] = 1;

@@ -5,8 +5,10 @@
 namespace bempd::pd {
 
 // Changes the stiffnesses of free bonds by the least sum of squares, relative to the kernel's, so that their points
-// lack nothing, with none below `lower` of the kernel's. `surface`: outward vectors of points. False if that was not
+// lack nothing, with none below `lower` of the kernel's. `surface`: outward vectors of points. `evenness`, empty or of
+// every point: what the squares of its missing even moments weigh beside those of the changes. False if that was not
 // found.
-bool balance_layer(const std::vector<Point>& surface, double lower, int threads, OutlinedBonds& bonds);
+bool balance_layer(const std::vector<Point>& surface, const std::vector<double>& evenness, double lower, int threads,
+                   OutlinedBonds& bonds);
 
 }  // namespace bempd::pd

@@ -76,8 +76,18 @@ std::vector<Layer> layers_for(const Attempt& attempt, int horizon_ratio) {
   return {{attempt.free_depth, layer_depth(attempt, horizon_ratio), reach}, {attempt.free_depth, HUGE_VAL, HUGE_VAL}};
 }
 
+// Even moments of points at corners do not vanish.
+std::vector<double> evenness_of(const Chords& chords, std::size_t point_count, OutlineBalance balance) {
+  if (balance == OutlineBalance::constant_stress) return {};
+  constexpr double weight = 100, smooth = 40 * std::numbers::pi / 180;
+  std::vector<double> evenness(point_count, weight);
+  for (int i = 0; i < chords.count(); ++i)
+    if (std::abs(chords.angle(i) - std::numbers::pi) > smooth) evenness[i] = 0;
+  return evenness;
+}
+
 OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace place, int horizon_ratio,
-                     const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
+                     const PlaneElasticity& elasticity, int threads, OutlineBalance balance, const BondKernel& kernel) {
   place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
   const OutlinedPoints points(chords, place, attempt.gap, 1 + layer_depth(attempt, horizon_ratio));
   OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords), {}, {}};
@@ -86,10 +96,11 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
   std::vector<Point> surface(body.points.size(), Point::Zero());
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
   OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
+  const std::vector<double> evenness = evenness_of(chords, body.points.size(), balance);
   for (const Layer& layer : layers_for(attempt, horizon_ratio)) {
     mark_layer(points, layer, bonds);
     share_by_area(body.areas, bonds);
-    if (balance_layer(surface, smallest_outlined_ratio, threads, bonds)) break;
+    if (balance_layer(surface, evenness, smallest_outlined_ratio, threads, bonds)) break;
   }
   body.network = finish_outlined(surface, std::move(bonds), elasticity);
   return body;
@@ -98,11 +109,12 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
 }  // namespace
 
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
-                                 const PlaneElasticity& elasticity, int threads, const BondKernel& kernel) {
+                                 const PlaneElasticity& elasticity, int threads, OutlineBalance balance,
+                                 const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   std::optional<OutlinedBody> best;
   for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed)) {
-    OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, kernel);
+    OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, balance, kernel);
     if (body.is_exact()) return body;
     if (!best || body.network.max_residual < best->network.max_residual) best = std::move(body);
   }

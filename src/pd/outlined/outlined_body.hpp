@@ -4,6 +4,7 @@
 
 #include "pd/network.hpp"
 #include "pd/outlined/filling_cells.hpp"
+#include "pd/outlined/outline_balance.hpp"
 
 namespace bempd::pd {
 
@@ -28,6 +29,7 @@ struct OutlinedBody {
 // these; the result is that of the best try. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
+                                 OutlineBalance balance = OutlineBalance::constant_stress,
                                  const BondKernel& kernel = quartic_kernel());
 
 // A corner at which positive bonds cannot carry the surface vector: those of a corner of the angle alpha <= 180 degrees

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cancellation.hpp"
+#include "linalg/disjoint_sets.hpp"
 
 namespace bempd::pd {
 
@@ -171,6 +172,48 @@ std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, 
     missing[b.second] += moment;
   }
   return missing;
+}
+
+Eigen::Vector4d even_moment(const BondOffset& offset) {
+  const double c = offset.direction.x(), s = offset.direction.y(), square = offset.length * offset.length;
+  const double cos2 = c * c - s * s, sin2 = 2 * c * s;
+  return square * Eigen::Vector4d(cos2, sin2, cos2 * cos2 - sin2 * sin2, 2 * cos2 * sin2);
+}
+
+std::vector<Eigen::Vector4d> missing_even_moments(std::size_t point_count, const OutlinedBonds& bonds) {
+  std::vector<Eigen::Vector4d> missing(point_count, Eigen::Vector4d::Zero());
+  for (const OutlinedBond& b : bonds.bonds) {
+    const Eigen::Vector4d moment = b.stiffness * even_moment(bonds.offsets[b.offset]);
+    missing[b.first] -= moment;
+    missing[b.second] -= moment;
+  }
+  return missing;
+}
+
+LayerParts parts_of_layer(const OutlinedBonds& bonds, std::size_t point_count) {
+  linalg::DisjointSets sets(static_cast<int>(point_count));
+  for (const OutlinedBond& b : bonds.bonds)
+    if (b.free) sets.join(b.first, b.second);
+  LayerParts found;
+  found.number.assign(point_count, -1);
+  std::vector<int> part_of(point_count, -1);
+  for (std::size_t b = 0; b < bonds.bonds.size(); ++b) {
+    const OutlinedBond& bond = bonds.bonds[b];
+    if (!bond.free) continue;
+    int& part = part_of[sets.find(bond.first)];
+    if (part < 0) {
+      part = static_cast<int>(found.parts.size());
+      found.parts.emplace_back();
+    }
+    LayerParts::Part& own = found.parts[part];
+    own.bonds.push_back(static_cast<int>(b));
+    for (const int point : {bond.first, bond.second}) {
+      if (found.number[point] >= 0) continue;
+      found.number[point] = static_cast<int>(own.points.size());
+      own.points.push_back(point);
+    }
+  }
+  return found;
 }
 
 }  // namespace bempd::pd

@@ -41,4 +41,22 @@ void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds);
 // For every point the four third moments 111, 112, 122, 222 that its bonds lack. `surface`: outward vectors of points.
 std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const OutlinedBonds& bonds);
 
+// Second and fourth harmonic of length^2 over the direction, real and imaginary part of each. Where the sums of k times
+// that vanish, and the points lack no third moments, stress that varies linearly without forces inside and on the
+// outline leaves no forces: a strain's gradient g does k L^2 / 2 e e e e : g on the point of the bond.
+Eigen::Vector4d even_moment(const BondOffset& offset);
+std::vector<Eigen::Vector4d> missing_even_moments(std::size_t point_count, const OutlinedBonds& bonds);
+
+// The free bonds of a layer by what hangs together.
+struct LayerParts {
+  // Free bonds that share no point with others, and their points.
+  struct Part {
+    std::vector<int> bonds, points;
+  };
+  std::vector<Part> parts;
+  std::vector<int> number;  // of every point in its part
+};
+
+LayerParts parts_of_layer(const OutlinedBonds& bonds, std::size_t point_count);
+
 }  // namespace bempd::pd

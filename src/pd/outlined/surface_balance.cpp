@@ -1,9 +1,10 @@
 #include "pd/outlined/surface_balance.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "linalg/least_squares.hpp"
 
 namespace bempd::pd {
 
@@ -55,11 +56,9 @@ class LoopBalance {
       if (chords_.kept[first_ + i]) equations.col(i).setZero();
     VectorXd wanted = VectorXd::Zero(rows);
     wanted.segment<3>(6) = -sums(factors);
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
-    solver.setThreshold(1e-12);
-    solver.compute(equations);
+    const linalg::LeastSquares solver(equations, 1e-12);
     VectorXd a = solver.solve(wanted);
-    a += solver.solve(VectorXd(wanted - equations * a));
+    a += solver.solve(wanted - equations * a);
     if ((equations * a - wanted).lpNorm<Eigen::Infinity>() > 1e-14 ||
         a.lpNorm<Eigen::Infinity>() > largest_factor_change)
       return false;

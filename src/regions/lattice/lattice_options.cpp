@@ -11,6 +11,16 @@ scene::OptionDescription in_radians(scene::OptionDescription option) {
   return option;
 }
 
+scene::OptionDescription outline_balance() {
+  return scene::text_option(
+      "pd.outline_balance",
+      "What bonds near outlines carry in peridynamic regions with points on them that are added from now on: "
+      "constant, constant stress exactly; linear, that and, nearly, stress that varies linearly, so that bonds "
+      "along "
+      "a round hole are stretched as its stress says, within 5 % from radii of five spacings on.",
+      "constant | linear", "constant");
+}
+
 const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
@@ -20,6 +30,7 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
           "Where peridynamic regions that are added from now on have points on their outline instead of lattice rows: "
           "slanted, where an edge is round or not parallel to the axes; always.",
           "slanted | always", "slanted"),
+      outline_balance(),
       in_radians(
           scene::number_option("pd.lattice_angle",
                                "Angle between the rows of the lattice and the x axis in peridynamic regions that "

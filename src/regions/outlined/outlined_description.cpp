@@ -57,6 +57,7 @@ std::optional<scene::NodeGrid> OutlinedDescription::node_grid() const {
 
 void OutlinedDescription::identify(Hash& hash) const {
   LatticeDescription::identify(hash);
+  if (choice_.balance != pd::OutlineBalance::constant_stress && !on_rows_) hash.add(2);
   if (choice_.is_plain()) return;
   hash.add(choice_.on_outline ? 1 : 0);
   hash.add(choice_.angle);

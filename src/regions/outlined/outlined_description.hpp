@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pd/outlined/outline_balance.hpp"
 #include "regions/lattice/lattice_description.hpp"
 
 namespace bempd::regions {
@@ -8,6 +9,8 @@ namespace bempd::regions {
 struct PointChoice {
   bool on_outline = false;  // points on the outline even where it is one of lattice rows
   double angle = 0;         // of the lattice's rows [rad]
+  // What bonds near an outline with points on it are made for.
+  pd::OutlineBalance balance = pd::OutlineBalance::constant_stress;
 
   bool is_plain() const { return !on_outline && angle == 0; }
 };

@@ -153,7 +153,8 @@ void OutlinedRegion::build(const Preparation& preparation, Contributions& contri
   const std::vector<char> is_shared = shared_points(preparation);
   const pd::Chords chords = body_.chords;
   const int threads = preparation.options.whole_number("threads");
-  body_ = pd::build_outlined_body(chords, place_of_lattice(preparation), horizon_ratio(), elasticity(), threads);
+  body_ = pd::build_outlined_body(chords, place_of_lattice(preparation), horizon_ratio(), elasticity(), threads,
+                                  choice_.balance);
   require(body_.is_exact(), "region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
           horizon_ratio(), " and spacing ", spacing(),
           " was found: corners below 65 degrees, parts less than three spacings wide and edges shorter than a spacing "

@@ -1,8 +1,8 @@
 // Squares of cells in bodies with any outline, by which they have any Poisson's ratio.
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
+#include "linalg/least_squares.hpp"
 #include "pd/deformation.hpp"
 #include "regions/lattice/lattice_swelling.hpp"
 #include "regions/outlined/outlined_region.hpp"
@@ -98,7 +98,7 @@ void OutlinedRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms&
       given.row(k) = strains[at[k]];
     }
     if (given.isZero(0)) continue;
-    const Eigen::MatrixXd strain = linear.colPivHouseholderQr().solve(given);
+    const Eigen::MatrixXd strain = linalg::LeastSquares(linear).solve(given);
     int term = bonds_.squares[p];
     for (const pd::StencilSquare& square : pd::squares_of(stencils_, p, elasticity())) {
       Eigen::RowVector2d rest = Eigen::RowVector2d::Zero();

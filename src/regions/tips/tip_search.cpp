@@ -1,6 +1,5 @@
 #include "regions/tips/tip_search.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "geometry/segment.hpp"
+#include "linalg/symmetric_modes.hpp"
 
 namespace bempd::regions {
 
@@ -113,8 +113,7 @@ void fit_end(TipAxes& axes, double part) {
   middle /= static_cast<double>(last.size());
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Point& p : last) spread += (p - middle) * (p - middle).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(spread);
-  Point along = modes.eigenvectors().col(1);
+  Point along = linalg::symmetric_modes(spread).vectors.col(1);
   if (along.dot(end - last.front()) < 0) along = -along;
   axes.direction = along;
   axes.place = middle + along.dot(end - middle) * along;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+namespace bempd::linalg {
+
+// Dense equations, solved in the sense of least squares by a complete orthogonal decomposition; of several solutions
+// the shortest. One size for all, as each takes seconds to compile.
+class LeastSquares {
+ public:
+  explicit LeastSquares(const Eigen::MatrixXd& equations);
+  // What lies below the threshold, relative to the largest pivot, counts as zero.
+  LeastSquares(const Eigen::MatrixXd& equations, double threshold);
+  ~LeastSquares();
+
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& wanted) const;
+
+ private:
+  struct Decomposition;
+  std::unique_ptr<Decomposition> own_;
+};
+
+}  // namespace bempd::linalg
