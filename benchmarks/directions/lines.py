@@ -194,7 +194,7 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
     for job, r in sorted((item for item in found.items() if item[0][0] == "inclined"), key=lambda item: item[0][1:4]):
         if job[1] > 0:
             inclines.append(f"| {job[1]:g} | {job[3]:g} | {job[2]} | {r['first']:.2f} | {100 * r['early']:.0f} % | {100 * r['steady']:.0f} % |"
-                            f" {r['off']:.1f} | {r['degrees']:.1f} | {r['energy']:.2f} |")
+                            f" {r['off']:.1f} | {abs(r['degrees']):.1f} | {r['energy']:.2f} |")
     births = ["| strip without a crack | lattice | m | first load factor | begins at (x, y) | its way off by [deg] | in two pieces |",
               "|---|---|---|---|---|---|---|"]
     for job, r in sorted(found.items(), key=lambda item: str(item[0])):

@@ -1,5 +1,6 @@
 #include "coupling/condensation.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "cancellation.hpp"
@@ -94,6 +95,7 @@ Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine
   system_.cholesky.solve_backward_at(places, unknowns, static_cast<int>(kept.rows()));
   Affine all = system_.prescribed;
   const std::vector<int>& order = system_.cholesky.elimination_order();
+  for (const int dof : system_.dof_of) all(dof, 1) = std::numeric_limits<double>::quiet_NaN();
   for (const int place : places) all(system_.dof_of[order[place]], 1) = unknowns(0, place);
   return all;
 }

@@ -41,7 +41,7 @@ class Condensation {
   // Adds the displacements of nodes without bonds.
   void recover(Affine& displacement) const;
 
-  // Displacements of all nodes; or of these at least.
+  // Displacements of all nodes; or of these at least, where others may be no numbers.
   Affine displacement(const Affine& kept) const;
   Affine displacement_at(const std::vector<int>& nodes, const Affine& kept) const;
 

@@ -100,7 +100,11 @@ Outcome LineEvents::perform() {
     tips.push_back({birth_->middle + half, birth_->direction, birth_->law, {}});
     tips.push_back({birth_->middle - half, -birth_->direction, birth_->law, {}});
   }
-  if (step_) steps_.take(*step_, event_.ratio, outcome.released_energy, tips);
+  if (step_) {
+    const BodyState& state = body_.state();
+    LineSteps::move(*step_, tips);
+    steps_.remember(*step_, event_.ratio, outcome.released_energy, state.displacement, state.load_factor, tips);
+  }
   return outcome;
 }
 

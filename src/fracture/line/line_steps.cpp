@@ -39,6 +39,9 @@ double side(const Point& a, const Point& b, const Point& c) { return cross(b - a
 // A tip that has run into a face keeps its law as the number before -1 that stands for it.
 int ended(int law) { return -1 - law; }
 
+// Its other tip lies closely behind it at first, which the fitted series does not know.
+bool has_begun(const pd::TipLaw& law) { return law.crack == 0; }
+
 // Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
 constexpr int stations = 10;
 constexpr double beside = 1, least_cosine = 0.8;
@@ -108,20 +111,21 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
                                         const coupling::Affine& displacement, double present) const {
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
-  const TipIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
+  const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
+  const AffineIntensity turning =
+      has_begun(law) ? stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack)) : intensity;
   LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
   // Without constant loads the kink does not depend on the load factor.
-  const bool proportional = intensity.near.one[0] == 0 && intensity.near.two[0] == 0;
+  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
   double load_factor = proportional || present <= 0 ? 1 : present;
   for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
     const Eigen::Vector2d at(1, load_factor);
-    const double kink = kink_of({intensity.near.one.dot(at), intensity.near.two.dot(at)}).angle;
-    const double fitted = kink_of({intensity.fitted.one.dot(at), intensity.fitted.two.dot(at)}).angle;
+    const double kink = kink_of({intensity.one.dot(at), intensity.two.dot(at)}).angle;
+    const double turn = kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
     const auto share = [&](int part) {
-      return hoop_factor({intensity.fitted.one[part], intensity.fitted.two[part]}, fitted) * correction(tip) /
-             law.toughness;
+      return hoop_factor({intensity.one[part], intensity.two[part]}, kink) * correction(tip) / law.toughness;
     };
-    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, kink);
+    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, turn);
     if (!(step.growing > 0)) return std::nullopt;
     load_factor = (1 - step.constant) / step.growing;
   }
@@ -157,24 +161,42 @@ std::optional<LineStep> LineSteps::first(const std::vector<GrowingTip>& tips, co
   return found;
 }
 
-void LineSteps::take(const LineStep& step, double ratio, double released_energy, std::vector<GrowingTip>& tips) const {
+double LineSteps::hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
+  const pd::TipLaw& law = law_of(tip);
+  const Eigen::Vector2d at(1, load_factor);
+  const AffineIntensity found = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
+  return kink_of({found.one.dot(at), found.two.dot(at)}).equivalent_factor / law.toughness;
+}
+
+void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) {
+  GrowingTip& tip = tips[step.tip];
+  tip.place += step.length * step.direction;
+  tip.direction = step.direction;
+}
+
+void LineSteps::remember(const LineStep& step, double ratio, double released_energy,
+                         const coupling::Affine& displacement, double load_factor,
+                         std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = law_of(tip);
   // The ratio of the event holds the correction that was made; what is remembered must not.
-  const double expected_ratio = ratio / correction(tip);
-  const double expected = law.toughness * law.toughness / law.modulus * expected_ratio * expected_ratio * law.thickness;
-  const double released = released_energy / (expected * step.length);
-  tip.energy_ratios.push_back(std::clamp(released, least_ratio, largest_ratio));
+  const double before = ratio / correction(tip);
+  // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
+  // is expected is the mean of the rates at both ends of the step.
+  const double after = step.arrives ? before : std::max(hoop_ratio(tip, displacement, load_factor), 0.0);
+  const double rate = law.toughness * law.toughness / law.modulus * (before * before + after * after) / 2;
+  const double released = released_energy / (rate * law.thickness * step.length);
+  // The first step releases more or less by where among the points the crack was described to end.
+  const bool is_first = tip.energy_ratios.empty();
+  tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
-  tip.place += step.length * step.direction;
-  tip.direction = step.direction;
   if (step.arrives) tip.law = ended(tip.law);
 }
 
 std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) const {
   std::vector<int> nodes;
   for (const GrowingTip& tip : tips)
-    if (!has_ended(tip)) stress_.add_nodes_asked(tip, law_of(tip), nodes);
+    if (!has_ended(tip)) stress_.add_nodes_asked(tip, law_of(tip), has_begun(law_of(tip)), nodes);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;

@@ -37,10 +37,13 @@ class LineSteps {
   // The first of all tips', marking those that have one.
   std::optional<LineStep> first(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                                 double load_factor, std::vector<char>& growing) const;
-  // After an event with this ratio that released this energy.
-  void take(const LineStep& step, double ratio, double released_energy, std::vector<GrowingTip>& tips) const;
+  // The tip moves. Then, of an event with this ratio that released this energy and has led to these displacements:
+  // the tip remembers it, or ends.
+  static void move(const LineStep& step, std::vector<GrowingTip>& tips);
+  void remember(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
+                double load_factor, std::vector<GrowingTip>& tips) const;
 
-  // Nodes whose displacements decide on the steps of these tips, each once.
+  // Nodes whose displacements are asked for where these tips are, each once.
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
   static bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
 
@@ -56,6 +59,8 @@ class LineSteps {
 
  private:
   std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
+  // Largest hoop intensity over the toughness.
+  double hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
   void find_bonds(const Point& place, const pd::TipLaw& law, LineStep& step) const;
 
   LoadedBody& body_;

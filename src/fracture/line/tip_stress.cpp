@@ -1,6 +1,7 @@
 #include "fracture/line/tip_stress.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,14 +11,19 @@ namespace bempd::fracture {
 
 namespace {
 
-// Measured on lattices in the field of stress intensity factors, for horizons of 3 and 4 spacings and any angle of the
-// rows within 1 % (docs/directions.md): means of the stress within the reach and the cone, times the root of the reach.
+// Where the first terms of Williams' series are fitted, and how many, in horizons: with three terms, or farther out,
+// the load at which an inclined crack first grows comes out too small. Nearer than a horizon the lattice smears the
+// singular stress, by a few percent; what a surface within three horizons of the tip does to the field is more than
+// that, so that points are taken the nearer the tip the nearer it is to one (docs/directions.md).
+constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
+constexpr double inner_reach_beside = 0.5, outer_reach_beside = 1.25;
+constexpr double beside_surface = 1, away_from_surfaces = 3;
+
+// For cracks that have begun in the run: the mean of the stress closely ahead, over a factor measured on lattices in
+// the field of K, for horizons of 3 and 4 spacings and any angle of the rows within 1 % (docs/directions.md).
 constexpr double near_reach = 1.5, near_cosine = 0.5;  // in horizons
 constexpr double near_opening = 0.79, near_shear = 0.482;
 
-// Where the first terms of Williams' series are fitted, and how many: with three terms, or farther out, the load at
-// which an inclined crack first grows comes out too small (docs/directions.md).
-constexpr double inner_reach = 1, outer_reach = 2, fitted_cosine = 0;
 constexpr int fitted_terms = 5, amplitudes_fitted = 2 * fitted_terms;
 
 // Share of the sum of forces on a point from which on they do not balance.
@@ -81,7 +87,17 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
                                           terms.for_each_node(static_cast<std::size_t>(t),
                                                               [&](int node) { add(node, t); });
                                       })),
-      share_(shares_of_area(system.terms(), positions.size())) {}
+      share_(shares_of_area(system.terms(), positions.size())) {
+  for (std::size_t node = 0; node < positions.size(); ++node)
+    if (share_[node] < 1) outline_.push_back(positions[node]);
+}
+
+TipStress::Reach TipStress::reach_at(const Point& place, double horizon) const {
+  double nearest = away_from_surfaces * horizon;
+  for (const Point& point : outline_) nearest = std::min(nearest, (point - place).norm());
+  const double away = std::max(nearest / horizon - beside_surface, 0.0) / (away_from_surfaces - beside_surface);
+  return {std::lerp(inner_reach_beside, inner_reach, away), std::lerp(outer_reach_beside, outer_reach, away)};
+}
 
 Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
@@ -94,33 +110,35 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   return parts;
 }
 
+// Share of a point in what the pulls of a wide term of unit tension do, by their arms.
+Eigen::Vector3d TipStress::moment_about(int node, std::size_t wide, const Point& direction) const {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  int nodes = 0;
+  system_.terms().for_each_entry(wide, [&](int at, double x, double y) {
+    const Point pull(x, y), arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
+    const double along = pull.dot(direction), across = cross(direction, pull);
+    const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
+    moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);
+    ++nodes;
+  });
+  return moment / nodes;
+}
+
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
   Stress sum = Stress::Zero();
-  for_each_bond(node, [&](int bond) {
-    const auto b = static_cast<std::size_t>(bond);
-    const Point e(terms.cosine[b], terms.sine[b]);
+  for_each_term(node, [&](std::size_t t) {
+    if (terms.is_wide(t)) {
+      sum += moment_about(node, t, direction) * tension(t, displacement);
+      return;
+    }
+    const Point e(terms.cosine[t], terms.sine[t]);
     const double along = e.dot(direction), across = cross(direction, e);
     const Eigen::Vector3d dyad(along * along, across * across, along * across);
-    const Eigen::RowVector2d force = tension(b, displacement);
-    for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[b] / 2 * dyad;
+    const Eigen::RowVector2d force = tension(t, displacement);
+    for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[t] / 2 * dyad;
   });
-  for (const int t : wide_at_.of(node)) {
-    const auto wide = static_cast<std::size_t>(t);
-    if (!system_.intact()[wide]) continue;
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-    int nodes = 0;
-    terms.for_each_entry(wide, [&](int at, double x, double y) {
-      const Point pull(x, y),
-          arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
-      const double along = pull.dot(direction), across = cross(direction, pull);
-      const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
-      moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);
-      ++nodes;
-    });
-    sum += moment / nodes * tension(wide, displacement);
-  }
   return sum / (law.spacing * law.spacing * law.thickness * share_[static_cast<std::size_t>(node)]);
 }
 
@@ -136,56 +154,81 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
   return {-std::sin(angle), std::cos(angle)};
 }
 
-void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, std::vector<int>& nodes) const {
-  for (const int node : near_.about(tip.place, outer_reach * law.horizon)) {
-    nodes.push_back(node);
-    for_each_bond(node, [&](int bond) {
-      const auto b = static_cast<std::size_t>(bond);
-      const coupling::Terms& terms = system_.terms();
-      nodes.push_back(terms.first[b] == node ? terms.second[b] : terms.first[b]);
+std::vector<TipStress::Station> TipStress::stations_of_fit(const GrowingTip& tip, const pd::TipLaw& law) const {
+  const Reach reach = reach_at(tip.place, law.horizon);
+  return stations(tip, law, reach.outer, [&](const Station& s) {
+    return s.distance >= reach.inner && s.distance < reach.outer && s.ahead >= fitted_cosine * s.distance;
+  });
+}
+
+std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
+  return stations(tip, law, near_reach, [](const Station& s) {
+    return s.distance < near_reach && s.ahead >= near_cosine * s.distance;
+  });
+}
+
+// Points without bonds have no stress.
+template <class IsAsked>
+std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const pd::TipLaw& law, double reach,
+                                                    const IsAsked& is_asked) const {
+  std::vector<Station> found;
+  for (const int node : near_.about(tip.place, reach * law.horizon)) {
+    const Point step = (positions_[static_cast<std::size_t>(node)] - tip.place) / law.horizon;
+    const Station station{node, step.norm(), step.dot(tip.direction), cross(tip.direction, step)};
+    if (is_asked(station) && !bonds_at_.of(node).empty()) found.push_back(station);
+  }
+  return found;
+}
+
+void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead,
+                                std::vector<int>& nodes) const {
+  std::vector<Station> asked = stations_of_fit(tip, law);
+  if (closely_ahead) {
+    const std::vector<Station> near = stations_closely_ahead(tip, law);
+    asked.insert(asked.end(), near.begin(), near.end());
+  }
+  for (const Station& s : asked) {
+    for_each_term(s.node, [&](std::size_t term) {
+      system_.terms().for_each_node(term, [&](int node) { nodes.push_back(node); });
     });
-    for (const int wide : wide_at_.of(node))
-      system_.terms().for_each_node(static_cast<std::size_t>(wide), [&](int other) { nodes.push_back(other); });
   }
 }
 
-TipIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
-                           const Eigen::RowVector2d& pressure) const {
-  Eigen::RowVector2d opening(0, 0), shear(0, 0);
-  double total = 0;
+AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                              const Eigen::RowVector2d& pressure) const {
   using Square = Eigen::Matrix<double, amplitudes_fitted, amplitudes_fitted>;
   using Parts = Eigen::Matrix<double, amplitudes_fitted, 2>;
   Square normal = Square::Zero();
   Parts right = Parts::Zero();
-  for (const int number : near_.about(tip.place, outer_reach * law.horizon)) {
-    const auto node = static_cast<std::size_t>(number);
-    const Point step = (positions_[node] - tip.place) / law.horizon;
-    const double r = step.norm(), ahead = step.dot(tip.direction);
-    if (r >= outer_reach || ahead < fitted_cosine * r || bonds_at_.of(static_cast<int>(node)).empty()) continue;
-    Stress s = stress(static_cast<int>(node), tip.direction, law, displacement);
+  for (const auto& [node, r, ahead, across] : stations_of_fit(tip, law)) {
+    Stress s = stress(node, tip.direction, law, displacement);
     s.topRows<2>().rowwise() += pressure;
-    if (r < near_reach && ahead >= near_cosine * r) {
-      const double bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
-      opening += weight * s.row(1);
-      shear += weight * s.row(2);
-      total += weight;
-    }
-    if (r < inner_reach) continue;
-    const double across = cross(tip.direction, step);
     const Eigen::Matrix<double, 3, amplitudes_fitted> terms = williams_stress(r, std::atan2(across, ahead));
     normal += r * terms.transpose() * terms;
     right += r * terms.transpose() * s;
   }
-  TipIntensity found;
-  if (total > 0) {
-    const double root = std::sqrt(near_reach * law.horizon) / total;
-    found.near = {opening * root / near_opening, shear * root / near_shear};
-  }
   // The second term has no shear of its own: the decomposition leaves it out.
   const Parts amplitudes = linalg::LeastSquares(normal).solve(right);
   const double root = std::sqrt(2 * std::numbers::pi * law.horizon);
-  found.fitted = {amplitudes.row(0) * root, -amplitudes.row(1) * root};
-  return found;
+  return {amplitudes.row(0) * root, -amplitudes.row(1) * root};
+}
+
+AffineIntensity TipStress::closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law,
+                                            const coupling::Affine& displacement,
+                                            const Eigen::RowVector2d& pressure) const {
+  AffineIntensity sum;
+  double total = 0;
+  for (const Station& station : stations_closely_ahead(tip, law)) {
+    const double r = station.distance;
+    const Stress s = stress(station.node, tip.direction, law, displacement);
+    const double bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
+    sum.one += weight * (s.row(1) + pressure);
+    sum.two += weight * s.row(2);
+    total += weight;
+  }
+  if (total == 0) return sum;
+  const double root = std::sqrt(near_reach * law.horizon) / total;
+  return {sum.one * root / near_opening, sum.two * root / near_shear};
 }
 
 }  // namespace bempd::fracture

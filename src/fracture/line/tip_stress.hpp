@@ -16,11 +16,6 @@ struct AffineIntensity {
   Eigen::RowVector2d one{0, 0}, two{0, 0};
 };
 
-struct TipIntensity {
-  AffineIntensity near;    // from the mean stress closely ahead: what turns the crack
-  AffineIntensity fitted;  // from the stress further ahead: what drives it
-};
-
 // Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
 // either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
 // a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only, none
@@ -31,28 +26,49 @@ class TipStress {
 
   // `pressure`: in its crack, constant and proportional part. The body is looked at under that on all sides besides, by
   // which the crack's faces are free.
-  TipIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
-                  const Eigen::RowVector2d& pressure) const;
+  AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                     const Eigen::RowVector2d& pressure) const;
 
-  // Nodes on whose displacements that depends, some of them twice.
-  void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, std::vector<int>& nodes) const;
+  // By the mean stress closely ahead, which tells the ratio of both better where another tip lies closely behind.
+  AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                                   const Eigen::RowVector2d& pressure) const;
+
+  // Nodes on whose displacements the first of both depends, or both; some of them more than once.
+  void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
 
   // Unit vector across the largest principal stress where a bond is.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
-
-  // Bonds that are left at a node.
-  template <class Visit>
-  void for_each_bond(int node, const Visit& visit) const {
-    for (const int bond : bonds_at_.of(node))
-      if (system_.intact()[static_cast<std::size_t>(bond)]) visit(bond);
-  }
 
   const NearPoints& near() const { return near_; }
 
  private:
   using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
+  struct Reach {
+    double inner, outer;  // in horizons, of what is asked around a tip
+  };
 
+  // A point whose stress is asked.
+  struct Station {
+    int node;
+    double distance, ahead, across;  // of the tip, in horizons
+  };
+  std::vector<Station> stations_of_fit(const GrowingTip& tip, const pd::TipLaw& law) const;
+  std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
+  template <class IsAsked>
+  std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, double reach,
+                                const IsAsked& is_asked) const;
+
+  // Terms that are left at a node, on which its stress depends.
+  template <class Visit>
+  void for_each_term(int node, const Visit& visit) const {
+    for (const linalg::Adjacency* list : {&bonds_at_, &wide_at_})
+      for (const int term : list->of(node))
+        if (system_.intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
+  }
+
+  Reach reach_at(const Point& place, double horizon) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
+  Eigen::Vector3d moment_about(int node, std::size_t wide, const Point& direction) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
   const coupling::EquilibriumSystem& system_;
@@ -60,6 +76,7 @@ class TipStress {
   NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
   std::vector<double> share_;             // of a full point's area
+  std::vector<Point> outline_;            // points on it
 };
 
 }  // namespace bempd::fracture

@@ -136,9 +136,7 @@ void Lookahead::compute(const BodyState& state) {
   events_.clear();
   checks_.clear();
   position_ = balanced_events_ = 0;
-  tips_ = state.tips;
-  if (lines_)
-    away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_, positions_);
+  if (lines_) begin_steps(state);
   unbalanced_ = 0;
   foreseen_ = {window_->state()};
   std::optional<FacesAhead> ahead;
@@ -230,8 +228,7 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     return false;
   }
   if (step) {
-    foreseen.tips = last_tips();
-    lines_->take(*step, foreseen.event.ratio, foreseen.released, foreseen.tips);
+    take_step(*step, foreseen);
   } else {
     add_checks(from, foreseen.event);
   }
@@ -252,6 +249,7 @@ bool Lookahead::is_balanced() {
   balanced_events_ = count;
   if (share <= WindowSettings::negligible_residual) return true;
   window_->balance(force);
+  if (lines_) near_tips_ = displacement_near(last_tips());
   narrowing_.stop();
   foreseen_.back() = window_->state();
   return true;

@@ -96,7 +96,10 @@ class Lookahead {
   bool choose_breaks(double from, ForeseenEvent& foreseen) const;
   bool choose_place(const BodyState& state, double load_factor);
   bool choose_place_of_lines(const BodyState& state);
+  void begin_steps(const BodyState& state);
   std::optional<LineStep> choose_step(double from, ForeseenEvent& foreseen) const;
+  void take_step(const LineStep& step, ForeseenEvent& foreseen);
+  coupling::Affine displacement_near(const std::vector<GrowingTip>& tips) const;
   const std::vector<GrowingTip>& last_tips() const { return events_.empty() ? tips_ : events_.back().tips; }
   void narrow(double load_factor);
   int steps_as_foreseen() const;
@@ -129,6 +132,7 @@ class Lookahead {
   Options options_{};
   const LineSteps* lines_ = nullptr;
   std::vector<GrowingTip> tips_;  // in the state 0
+  coupling::Affine near_tips_;    // displacements in the state foreseen last, where its tips ask
 
   std::unique_ptr<coupling::Condensation> condensation_;
   std::unique_ptr<ActiveWindow> window_;

@@ -26,11 +26,20 @@ bool Lookahead::choose_place_of_lines(const BodyState& state) {
   return place_.choose(ways, options_.ahead);
 }
 
+void Lookahead::begin_steps(const BodyState& state) {
+  tips_ = state.tips;
+  near_tips_ = displacement_near(tips_);
+  away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_, positions_);
+}
+
+Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
+  return condensation_->displacement_at(lines_->nodes_asked(tips), window_->displacement());
+}
+
 std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
-  const Affine near = condensation_->displacement_at(lines_->nodes_asked(tips), window_->displacement());
   std::vector<char> growing;
-  std::optional<LineStep> step = lines_->first(tips, near, from, growing);
+  std::optional<LineStep> step = lines_->first(tips, near_tips_, from, growing);
   if (!step) return std::nullopt;
   const double at = options_.control == Control::path ? step->load_factor : std::max(step->load_factor, from);
   if (!(at >= 0)) return std::nullopt;
@@ -40,6 +49,15 @@ std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& fores
   for (std::size_t k = 0; k < tips.size(); ++k)
     if (growing[k]) foreseen.growing.push_back(tips[k]);
   return step;
+}
+
+// After its event in the window.
+void Lookahead::take_step(const LineStep& step, ForeseenEvent& foreseen) {
+  const Event& event = foreseen.event;
+  foreseen.tips = last_tips();
+  LineSteps::move(step, foreseen.tips);
+  near_tips_ = displacement_near(foreseen.tips);
+  lines_->remember(step, event.ratio, foreseen.released, near_tips_, event.load_factor, foreseen.tips);
 }
 
 void Lookahead::narrow(double load_factor) {

@@ -113,6 +113,36 @@ def test_a_window_goes_on_from_a_state_and_back_to_one() -> None:
     assert other.save().to_bytes() == model.save().to_bytes()
 
 
+def crack_along_the_edge(kind: str) -> bempd.Model:
+    """At 75 degrees, its tip four spacings from the edge that it leaves."""
+    model = bempd.Model()
+    if kind != "bem":
+        model.options["pd.crack_rule"] = "tips"
+        model.options["stepping.control"] = "path"
+    material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
+    box = bempd.rectangle(0, -30, 48, 30)
+    body = model.add_bem_region(material, box, 3) if kind == "bem" else model.add_pd_region(material, box, 1.0, 4)
+    angle, start = math.radians(75), 0.513
+    model.add_crack([(0, start), (16 * math.cos(angle), start + 16 * math.sin(angle))])
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+        model.fix_edge(body, edge, "x")
+    return model
+
+
+def test_a_crack_that_kinks_beside_an_edge_takes_the_loads_of_boundary_elements() -> None:
+    elements = crack_along_the_edge("bem")
+    elements.step(1.0)
+    known = []
+    for _ in range(8):
+        elements.grow_cracks(1.0)
+        known.append(elements.load_factor)
+    model = crack_along_the_edge("line")
+    ratios = np.array([model.step_to_next_event(1e6).load_factor for _ in range(8)]) / known
+    print("loads over those of boundary elements", ratios)
+    assert abs(ratios - 1).max() < 0.1 and abs(ratios[3:] - 1).max() < 0.05
+
+
 def test_a_line_ends_at_the_face_of_another_crack() -> None:
     model = bempd.Model(options={"pd.crack_rule": "tips", "stepping.control": "path"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
