@@ -157,13 +157,14 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
 std::vector<TipStress::Station> TipStress::stations_of_fit(const GrowingTip& tip, const pd::TipLaw& law) const {
   const Reach reach = reach_at(tip.place, law.horizon);
   return stations(tip, law, reach.outer, [&](const Station& s) {
-    return s.distance >= reach.inner && s.distance < reach.outer && s.ahead >= fitted_cosine * s.distance;
+    return s.distance >= reach.inner - rounding_of_places && s.distance < reach.outer - rounding_of_places &&
+           s.ahead >= fitted_cosine * s.distance - rounding_of_places;
   });
 }
 
 std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
   return stations(tip, law, near_reach, [](const Station& s) {
-    return s.distance < near_reach && s.ahead >= near_cosine * s.distance;
+    return s.distance < near_reach && s.ahead >= near_cosine * s.distance - rounding_of_places;
   });
 }
 

@@ -95,7 +95,7 @@ class Lookahead {
   bool foresee(double from, const BodyState& start);
   bool choose_breaks(double from, ForeseenEvent& foreseen) const;
   bool choose_place(const BodyState& state, double load_factor);
-  bool choose_place_of_lines(const BodyState& state);
+  bool choose_place_of_lines(const BodyState& state, double load_factor);
   void begin_steps(const BodyState& state);
   std::optional<LineStep> choose_step(double from, ForeseenEvent& foreseen) const;
   void take_step(const LineStep& step, ForeseenEvent& foreseen);

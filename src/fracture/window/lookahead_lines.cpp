@@ -10,18 +10,17 @@ namespace bempd::fracture {
 using coupling::Affine;
 
 // Where the next ways are kept for a while.
-bool Lookahead::choose_place_of_lines(const BodyState& state) {
+bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor) {
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
   std::vector<WindowPlace::Way> ways;
-  for (std::size_t k = 0; k < state.tips.size(); ++k) {
-    if (LineSteps::has_ended(state.tips[k])) continue;
-    const std::optional<LineStep> step = lines_->next(state.tips, k, state.displacement, state.load_factor);
-    if (!step) continue;
-    const pd::TipLaw& law = lines_->law_of(state.tips[k]);
-    const Point& from = state.tips[k].place;
-    const double length = std::max(step->length, WindowSettings::least_way * law.spacing);
-    ways.push_back({from, step->direction, law.horizon, {}});
-    ways.back().bonds = lines_->across(from, from + length * step->direction, law.horizon);
+  for (const LineStep& step : lines_->all(state.tips, state.displacement, state.load_factor)) {
+    if (!LineSteps::is_driven(step, load_factor)) continue;
+    const GrowingTip& tip = state.tips[step.tip];
+    const pd::TipLaw& law = lines_->law_of(tip);
+    const Point& from = tip.place;
+    const double length = std::max(step.length, WindowSettings::least_way * law.spacing);
+    ways.push_back({from, step.direction, law.horizon, {}});
+    ways.back().bonds = lines_->across(from, from + length * step.direction, law.horizon);
   }
   return place_.choose(ways, options_.ahead);
 }
@@ -38,17 +37,20 @@ Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
 
 std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
-  std::vector<char> growing;
-  std::optional<LineStep> step = lines_->first(tips, near_tips_, from, growing);
-  if (!step) return std::nullopt;
-  const double at = options_.control == Control::path ? step->load_factor : std::max(step->load_factor, from);
-  if (!(at >= 0)) return std::nullopt;
-  foreseen.event = {at, step->ratio_at(at), step->load_factor, {}};
-  for (const int bond : step->bonds)
+  const std::vector<LineStep> steps = lines_->all(tips, near_tips_, from);
+  const LineStep* first = LineSteps::first_of(steps);
+  if (!first) return std::nullopt;
+  const double at = options_.control == Control::path ? first->load_factor : std::max(first->load_factor, from);
+  if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*first, WindowSettings::surely_driven * from)))
+    return std::nullopt;
+  foreseen.event = {at, first->ratio_at(at), first->load_factor, {}};
+  for (const int bond : first->bonds)
     foreseen.event.changes.push_back({bond, system_.terms().law_of(static_cast<std::size_t>(bond)).gone()});
-  for (std::size_t k = 0; k < tips.size(); ++k)
-    if (growing[k]) foreseen.growing.push_back(tips[k]);
-  return step;
+  // Another bond may come before all steps: where that might count, none is spared.
+  for (const LineStep& step : steps)
+    if (LineSteps::is_driven(step, WindowSettings::surely_driven * std::max(at, from)))
+      foreseen.growing.push_back(tips[step.tip]);
+  return *first;
 }
 
 // After its event in the window.

@@ -58,6 +58,8 @@ struct WindowSettings {
   // how many steps it has to save for the next one to be tried at once, which costs a factorization.
   static constexpr double least_way = 8, beside_way = 0.5;
   static constexpr int worthwhile_steps = 16;
+  // Of the load factor of an event, so that a tip that is driven then is driven in the whole body too.
+  static constexpr double surely_driven = 0.1;
 
   // Below this pivot a term was the last resistance to some motion, or nearly so; and so it was if displacements grow
   // by this factor.
