@@ -703,7 +703,8 @@ typedef enum bempd_stop_reason {
   /** No bond can break however far the load factor goes in this direction. */
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
   /** With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
-   * load factor, so that the path ends here; see bempd_admissible_load_factors(). @since 0.3 */
+   * load factor, or at all around this one, where faces of cracks meet, so that the path ends here; see
+   * bempd_admissible_load_factors(). @since 0.3 */
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
   /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
    * step keeps the increments before. Where already its first one leaves none the step fails instead, as

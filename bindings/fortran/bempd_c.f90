@@ -88,7 +88,8 @@ module bempd_c
   !> No bond can break however far the load factor goes in this direction.
   integer(c_int), parameter :: BEMPD_STOP_NO_FURTHER_EVENT = 4
   !> With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
-  !> load factor, so that the path ends here; see bempd_admissible_load_factors().
+  !> load factor, or at all around this one, where faces of cracks meet, so that the path ends here; see
+  !> bempd_admissible_load_factors().
   !>
   !> since: 0.3
   integer(c_int), parameter :: BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5

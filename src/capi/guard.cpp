@@ -1,18 +1,16 @@
 #include "capi/guard.hpp"
 
+#include <new>
+
+#include "linalg/blas_threads.hpp"
+#include "phase.hpp"
+
 namespace bempd::capi {
 
 namespace {
 
 // More points than this in one call is a mistaken count.
 constexpr std::int64_t most_points = std::int64_t{1} << 31;
-
-}  // namespace
-
-ThreadError& thread_error() {
-  thread_local ThreadError error;  // all zeros, and nothing to do at its end
-  return error;
-}
 
 bempd_status status_of(Failure failure) {
   switch (failure) {
@@ -30,6 +28,99 @@ bempd_status status_of(Failure failure) {
       return BEMPD_ERROR_IO;
   }
   return BEMPD_ERROR_INTERNAL;
+}
+
+// Runs `body`, turning every exception into a status and a message.
+template <class Message>
+bempd_status catch_all(const char* function, Message& error, bool* broken, const Work<>& body) noexcept {
+  try {
+    const auto report = [&](bempd_status status, const char* what) {
+      error.assign(std::string(function) + ": " + what);
+      return status;
+    };
+    try {
+      error.clear();
+      body();
+      return BEMPD_OK;
+    } catch (const Error& e) {
+      return report(status_of(e.failure()), e.what());
+    } catch (const std::bad_alloc&) {
+      return report(BEMPD_ERROR_MEMORY, "not enough memory; use fewer elements or a coarser lattice");
+    } catch (const std::exception& e) {
+      if (broken) *broken = true;
+      return report(BEMPD_ERROR_INTERNAL, (std::string("internal error: ") + e.what()).c_str());
+    } catch (...) {
+      if (broken) *broken = true;
+      return report(BEMPD_ERROR_INTERNAL, "internal error");
+    }
+  } catch (...) {
+    error.assign("out of memory");  // short enough for what every string has of its own
+    return BEMPD_ERROR_MEMORY;
+  }
+}
+
+// What a failed call has prepared is given up again, so that the scene can be corrected.
+void run(model::Model& engine, const Work<model::Model&>& body) {
+  const bool was_prepared = engine.prepared_or_null() != nullptr;
+  const CancellationScope cancellation = engine.hear_requests();
+  const ListeningScope listening(engine.phase_listener());
+  const linalg::BlasThreads blas_threads(engine.blas_threads());
+  try {
+    body(engine);
+  } catch (const Error& error) {
+    engine.call_failed(was_prepared, error.failure() == Failure::unsolvable);
+    throw;
+  } catch (...) {
+    engine.call_failed(was_prepared, false);
+    throw;
+  }
+}
+
+void run(const model::Model& engine, const Work<const model::Model&>& body) { body(engine); }
+
+template <class Handle, class Body>
+bempd_status guarded(Handle* model, const char* function, const Body& body) noexcept {
+  if (!model) {
+    return without_model(function, [] { require(false, "model is NULL; create one with bempd_model_create()"); });
+  }
+  Use idle = Use::idle;
+  if (!model->use.compare_exchange_strong(idle, Use::in_a_call)) {
+    return without_model(function, [] {
+      fail(Failure::order,
+           "the model is in another call; from a callback or another thread only bempd_request_cancel() is allowed");
+    });
+  }
+  const bempd_status status = catch_all(function, model->error, &model->broken, [&] {
+    if (model->broken)
+      throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
+    run(model->engine, body);
+  });
+  Use in_a_call = Use::in_a_call;
+  if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
+    thread_error().assign(model->error);  // what happened can still be asked for
+    delete model;
+  }
+  return status;
+}
+
+}  // namespace
+
+bempd_status without_model(const char* function, const Work<>& body) noexcept {
+  return catch_all(function, thread_error(), nullptr, body);
+}
+
+bempd_status with_model(bempd_model* model, const char* function, const Work<model::Model&>& body) noexcept {
+  return guarded(model, function, body);
+}
+
+bempd_status with_model(const bempd_model* model, const char* function,
+                        const Work<const model::Model&>& body) noexcept {
+  return guarded(model, function, body);
+}
+
+ThreadError& thread_error() {
+  thread_local ThreadError error;  // all zeros, and nothing to do at its end
+  return error;
 }
 
 std::vector<Point> points_from(const double* values, std::int64_t count, const char* name) {

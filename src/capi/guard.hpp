@@ -4,16 +4,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bempd.h"
 #include "error.hpp"
-#include "linalg/blas_threads.hpp"
 #include "model/model.hpp"
-#include "phase.hpp"
 
 namespace bempd::capi {
 
@@ -53,91 +50,29 @@ class ThreadError {
 
 ThreadError& thread_error();
 
-bempd_status status_of(Failure failure);
+// What a call does, seen through two pointers: the guards are compiled once, not for every function. It takes no memory
+// and is to be used only as an argument.
+template <class... Arguments>
+class Work {
+ public:
+  template <class Body>
+  Work(const Body& body)
+      : body_(&body),
+        call_([](const void* b, Arguments... arguments) { (*static_cast<const Body*>(b))(arguments...); }) {}
 
-// Runs `body`, turning every exception into a status and a message that starts with the function's name.
-template <class Message, class Body>
-bempd_status catch_all(const char* function, Message& error, bool* broken, const Body& body) noexcept {
-  try {
-    const auto report = [&](bempd_status status, const char* what) {
-      error.assign(std::string(function) + ": " + what);
-      return status;
-    };
-    try {
-      error.clear();
-      body();
-      return BEMPD_OK;
-    } catch (const Error& e) {
-      return report(status_of(e.failure()), e.what());
-    } catch (const std::bad_alloc&) {
-      return report(BEMPD_ERROR_MEMORY, "not enough memory; use fewer elements or a coarser lattice");
-    } catch (const std::exception& e) {
-      if (broken) *broken = true;
-      return report(BEMPD_ERROR_INTERNAL, (std::string("internal error: ") + e.what()).c_str());
-    } catch (...) {
-      if (broken) *broken = true;
-      return report(BEMPD_ERROR_INTERNAL, "internal error");
-    }
-  } catch (...) {
-    error.assign("out of memory");  // short enough for what every string has of its own
-    return BEMPD_ERROR_MEMORY;
-  }
-}
+  void operator()(Arguments... arguments) const { call_(body_, arguments...); }
 
-// A call that has no model.
-template <class Body>
-bempd_status without_model(const char* function, const Body& body) noexcept {
-  return catch_all(function, thread_error(), nullptr, body);
-}
+ private:
+  const void* body_;
+  void (*call_)(const void*, Arguments...);
+};
 
-// What a failed call has prepared is given up again, so that the scene can be corrected.
-template <class Body>
-void run(model::Model& engine, const Body& body) {
-  const bool was_prepared = engine.prepared_or_null() != nullptr;
-  const CancellationScope cancellation = engine.hear_requests();
-  const ListeningScope listening(engine.phase_listener());
-  const linalg::BlasThreads blas_threads(engine.blas_threads());
-  try {
-    body(engine);
-  } catch (const Error& error) {
-    engine.call_failed(was_prepared, error.failure() == Failure::unsolvable);
-    throw;
-  } catch (...) {
-    engine.call_failed(was_prepared, false);
-    throw;
-  }
-}
-
-template <class Body>
-void run(const model::Model& engine, const Body& body) {
-  body(engine);
-}
+// A call that has no model. Every exception becomes a status and a message that starts with the function's name.
+bempd_status without_model(const char* function, const Work<>& body) noexcept;
 
 // A call on a model, const or not; `body` receives its engine.
-template <class Handle, class Body>
-bempd_status with_model(Handle* model, const char* function, const Body& body) noexcept {
-  if (!model) {
-    return without_model(function, [] { require(false, "model is NULL; create one with bempd_model_create()"); });
-  }
-  Use idle = Use::idle;
-  if (!model->use.compare_exchange_strong(idle, Use::in_a_call)) {
-    return without_model(function, [] {
-      fail(Failure::order,
-           "the model is in another call; from a callback or another thread only bempd_request_cancel() is allowed");
-    });
-  }
-  const bempd_status status = catch_all(function, model->error, &model->broken, [&] {
-    if (model->broken)
-      throw std::logic_error("the model has had an internal error before; only bempd_model_free() works");
-    run(model->engine, body);
-  });
-  Use in_a_call = Use::in_a_call;
-  if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
-    thread_error().assign(model->error);  // what happened can still be asked for
-    delete model;
-  }
-  return status;
-}
+bempd_status with_model(bempd_model* model, const char* function, const Work<model::Model&>& body) noexcept;
+bempd_status with_model(const bempd_model* model, const char* function, const Work<const model::Model&>& body) noexcept;
 
 template <class T>
 T& out(T* pointer, const char* name) {

@@ -2,12 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "error.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/resistance.hpp"
 
 namespace bempd::fracture {
+
+namespace {
+
+// Of faces at one load factor, each of which leaves all as they should be.
+constexpr int most_events = 1000;
+
+// Where faces close or open a path of equilibrium may turn. Where it turns back again at the same load factor the way
+// on leads down with the faces as they are above it, and up with those below: there is none.
+class Turns {
+ public:
+  // False if the path ends at this event of faces.
+  bool pass(const Event& event) {
+    const bool here = event.load_factor == load_factor_;
+    events_ = here ? events_ + 1 : 1;
+    if (events_ > most_events) fail(Failure::convergence, "faces of cracks open and close without an end");
+    turns_ = here ? turns_ + (event.goes_down != down_ ? 1 : 0) : 0;
+    load_factor_ = event.load_factor, down_ = event.goes_down;
+    return turns_ < 2;
+  }
+
+ private:
+  double load_factor_ = std::numeric_limits<double>::quiet_NaN();
+  bool down_ = false;
+  int turns_ = 0, events_ = 0;
+};
+
+}  // namespace
 
 CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                                std::vector<double> critical_stretch, const std::vector<int>& cut,
@@ -49,6 +78,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
 StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& options,
                                const std::function<void(const EvolutionState&)>& on_event) {
   const std::int64_t events_before = state_.events;
+  Turns turns;
   if (!state_.in_equilibrium) {
     sources_.mark();
     find_equilibrium();
@@ -61,13 +91,9 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
     }
     const Event* next = sources_.next(target, options);
     if (has_come_apart(next, target, options) && goal != Goal::load_factor) return StopReason::separated;
-    if (!next && (goal != Goal::load_factor || options.control == Control::path)) {
-      sources_.bring_up_to_date();
-      const bool none = options.control == Control::path && body_.admissible().is_empty();
-      if (none || goal != Goal::load_factor) {
-        end_step();
-        return none ? StopReason::no_admissible_load : StopReason::no_further_event;
-      }
+    if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none(goal, options.control)) {
+      end_step();
+      return *reason;
     }
     const bool upwards = target >= state_.load_factor;
     if (!next || (upwards ? next->load_factor > target : next->load_factor < target)) break;
@@ -77,9 +103,14 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
     }
     sources_.mark();
     if (next->is_contact) {
+      if (!turns.pass(*next)) {
+        end_step();
+        return StopReason::no_admissible_load;
+      }
       pass(sources_.perform());
       continue;
     }
+    turns = {};
     const bool increments = options.mode == SteppingMode::increments;
     if (!perform(*next, options, increments && state_.events > events_before)) {
       end_step();
@@ -93,6 +124,15 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
   state_.work = in_range(state_.work + body_.move_to(target));
   end_step();
   return state_.separated ? StopReason::separated : StopReason::load_factor;
+}
+
+// Why no event is left, where that ends a step.
+std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, Control control) {
+  if (control == Control::path) {
+    sources_.bring_up_to_date();
+    if (body_.admissible().is_empty()) return StopReason::no_admissible_load;
+  }
+  return goal == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }
 
 // Whether this is found now: the connection that carried the load has lost its resistance, and what is left breaks

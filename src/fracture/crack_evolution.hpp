@@ -153,6 +153,7 @@ class CrackEvolution {
 
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
+  std::optional<StopReason> why_there_is_none(Goal goal, Control control);
   bool has_come_apart(const Event* next, double target, const SteppingOptions& options);
   bool perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached);
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums

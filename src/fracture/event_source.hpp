@@ -24,6 +24,7 @@ struct Event {
 
   // Nothing breaks: faces of cracks close or open on the way.
   bool is_contact = false;
+  bool goes_down = false;  // then: the load factor falls on the way
 
   // By one of its terms.
   void reach(double ratio_of_term, double critical_of_term) {

@@ -8,7 +8,13 @@
 #include <random>
 
 #include "closing_cracks.hpp"
+#include "contact_bodies.hpp"
 #include "error.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/boundary/boundary_region.hpp"
+#include "regions/lattice/lattice_description.hpp"
+#include "regions/places/edge_part.hpp"
+#include "regions/places/single_point.hpp"
 
 namespace {
 

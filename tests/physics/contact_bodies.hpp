@@ -2,17 +2,12 @@
 // nothing of how the library finds it.
 #pragma once
 
-#include <Eigen/Dense>
-#include <algorithm>
-#include <array>
+#include <Eigen/Core>
 #include <memory>
 #include <random>
 #include <vector>
 
-#include "error.hpp"
 #include "model/model.hpp"
-#include "regions/lattice/lattice_description.hpp"
-#include "regions/places/edge_part.hpp"
 
 namespace contact_bodies {
 
@@ -22,155 +17,50 @@ struct Size {
   int cells, horizon_ratio;
 };
 
-inline std::unique_ptr<model::Model> plate(const Size& size, const std::vector<std::vector<Point>>& cracks,
-                                           const char* contact = "faces", double critical_stretch = 0,
-                                           double poisson_ratio = 1.0 / 3) {
-  auto model = std::make_unique<model::Model>();
-  model->options().set_text("pd.contact", contact);
-  scene::Scene& scene = model->editable_scene();
-  scene::Material material;
-  material.elasticity = {1, poisson_ratio, PlaneState::stress, 1};
-  if (critical_stretch > 0) material.critical_stretch = critical_stretch;
-  const double n = size.cells;
-  regions::add_lattice_region(scene, scene.add_material(material), {{0, 0}, {n, 0}, {n, n}, {0, n}}, 1,
-                              size.horizon_ratio);
-  for (const std::vector<Point>& crack : cracks) scene.add_crack(crack);
-  return model;
-}
+std::unique_ptr<model::Model> plate(const Size& size, const std::vector<std::vector<Point>>& cracks,
+                                    const char* contact = "faces", double critical_stretch = 0,
+                                    double poisson_ratio = 1.0 / 3);
 
-inline void hold(model::Model& model, int edge, int component, double constant, double proportional) {
-  model.editable_scene().add_support({std::make_shared<const regions::EdgePart>(1, edge, 0, 1), component,
-                                      scene::SampledValues{{constant}, {proportional}}});
-}
+void hold(model::Model& model, int edge, int component, double constant, double proportional);
 
 // The lower edge is held, the upper one moves up, and to the right by a share of that.
-inline void move_ends(model::Model& model, double constant, double proportional, double sideways = 0) {
-  hold(model, 1, 1, 0, 0);
-  hold(model, 1, 2, 0, 0);
-  hold(model, 3, 1, sideways * constant, sideways * proportional);
-  hold(model, 3, 2, constant, proportional);
-}
+void move_ends(model::Model& model, double constant, double proportional, double sideways = 0);
 
-inline Eigen::VectorXd displacement(model::Model& model) {
-  return model.prepared().evolution->state().total_displacement;
-}
+Eigen::VectorXd displacement(model::Model& model);
 
 // One to four cracks away from held edges under constant and growing motions of the upper edge; null if they cut
 // something off.
-inline std::unique_ptr<model::Model> random_plate(std::mt19937& random) {
-  std::uniform_real_distribution<double> place(2.2, 9.8), size(-1, 1);
-  std::vector<std::vector<Point>> cracks(1 + random() % 4);
-  for (std::vector<Point>& crack : cracks)
-    for (int k = 0; k < 2 + static_cast<int>(random() % 2); ++k) crack.emplace_back(place(random), place(random));
-  const std::array ratios{0.2, 1.0 / 3, 0.45};
-  auto model = plate({12, 3 + static_cast<int>(random() % 2)}, cracks, "faces", 0, ratios[random() % 3]);
-  hold(*model, 1, 1, 0, 0);
-  hold(*model, 1, 2, 0, 0);
-  hold(*model, 3, 1, size(random), size(random));
-  hold(*model, 3, 2, size(random), size(random));
-  try {
-    model->advance(0, fracture::Goal::load_factor);
-  } catch (const Error&) {
-    return nullptr;
-  }
-  const bool whole = model->prepared().evolution->state().springs.empty();
-  return whole && model->prepared().system->contacts().size() > 0 ? std::move(model) : nullptr;
-}
+std::unique_ptr<model::Model> random_plate(std::mt19937& random);
 
 // Numbers of the reference: a body whose cracks are open may hang together by next to nothing.
 using Number = long double;
 using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 using Numbers = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
+// A^-1 B of a positive definite A, and A^T B: vectors, too, compiled once for all.
+Matrix solved(const Matrix& a, const Matrix& b);
+Matrix product(const Matrix& a_transposed, const Matrix& b);
+
 // Forces p >= 0 with the least 1/2 p.A p + g.p, by the active set of Lawson and Hanson 1974.
-inline Numbers least_contact_forces(const Matrix& a, const Numbers& g) {
-  const Eigen::Index n = g.size();
-  Numbers p = Numbers::Zero(n);
-  std::vector<int> active;
-  const auto is_active = [&](Eigen::Index i) {
-    return std::find(active.begin(), active.end(), static_cast<int>(i)) != active.end();
-  };
-  const Number zero = 1e-16L * std::max(g.lpNorm<Eigen::Infinity>(), Number{1e-300L});
-  for (Eigen::Index round = 0; round < 20 * n; ++round) {
-    const Numbers slope = -(a * p + g);
-    Eigen::Index next = -1;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (!is_active(i) && slope[i] > zero && (next < 0 || slope[i] > slope[next])) next = i;
-    if (next < 0) break;
-    active.push_back(static_cast<int>(next));
-    for (;;) {
-      const Matrix among = a(active, active);
-      const Numbers trial = among.ldlt().solve(Numbers(-g(active)));
-      Number step = 1;
-      for (std::size_t k = 0; k < active.size(); ++k) {
-        const Number now = p[active[k]], then = trial[static_cast<Eigen::Index>(k)];
-        if (then <= 0) step = std::min(step, now / (now - then));
-      }
-      for (std::size_t k = 0; k < active.size(); ++k)
-        p[active[k]] += step * (trial[static_cast<Eigen::Index>(k)] - p[active[k]]);
-      if (step == 1) break;
-      std::erase_if(active, [&](int i) {
-        if (p[i] > 1e-17L * p.maxCoeff()) return false;
-        p[i] = 0;
-        return true;
-      });
-    }
-  }
-  return p;
-}
+Numbers least_contact_forces(const Matrix& a, const Numbers& g);
 
 // The whole body's displacements by dense algebra, with all places open and the forces that keep them from overlapping.
 // No place touches a held point.
 class QuadraticProgramme {
  public:
-  explicit QuadraticProgramme(model::Model& model) : model_(model) {
-    coupling::EquilibriumSystem& system = *model.prepared().system;
-    const coupling::ReducedSystem reduced = system.reduce();
-    dof_of_ = reduced.dof_of;
-    const Eigen::MatrixXd whole = Eigen::MatrixXd(system.assemble()).selfadjointView<Eigen::Lower>();
-    Matrix stiffness = whole.cast<Number>();
-    const coupling::Contacts& places = system.contacts();
-    const auto count = static_cast<Eigen::Index>(places.size());
-    Matrix all = Matrix::Zero(2 * system.node_count(), count);
-    softness_.resize(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const auto place = static_cast<std::size_t>(i);
-      for (const coupling::TermEntry& e : places[place].pull) {
-        all(2 * e.node, i) += e.x;
-        all(2 * e.node + 1, i) += e.y;
-      }
-      softness_[i] = 1 / static_cast<Number>(places[place].stiffness);
-    }
-    pull_ = all(dof_of_, Eigen::all);
-    for (Eigen::Index i = 0; i < count; ++i)
-      stiffness -= places.present_stiffness(static_cast<std::size_t>(i)) * pull_.col(i) * pull_.col(i).transpose();
-    factor_.compute(stiffness);
-    answer_ = factor_.solve(pull_);
-  }
+  explicit QuadraticProgramme(model::Model& model);
+  ~QuadraticProgramme();
 
   // At the model's load factor.
-  Eigen::VectorXd displacement() const {
-    const coupling::ReducedSystem reduced = model_.prepared().system->reduce();
-    const double f = model_.load_factor();
-    const Numbers load = coupling::evaluate(reduced.right_hand_side, f).cast<Number>();
-    const Numbers open = factor_.solve(load);
-    Matrix a = pull_.transpose() * answer_;
-    a.diagonal() += softness_;
-    const Numbers forces = least_contact_forces(a, pull_.transpose() * open);
-    const Numbers together = open + answer_ * forces;
-    Eigen::VectorXd u = coupling::evaluate(reduced.prescribed, f);
-    u(dof_of_) = together.cast<double>();
-    return u;
-  }
+  Eigen::VectorXd displacement() const;
 
  private:
+  struct Parts;
+
   model::Model& model_;
-  std::vector<int> dof_of_;
-  Matrix pull_, answer_;
-  Numbers softness_;
-  Eigen::LDLT<Matrix> factor_;
+  std::unique_ptr<const Parts> parts_;
 };
 
-inline Eigen::VectorXd by_quadratic_programme(model::Model& model) { return QuadraticProgramme(model).displacement(); }
+Eigen::VectorXd by_quadratic_programme(model::Model& model);
 
 }  // namespace contact_bodies

@@ -11,6 +11,8 @@
 
 #include "contact_bodies.hpp"
 #include "error.hpp"
+#include "regions/lattice/lattice_description.hpp"
+#include "regions/places/edge_part.hpp"
 
 namespace {
 

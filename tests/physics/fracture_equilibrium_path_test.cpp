@@ -152,6 +152,33 @@ TEST_P(Path, goes_down_as_it_goes_up) {
 INSTANTIATE_TEST_SUITE_P(solvers, Path, testing::Values("window", "plain"),
                          [](const auto& test) { return std::string(test.param); });
 
+// With the faces closed the constant loads ask for a larger load factor, with the faces open for a smaller one.
+TEST_P(Path, ends_where_faces_meet_that_turn_it_back_from_both_sides) {
+  Model model;
+  model.set_text("stepping.control", "path");
+  model.set_text("stepping.solver", GetParam());
+  const int32_t plate =
+      model.pd(model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3)), rectangle(0, 0, 12, 12), 1, 3);
+  model.crack({{7.037109267705256, 2.522180158802326},
+               {9.44258765694589, 4.143195878445151},
+               {4.5248474500477744, 5.423009189447342}});
+  model.crack({{6.576823982736077, 7.740239589847834}, {3.69822575668711, 9.522464320345986}});
+  model.fix(plate, 1, BEMPD_BOTH);
+  model.prescribe(plate, 3, BEMPD_Y, 0, 1e-2);
+  model.traction(plate, 2, 0, 1, BEMPD_X, -3.689928229926152e-4, 0);
+  model.traction(plate, 4, 0, 1, BEMPD_X, 8.371661481401142e-4, 0);
+  const bempd_step_report end = model.run(limit);
+  EXPECT_EQ(end.stop_reason, BEMPD_STOP_NO_ADMISSIBLE_LOAD);
+  EXPECT_EQ(end.total_broken_bonds, 0);
+  // Bonds are stretched too far on either side of it.
+  model.set_text("stepping.control", "load");
+  for (const double way : {-1e-3, 1e-3}) {
+    const SavedState state = model.save();
+    EXPECT_GT(model.step(end.load_factor + way).total_broken_bonds, 0);
+    model.restore(state);
+  }
+}
+
 TEST(PathOptions, exclude_increments) {
   Model model;
   build(model, CentreCrack::small());

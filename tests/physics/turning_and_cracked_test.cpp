@@ -7,7 +7,14 @@
 #include <numbers>
 
 #include "closing_cracks.hpp"
+#include "contact_bodies.hpp"
+#include "geometry/turning.hpp"
+#include "regions/boundary/boundary_description.hpp"
+#include "regions/lattice/lattice_description.hpp"
+#include "regions/places/crack_faces.hpp"
+#include "regions/places/edge_part.hpp"
 #include "regions/places/heated_region.hpp"
+#include "regions/places/single_point.hpp"
 #include "regions/places/turning_region.hpp"
 #include "regions/places/whole_region.hpp"
 

@@ -1305,7 +1305,8 @@ the bonds that are left break under larger loads only (`hanging`).""",
     "BEMPD_STOP_NO_FURTHER_EVENT": """No bond can break however far the load factor goes in this direction.""",
     "BEMPD_STOP_NO_ADMISSIBLE_LOAD": """\
 With the option stepping.control = "path": what is constant of loads and supports stretches bonds
-too far at every load factor, so that the path ends here; see bempd_admissible_load_factors().
+too far at every load factor, or at all around this one, where faces of cracks meet, so that the
+path ends here; see bempd_admissible_load_factors().
 
 since: 0.3""",
     "BEMPD_STOP_NO_EQUILIBRIUM": """\

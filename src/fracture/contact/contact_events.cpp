@@ -25,7 +25,7 @@ const Event* ContactEvents::before(const Event* event, double target) {
   const std::optional<double> load_factor = switch_before(limit);
   if (!load_factor) return nullptr;
   direction_ = limit > present ? 1 : -1;
-  event_ = {*load_factor, 0, *load_factor, {}, true};
+  event_ = {*load_factor, 0, *load_factor, {}, true, direction_ < 0};
   return &event_;
 }
 

@@ -1377,8 +1377,8 @@ pub const BEMPD_STOP_SEPARATED: bempd_stop_reason = 3;
 /// No bond can break however far the load factor goes in this direction.
 pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
 /// With the option stepping.control = "path": what is constant of loads and supports stretches
-/// bonds too far at every load factor, so that the path ends here; see
-/// bempd_admissible_load_factors().
+/// bonds too far at every load factor, or at all around this one, where faces of cracks meet, so
+/// that the path ends here; see bempd_admissible_load_factors().
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
