@@ -64,7 +64,7 @@ def add_hole(model: bempd.Model, regions: list[int], boxes: list[tuple[int, int]
             model.add_circular_hole(region, (0.5 * (left + right), 0.5 * height), choose.choice((1.5, 2.2)))
 
 
-def build(seed: int, solver: str, rule: str) -> tuple[bempd.Model, int, float]:
+def build(seed: int, solver: str, rule: str = "line") -> tuple[bempd.Model, int, float]:
     choose = random.Random(seed)
     options = {"stepping.solver": solver, "stepping.tie_band": choose.choice((1e-3, 1e-3, 0.0, 0.02))}
     if OUTLINED:

@@ -38,7 +38,8 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
 }
 
 bool Lookahead::choose_place(const BodyState& state, double load_factor) {
-  return lines_ ? choose_place_of_lines(state, load_factor) : place_.choose(load_factor, options_.tie_band, options_.ahead);
+  return lines_ ? choose_place_of_lines(state, load_factor)
+                : place_.choose(load_factor, options_.tie_band, options_.ahead);
 }
 
 void Lookahead::open_again(const BodyState& state, const Options& options) {
