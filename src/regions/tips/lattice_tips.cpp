@@ -9,6 +9,7 @@
 #include "cancellation.hpp"
 #include "elasticity/griffith.hpp"
 #include "elasticity/kinked_tip.hpp"
+#include "number_range.hpp"
 
 namespace bempd::regions {
 
@@ -98,7 +99,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fractu
   values.contour_radius = radius;
   const double modulus = plane_modulus(tip.axes.elasticity), toughness = std::sqrt(modulus * fracture_energy);
   const Point held = factors_of(seen(constant, 1)), growing = factors_of(seen(proportional, 1));
-  values.energy_release_rate = values.factors.squaredNorm() / modulus;
+  values.energy_release_rate = in_range(values.factors.squaredNorm() / modulus);
   values.kink_angle = kink_of(values.factors).angle;
   values.critical_load_factor = critical_load_factor(held, growing, toughness);
   return values;
