@@ -13,6 +13,7 @@ from typing import Any
 
 import bempd
 import bodies
+import faces
 import numpy as np
 
 SIDE = 80.0
@@ -20,7 +21,7 @@ STEPS = 45
 HORIZONS = (3, 4, 5, 6)
 
 
-def plate(kind: str, crack: list[tuple[float, float]], m: int = 3, angle: float = 0) -> tuple[bempd.Model, int]:
+def plate(kind: str, crack: list[tuple[float, float]], m: int = 3, angle: float = 0, side: float = SIDE) -> tuple[bempd.Model, int]:
     """A plate between clamps that move apart; `kind` is "bem" or a crack rule, `angle` that of the lattice [deg]."""
     model = bempd.Model()
     if kind != "bem":
@@ -28,8 +29,8 @@ def plate(kind: str, crack: list[tuple[float, float]], m: int = 3, angle: float 
         model.options["stepping.control"] = "path"
         model.options["pd.lattice_angle"] = math.radians(angle)
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
-    box = bempd.rectangle(0, -SIDE / 2, SIDE, SIDE / 2)
-    body = model.add_bem_region(material, box, SIDE / 16) if kind == "bem" else model.add_pd_region(material, box, 1.0, m)
+    box = bempd.rectangle(0, -side / 2, side, side / 2)
+    body = model.add_bem_region(material, box, side / 16) if kind == "bem" else model.add_pd_region(material, box, 1.0, m)
     if crack:
         model.add_crack(crack)
     for edge, value in ((1, -1.0), (3, 1.0)):
@@ -38,23 +39,23 @@ def plate(kind: str, crack: list[tuple[float, float]], m: int = 3, angle: float 
     return model, body
 
 
-def edge_crack(incline: float, start: float) -> list[tuple[float, float]]:
+def edge_crack(incline: float, start: float, side: float = SIDE) -> list[tuple[float, float]]:
     a = math.radians(incline)
-    return [(0, start), (SIDE / 5 * math.cos(a), start + SIDE / 5 * math.sin(a))]
+    return [(0, start), (side / 5 * math.cos(a), start + side / 5 * math.sin(a))]
 
 
 @functools.lru_cache(None)
-def reference(incline: float, start: float) -> tuple[np.ndarray, np.ndarray]:
+def reference(incline: float, start: float, side: float = SIDE) -> tuple[np.ndarray, np.ndarray]:
     """Tips and load factors of boundary elements with steps of one spacing, by the largest hoop stress as lines go."""
-    model, _ = plate("bem", edge_crack(incline, start))
+    model, _ = plate("bem", edge_crack(incline, start, side), side=side)
     model.step(1)
-    places, loads = [edge_crack(incline, start)[1]], []
+    places, loads = [edge_crack(incline, start, side)[1]], []
     for _ in range(STEPS + 6):
         model.grow_cracks(1.0)
         loads.append(model.load_factor)
         last = model.extensions()[-1]
         places.append((last.x, last.y))
-        if last.x > SIDE - 14:
+        if last.x > side - 14:
             break
     return np.array(places), np.array(loads)
 
@@ -65,12 +66,14 @@ def middles(model: bempd.Model, body: int) -> np.ndarray:
     return (points[broken[:, 0]] + points[broken[:, 1]]) / 2
 
 
-def inclined(incline: float, m: int, angle: float, rule: str, start: float) -> dict[str, Any]:
-    places, known = reference(incline, start)
-    model, body = plate(rule, edge_crack(incline, start), m, angle)
+def inclined(incline: float, m: int, angle: float, rule: str, start: float, finer: int = 1) -> dict[str, Any]:
+    """`finer`: the same body with so many times as many points along its sides."""
+    side = SIDE * finer
+    places, known = reference(incline, start, side)
+    model, body = plate(rule, edge_crack(incline, start, side), m, angle, side)
     loads, reached = [], 0.0
     most = STEPS if rule != "bond" else 20000
-    while len(loads) < most and reached < SIDE - 14:
+    while len(loads) < most and reached < side - 14:
         report = model.step_to_next_event(1e6)
         if report.stop_reason != bempd.StopReason.EVENT:
             break
@@ -146,19 +149,30 @@ def jobs() -> list[list]:
         for angle in (0.0, 15.0, 30.0) if few else (0.0, 7.5, 15.0, 22.5, 30.0, 45.0):
             for start in (0.513,) if few else (0.513, 0.237):
                 found.append(["inclined", 0.0, m, angle, "line", start])
+    # The same plate with its tip at two and three times as many spacings from the edge. With m = 3 and the lattice turned no network
+    # of bonds is found if the crack's mouth is in the middle of the edge.
+    for finer in (2, 3):
+        for m in (3, 4):
+            for angle in (0.0, 20.0):
+                found.append(["inclined", 75.0, m, angle, "tips", 0.0 if m == 4 and angle else 0.513, finer])
+    for scene in faces.SCENES:
+        for m in (3, 4):
+            for angle in (0.0, 20.0):
+                found.append(["face", scene, m, angle])
     for m in (3, 4):
         for angle in (0.0, 20.0):
             for hole in (True, False):
                 found.append(["begun", m, angle, hole])
     for name, spacing, m in (("plate free", 0.2, 3), ("plate free", 0.1, 3), ("plate free", 0.1, 4), ("plate held", 0.1, 3),
-                             ("beam 1.0 6", 0.125, 4), ("beam 1.5 5", 0.125, 4)):
+                             ("beam 1.0 6", 0.125, 4), ("beam 1.0 6", 0.0625, 4), ("beam 1.5 5", 0.125, 4), ("beam 1.5 5", 0.0625, 3),
+                             ("beam 1.5 5", 0.0625, 4)):
         found.append(["body", name, spacing, m])
     return found
 
 
 def one(job: list) -> tuple[list, dict[str, Any]]:
     try:
-        return job, {"inclined": inclined, "begun": begun, "body": known_body}[job[0]](*job[1:])
+        return job, {"inclined": inclined, "begun": begun, "body": known_body, "face": faces.compared}[job[0]](*job[1:])
     except bempd.Error as failed:
         return job, {"failed": str(failed)}
 
@@ -178,6 +192,22 @@ def spread(values: list[float]) -> str:
     return f"{min(values):.2f} .. {max(values):.2f}"
 
 
+def finer_rows(found: dict[tuple, dict[str, Any]]) -> list[str]:
+    rows = ["| spacings from the edge | lattice | m | first load | loads after 1 to 4 spacings, worst | after 5 and more | distance |", "|---|---|---|---|---|---|---|"]
+    for finer in (1, 2, 3):
+        for job, r in sorted((item for item in found.items() if item[0][:2] == ("inclined", 75) and (*item[0], 1)[6] == finer),
+                             key=lambda item: item[0][2:4]):
+            if job[2] <= 4:
+                rows.append(f"| {SIDE / 5 * finer * math.cos(math.radians(75)):.0f} | {job[3]:g} | {job[2]} | {r['first']:.2f} |"
+                            f" {100 * r['early']:.0f} % | {100 * r['steady']:.0f} % | {r['off']:.1f} |")
+    return rows
+
+
+def face_rows(found: dict[tuple, dict[str, Any]]) -> list[str]:
+    rows = ["| crack | lattice | m | loads 3 horizons and more before the face | 1.5 to 3 | less than 1.5 | way off by, in spacings |", "|---|---|---|---|---|---|---|"]
+    return rows + [faces.row(*job[1:], result) for job, result in found.items() if job[0] == "face"]
+
+
 def tables(out: pathlib.Path) -> dict[str, list[str]]:
     rows = [json.loads(line) for line in (out / "lines.txt").read_text("ascii").splitlines()]
     found = {tuple(job): result for job, result in rows if "failed" not in result}
@@ -192,7 +222,7 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
     inclines = ["| incline | lattice | m | first load | loads after 1 to 4 spacings, worst | after 5 and more | distance | direction off by [deg] | energy per length / G0 |",
                 "|---|---|---|---|---|---|---|---|---|"]
     for job, r in sorted((item for item in found.items() if item[0][0] == "inclined"), key=lambda item: item[0][1:4]):
-        if job[1] > 0:
+        if job[1] > 0 and len(job) == 6:
             inclines.append(f"| {job[1]:g} | {job[3]:g} | {job[2]} | {r['first']:.2f} | {100 * r['early']:.0f} % | {100 * r['steady']:.0f} % |"
                             f" {r['off']:.1f} | {abs(r['degrees']):.1f} | {r['energy']:.2f} |")
     births = ["| strip without a crack | lattice | m | first load factor | begins at (x, y) | its way off by [deg] | in two pieces |",
@@ -205,4 +235,5 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
     for job, r in found.items():
         if job[0] == "body":
             known.append(f"| {job[1]} | {job[2]} | {job[3]} | {r['compared']} | {r['spacings']:.1f} | {r['end'][0]:.2f}, {r['end'][1]:.2f} |")
-    return {"lines-straight": straight, "lines-inclined": inclines, "lines-begun": births, "lines-bodies": known}
+    return {"lines-straight": straight, "lines-inclined": inclines, "lines-finer": finer_rows(found), "lines-faces": face_rows(found),
+            "lines-begun": births, "lines-bodies": known}

@@ -7,6 +7,7 @@
 #include "bem/interior.hpp"
 #include "bem/pair_blocks.hpp"
 #include "geometry/turning.hpp"
+#include "number_range.hpp"
 
 namespace bempd::bem {
 
@@ -107,6 +108,32 @@ Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedStat
   return {jump.dot(tip.direction), across};
 }
 
+// A state whose squares are numbers, and the exponent of what it was divided by.
+struct NearState {
+  CrackedState state;
+  int exponent;
+};
+
+NearState near(const CrackedState& far, double traction_unit) {
+  const double size = std::max({far.displacements.lpNorm<Eigen::Infinity>(), far.openings.lpNorm<Eigen::Infinity>(),
+                                traction_unit * far.tractions.lpNorm<Eigen::Infinity>()});
+  NearState near{far, far_exponent(size)};
+  if (near.exponent == 0) return near;
+  const double unit = std::ldexp(1, -near.exponent);
+  near.state.displacements *= unit, near.state.openings *= unit, near.state.tractions *= unit;
+  if (far.face_traction)
+    near.state.face_traction = [unit, traction = far.face_traction](int line, const Point& x, const Point& normal) {
+      return Point(unit * traction(line, x, normal));
+    };
+  return near;
+}
+
+StressIntensity far(const StressIntensity& near, int exponent) {
+  if (exponent == 0) return near;
+  return {in_range(std::ldexp(near.energy_release_rate, 2 * exponent)),
+          {in_range(std::ldexp(near.factors.x(), exponent)), in_range(std::ldexp(near.factors.y(), exponent))}};
+}
+
 StressIntensity shared_by_modes(const CrackedOperator& body, const CrackTip& tip, double rate,
                                 const CrackedState& state) {
   Point opening = opening_at(body.cracks(), tip, state);
@@ -123,11 +150,14 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
   const CrackMesh& cracks = body.cracks();
   const double shear = body.elasticity().shear_modulus(), length = body.boundary().length;
   const Eigen::Index count = static_cast<Eigen::Index>(states.size());
+  std::vector<NearState> near_states;
+  for (const CrackedState& state : states) near_states.push_back(near(state, length / shear));
   Eigen::MatrixXd values(body.matrices().hypersingular.rows(), count);
   Eigen::MatrixXd tractions(body.matrices().single_layer.rows(), count);
   for (Eigen::Index s = 0; s < count; ++s) {
-    values.col(s) << states[s].displacements, states[s].openings;
-    tractions.col(s) = length / shear * states[s].tractions;
+    const CrackedState& state = near_states[s].state;
+    values.col(s) << state.displacements, state.openings;
+    tractions.col(s) = length / shear * state.tractions;
   }
   const MovedTips moved(body);
   std::vector<std::vector<StressIntensity>> results;
@@ -136,9 +166,10 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
     Eigen::VectorXd rates = -shear / length * moved.derivatives(k, values, tractions);
     results.emplace_back();
     for (Eigen::Index s = 0; s < count; ++s) {
-      const CrackedState& state = states[s];
+      const CrackedState& state = near_states[s].state;
       if (state.face_traction) rates[s] += work_of_growth(cracks, tip, state.face_traction, state.openings);
-      results.back().push_back(shared_by_modes(body, tip, std::max(rates[s], 0.0), state));
+      results.back().push_back(
+          far(shared_by_modes(body, tip, std::max(rates[s], 0.0), state), near_states[s].exponent));
     }
   }
   return results;

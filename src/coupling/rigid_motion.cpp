@@ -5,6 +5,7 @@
 #include <string>
 
 #include "linalg/symmetric_modes.hpp"
+#include "number_range.hpp"
 
 namespace bempd::coupling {
 
@@ -115,6 +116,14 @@ std::string RigidMotion::describe() const {
 
 RigidFit nearest_rigid_motion(const std::vector<Point>& positions, const std::vector<int>& nodes,
                               const Eigen::VectorXd& displacement) {
+  double largest = 0;
+  for (const int node : nodes) largest = std::max(largest, displacement.segment<2>(2 * node).lpNorm<Eigen::Infinity>());
+  if (const int far = far_exponent(largest); far != 0) {
+    RigidFit near = nearest_rigid_motion(positions, nodes, displacement * std::ldexp(1, -far));
+    for (double* value : {&near.translation.x(), &near.translation.y(), &near.rotation, &near.deviation})
+      *value = in_range(std::ldexp(*value, far));
+    return near;
+  }
   RigidFit fit;
   for (int node : nodes) {
     fit.centre += positions[node] / static_cast<double>(nodes.size());

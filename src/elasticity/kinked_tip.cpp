@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "number_range.hpp"
+
 namespace bempd {
 
 namespace {
@@ -84,6 +86,10 @@ Point kinked_factors(const Point& factors, double angle) {
 }
 
 Kink kink_of(const Point& factors, KinkCriterion criterion) {
+  if (const int far = far_exponent(factors.lpNorm<Eigen::Infinity>()); far != 0) {
+    const Kink kink = kink_of(factors * std::ldexp(1, -far), criterion);
+    return {kink.angle, std::ldexp(kink.equivalent_factor, far)};
+  }
   return criterion == KinkCriterion::hoop_stress ? largest_hoop_stress(factors) : largest_energy_release_rate(factors);
 }
 

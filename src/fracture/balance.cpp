@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "error.hpp"
 
@@ -59,11 +58,6 @@ double force_scale_of_supports(const coupling::EquilibriumSystem& system, double
 double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
   const double moved = moved_by_holds(system, load_factor);
   return scale_without_stress * system.largest_stiffness() * moved * moved;
-}
-
-double in_range(double energy) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  return std::isnan(energy) ? largest : std::clamp(energy, -largest, largest);
 }
 
 void require_balance(double residual, double energy_balance_error) {

@@ -11,9 +11,6 @@ bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy,
 
 [[noreturn]] void fail_out_of_range();
 
-// Energies that no number can hold are told as the largest one, and Model warns of them.
-double in_range(double energy);
-
 // Largest force at a free node that internal forces leave over, relative to the largest one met so far.
 double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd& internal_force, double load_factor,
                 double largest_force);

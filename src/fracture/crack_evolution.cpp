@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/resistance.hpp"
+#include "number_range.hpp"
 
 namespace bempd::fracture {
 
@@ -230,6 +231,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
 // On the way between two events, where nothing breaks.
 void CrackEvolution::pass(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
+  measure_work();
   state_.fragments += outcome.fragments;
   state_.contact_switches += outcome.switches;
 }

@@ -165,6 +165,7 @@ class CrackEvolution {
   void pass(const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.
+  void measure_work();
   void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions);
 
   coupling::EquilibriumSystem& system_;

@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <cmath>
+
 #include "fracture/balance.hpp"
 #include "fracture/crack_evolution.hpp"
+#include "number_range.hpp"
 
 // What comes upon a run from outside: new loads, and cracks that have grown.
 namespace bempd::fracture {
@@ -81,6 +85,9 @@ double CrackEvolution::within(double load_factor) const {
   return open + system_.work_at_closed_faces(coupling::evaluate(state_.displacement, load_factor), load_factor);
 }
 
+// Loads may leave the body as it was: what they have done until then measures what work and energies differ by.
+void CrackEvolution::measure_work() { state_.largest_work = std::max(state_.largest_work, std::abs(work())); }
+
 double CrackEvolution::work() const { return in_range(state_.work + within(state_.load_factor)); }
 
 void CrackEvolution::find_equilibrium() {
@@ -94,6 +101,7 @@ void CrackEvolution::find_equilibrium() {
     state_.fragments += found.fragments;
     state_.contact_switches += found.switches;
     state_.work = in_range(state_.work + found.work);
+    measure_work();
   } catch (...) {
     static_cast<BodyState&>(state_) = std::move(before);
     sources_.abandon();

@@ -158,6 +158,7 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   result.fragments += settled.fragments;
   result.held.insert(result.held.end(), settled.held.begin(), settled.held.end());
   state_.springs = system_.springs();
+  keep_held_parts_dry();
   update_ratios();
   result.work = absorb(state_.load_factor);
   // Where faces close or open on the way from the loads before the trapezoid rule is none; what is done is stored.

@@ -57,6 +57,7 @@ class LoadedBody {
   ActingLoads acting_loads() const;
   void act_again(ActingLoads loads) noexcept;      // restore() has to follow
   void drop_loads(const std::vector<int>& nodes);  // for good
+  void keep_held_parts_dry();
 
   struct FirstEquilibrium {
     double work;
@@ -118,6 +119,7 @@ class LoadedBody {
  private:
   void apply_load();
   void bar_contacts_of_held_parts();
+  std::vector<char> nodes_of_held_parts();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
   // What is left of them, and the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;

@@ -187,6 +187,7 @@ Outcome WholeBodyEvents::perform() {
   const LoadedBody::Settled settled = body_.settle_contacts(0);
   outcome.switches = settled.switched;
   outcome.fragments += settled.fragments;
+  body_.keep_held_parts_dry();
   const bool loads_lost = held.loads_lost || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);

@@ -40,7 +40,10 @@ bool are_values(const Parts& parts) {
 }
 
 bool is_sound(const scene::Values& values) {
-  if (const auto* samples = std::get_if<scene::SampledValues>(&values)) return are_values(*samples);
+  if (const auto* samples = std::get_if<scene::SampledValues>(&values)) {
+    const bool removed = samples->constant.empty() && samples->proportional.empty();
+    return removed || are_values(*samples);
+  }
   const auto* placed = std::get_if<scene::PlacedValues>(&values);
   if (!placed) return true;
   const std::vector<double>& fractions = placed->fractions;

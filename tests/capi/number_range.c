@@ -73,6 +73,71 @@ static void energies_beyond_the_range_stay_numbers(void) {
 }
 
 /** More bonds than 32 bits count: in one region, and in two that each would do. */
+/* The tip of a crack whose faces are loaded by this much, in boundary elements. */
+static bempd_crack_tip tip_under(double load) {
+  bempd_model* model = new_model();
+  bempd_material material = sound_material();
+  const rectangle plate = rectangle_of(0.0, 0.0, 4.0, 2.0);
+  const double crack[4] = {1.5, 1.0, 2.5, 1.2};
+  int32_t id = 0;
+  bempd_crack_tip tip;
+  material.young_modulus = 1.0;
+  material.critical_stretch = 0.0;
+  material.fracture_energy = 1e-4;
+  CHECK_OK(model, bempd_add_material(model, &material, &id));
+  CHECK_OK(model, bempd_add_bem_region(model, id, 4, plate.vertices, 1.0, NULL));
+  CHECK_OK(model, bempd_add_crack(model, 2, crack, NULL));
+  CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_BOTH, NULL));
+  CHECK_OK(model, bempd_add_crack_traction(model, 1, BEMPD_PRESSURE, 1, NULL, &load, NULL));
+  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  CHECK_OK(NULL, bempd_crack_tip_init(&tip, sizeof tip));
+  CHECK_OK(model, bempd_tip(model, 0, &tip));
+  bempd_model_free(model);
+  return tip;
+}
+
+/* Squares of factors leave the range of numbers before they do. */
+static void tips_keep_their_digits_over_the_range(void) {
+  const double loads[] = {1e-250, 1e-170, 1e-30, 1e30, 1e100, 1e154, 1e200, 1e300};
+  const bempd_crack_tip one = tip_under(1.0);
+  size_t k;
+  CHECK(one.stress_intensity_1 > 0.5 && fabs(one.stress_intensity_2) > 1e-3);
+  for (k = 0; k < sizeof loads / sizeof loads[0]; ++k) {
+    const bempd_crack_tip tip = tip_under(loads[k]);
+    CHECK(fabs(tip.stress_intensity_1 / loads[k] / one.stress_intensity_1 - 1.0) < 1e-12);
+    CHECK(fabs(tip.stress_intensity_2 / loads[k] / one.stress_intensity_2 - 1.0) < 1e-9);
+    CHECK(fabs(tip.kink_angle - one.kink_angle) < 1e-9);
+    CHECK(tip.energy_release_rate <= DBL_MAX && tip.error <= 1e-2 * tip.stress_intensity_1);
+    CHECK(fabs(tip.critical_load_factor * loads[k] / one.critical_load_factor - 1.0) < 1e-12);
+  }
+}
+
+/* So does how far a piece is from a rigid one. */
+static void pieces_move_by_numbers(void) {
+  const double pulls[] = {1e-250, 1.0, 1e170, 1e300};
+  double first = 0.0;
+  size_t k;
+  for (k = 0; k < sizeof pulls / sizeof pulls[0]; ++k) {
+    bempd_model* model = new_model();
+    bempd_material material = sound_material();
+    int32_t id = 0;
+    bempd_piece piece;
+    material.critical_stretch = 0.0;
+    material.young_modulus = 1.0;
+    CHECK_OK(model, bempd_add_material(model, &material, &id));
+    add_pd_rectangle(model, id, 0.0, 0.0, 10.0, 8.0, 1.0);
+    CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
+    CHECK_OK(model, bempd_add_traction(model, 1, 2, 0.0, 1.0, BEMPD_Y, 1, NULL, &pulls[k], NULL));
+    CHECK_OK(model, bempd_step(model, 1.0, NULL));
+    CHECK_OK(NULL, bempd_piece_init(&piece, sizeof piece));
+    CHECK_OK(model, bempd_get_piece(model, 1, &piece));
+    if (k == 0) first = piece.deviation / pulls[k];
+    CHECK(first > 1.0 && fabs(piece.deviation / pulls[k] / first - 1.0) < 1e-12);
+    CHECK(isfinite(piece.rotation) && piece.rotation > 0.1 * pulls[k]);
+    bempd_model_free(model);
+  }
+}
+
 static void bonds_that_no_int_counts_are_refused_before_memory_is_taken(void) {
   bempd_model* model = new_model();
   const int32_t material = add_sound_material(model);
@@ -93,5 +158,7 @@ int main(void) {
   moduli_near_the_ends_are_refused();
   results_beyond_the_range_are_an_error();
   energies_beyond_the_range_stay_numbers();
+  tips_keep_their_digits_over_the_range();
+  pieces_move_by_numbers();
   return check_finish();
 }

@@ -59,6 +59,25 @@ static void a_cancelled_first_step_leaves_the_scene_open(void) {
   bempd_model_free(model);
 }
 
+/** Through bytes, with and without the values of loads and supports. */
+static void save_and_restore(bempd_model* model) {
+  int32_t contents;
+  for (contents = BEMPD_STATE_BODY; contents <= BEMPD_STATE_BODY_AND_VALUES; ++contents) {
+    bempd_state *state = NULL, *copy = NULL;
+    int64_t size = 0;
+    uint8_t* bytes = NULL;
+    CHECK_OK(model, bempd_state_save_with(model, contents, &state));
+    CHECK_OK(NULL, bempd_state_to_bytes(state, 0, NULL, &size));
+    bytes = (uint8_t*)malloc((size_t)size);
+    CHECK_OK(NULL, bempd_state_to_bytes(state, size, bytes, &size));
+    CHECK_OK(NULL, bempd_state_from_bytes(size, bytes, &copy));
+    CHECK_OK(model, bempd_state_restore(model, copy));
+    free(bytes);
+    bempd_state_free(state);
+    bempd_state_free(copy);
+  }
+}
+
 /** Results of the coupled plate with a load, without what `spare` adds and removes again. */
 static double plate_reaction(int spare) {
   const double pull = 1e-4, wrong[] = {14.5, 1.5, 14.5, 4.5}, right[] = {15.5, 0.0, 15.5, 3.5};
@@ -88,6 +107,7 @@ static double plate_reaction(int spare) {
   if (spare) CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "removed", bempd_set_load_values(model, load, 1, &pull, NULL));
   CHECK_OK(model, bempd_prescribe_edge(model, lattice, 2, 0, 1, BEMPD_X, 1, NULL, &pull, NULL));
   CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  save_and_restore(model);
   CHECK_OK(model, bempd_reaction(model, held, reaction));
   if (spare) CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "removed", bempd_reaction(model, support, reaction));
   bempd_model_free(model);

@@ -43,7 +43,10 @@ const bempd_model* model_of(const bempd_model* model, const Others&...) {
 
 inline void require_finite(const char* call, const double* values, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k)
-    if (!std::isfinite(values[k])) report(call, "success with a number that is not finite", "");
+    if (!std::isfinite(values[k])) {
+      std::fprintf(stderr, "number %zu is %g\n", k, values[k]);
+      report(call, "success with a number that is not finite", "");
+    }
 }
 
 inline void require_true(bool condition, const char* call, const char* finding) {

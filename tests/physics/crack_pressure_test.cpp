@@ -186,4 +186,21 @@ TEST(CrackPressure, acts_along_all_of_a_body_that_it_has_parted) {
   EXPECT_LE(step.energy_balance_error, 1e-9);
 }
 
+// The crack grows into one of two parts that other cracks have left on hinges: held parts take no pressure.
+TEST(CrackPressure, stays_out_of_parts_that_are_held) {
+  Model model;
+  model.set_text("pd.crack_rule", "tips");
+  const int32_t lattice =
+      model.pd(model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3)), rectangle(0, 0, 20, 9), 1, 3);
+  model.crack({{6.75933227390331, 7.593102780025112}, {6.002266382103378, 6.543094407462361}});
+  model.crack({{6.962935750236143, 1.914786296325531}, {4.097961198059981, 1.3352935842966929}});
+  model.crack({{8.718961446916317, 4.809349885667971},
+               {1.8333334165520219, 2.6683592963691294},
+               {7.988014905591922, 2.8912982937764085}});
+  model.fix(lattice, 4, BEMPD_BOTH);
+  model.point_force({20, 9}, BEMPD_X, 0, 4e-3);
+  press(model, 0, 1e-3);
+  for (int event = 0; event < 10; ++event) EXPECT_LE(model.next_event(100).residual, 1e-9) << event;
+}
+
 }  // namespace

@@ -34,21 +34,34 @@ void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held)
 
 }  // namespace
 
+std::vector<char> LoadedBody::nodes_of_held_parts() {
+  FreedPartFinder::Held held = freed_parts_.held_parts();
+  if (!held.others.empty()) {
+    // Without the faces that press now, so that what may press does not depend on them.
+    for (const Eigen::VectorXd& motion : system_.motions_held_by(held.others)) hold_what_moves(motion, held);
+  }
+  return std::move(held.nodes);
+}
+
+// A fluid that comes to them later would push them away.
+void LoadedBody::keep_held_parts_dry() {
+  if (!has_fluid() || system_.springs().empty()) return;
+  const std::vector<char> held = nodes_of_held_parts();
+  for (int node = 0; node < system_.node_count(); ++node)
+    if (held[node] && system_.force().middleRows<2>(2 * node).isZero(0)) state_.unloaded[node] = 1;
+}
+
 // What springs hold where it is would be pushed away.
 void LoadedBody::bar_contacts_of_held_parts() {
   const std::size_t count = system_.contacts().size(), springs = system_.springs().size();
   if (count == 0 || springs == 0) return system_.bar_contacts({});
   if (system_.contacts().barred_count() == count && springs_that_bar_ == springs) return;
   springs_that_bar_ = springs;
-  FreedPartFinder::Held held = freed_parts_.held_parts();
-  if (!held.others.empty()) {
-    // Without the faces that press now, so that what may press does not depend on them.
-    for (const Eigen::VectorXd& motion : system_.motions_held_by(held.others)) hold_what_moves(motion, held);
-  }
+  const std::vector<char> held = nodes_of_held_parts();
   std::vector<char> barred;
   for (std::size_t i = 0; i < count; ++i) {
     const std::vector<coupling::TermEntry>& pull = system_.contacts()[i].pull;
-    const auto is_held = [&](const coupling::TermEntry& e) { return held.nodes[e.node] != 0; };
+    const auto is_held = [&](const coupling::TermEntry& e) { return held[e.node] != 0; };
     barred.push_back(std::any_of(pull.begin(), pull.end(), is_held) ? 1 : 0);
   }
   system_.bar_contacts(std::move(barred));

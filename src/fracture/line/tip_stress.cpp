@@ -26,6 +26,22 @@ constexpr double near_opening = 0.79, near_shear = 0.482;
 
 constexpr int fitted_terms = 5, amplitudes_fitted = 2 * fitted_terms;
 
+// Before the face of another crack there are fewer points, which tell fewer terms (docs/directions.md): four within
+// three horizons of it, two within one.
+constexpr int terms_near_face = 4, terms_at_face = 2;
+constexpr double at_face = 1;
+
+// Before a face that leaves fewer points the nearest ones, too, are taken.
+constexpr std::size_t enough_points = 6;
+
+// Bonds between neighbours, in spacings.
+constexpr double longest_short_bond = 1.3;
+
+int terms_beside(double face, double horizon) {
+  if (face >= away_from_surfaces * horizon) return fitted_terms;
+  return face < at_face * horizon ? terms_at_face : terms_near_face;
+}
+
 // Share of the sum of forces on a point from which on they do not balance.
 constexpr double outline_pull = 0.1;
 
@@ -87,16 +103,35 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
                                           terms.for_each_node(static_cast<std::size_t>(t),
                                                               [&](int node) { add(node, t); });
                                       })),
-      share_(shares_of_area(system.terms(), positions.size())) {
-  for (std::size_t node = 0; node < positions.size(); ++node)
-    if (share_[node] < 1) outline_.push_back(positions[node]);
+      share_(shares_of_area(system.terms(), positions.size())) {}
+
+double TipStress::nearest_outline(const Point& place, double at_most) const {
+  for (const int number : near_.about(place, at_most)) {
+    const auto node = static_cast<std::size_t>(number);
+    if (share_[node] < 1) at_most = std::min(at_most, (positions_[node] - place).norm());
+  }
+  return at_most;
 }
 
-TipStress::Reach TipStress::reach_at(const Point& place, double horizon) const {
-  double nearest = away_from_surfaces * horizon;
-  for (const Point& point : outline_) nearest = std::min(nearest, (point - place).norm());
-  const double away = std::max(nearest / horizon - beside_surface, 0.0) / (away_from_surfaces - beside_surface);
+TipStress::Reach TipStress::reach_at(double nearest_surface, double horizon) const {
+  const double away = std::max(nearest_surface / horizon - beside_surface, 0.0) / (away_from_surfaces - beside_surface);
   return {std::lerp(inner_reach_beside, inner_reach, away), std::lerp(outer_reach_beside, outer_reach, away)};
+}
+
+TipSight TipStress::sight_of(const GrowingTip& tip, const pd::TipLaw& law) const {
+  const coupling::Terms& terms = system_.terms();
+  const double reach = away_from_surfaces * law.horizon;
+  TipSight sight(tip.place, tip.direction, law.spacing);
+  for (const int node : near_.about(tip.place, reach + longest_short_bond * law.spacing)) {
+    for (const int bond : bonds_at_.of(node)) {
+      const auto b = static_cast<std::size_t>(bond);
+      if (terms.first[b] != node || system_.intact()[b] || terms.length[b] > longest_short_bond * law.spacing) continue;
+      const Point along(terms.cosine[b], terms.sine[b]);
+      const Point middle = positions_[static_cast<std::size_t>(node)] + terms.length[b] / 2 * along;
+      if ((middle - tip.place).norm() < reach) sight.add_gone(middle, along);
+    }
+  }
+  return sight;
 }
 
 Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
@@ -154,36 +189,40 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
   return {-std::sin(angle), std::cos(angle)};
 }
 
-std::vector<TipStress::Station> TipStress::stations_of_fit(const GrowingTip& tip, const pd::TipLaw& law) const {
-  const Reach reach = reach_at(tip.place, law.horizon);
-  return stations(tip, law, reach.outer, [&](const Station& s) {
-    return s.distance >= reach.inner - rounding_of_places && s.distance < reach.outer - rounding_of_places &&
-           s.ahead >= fitted_cosine * s.distance - rounding_of_places;
-  });
+TipStress::Fit TipStress::fit_of(const GrowingTip& tip, const pd::TipLaw& law) const {
+  const TipSight sight = sight_of(tip, law);
+  const double surface = std::min(sight.nearest_face(), nearest_outline(tip.place, away_from_surfaces * law.horizon));
+  Reach reach = reach_at(surface, law.horizon);
+  Fit fit{terms_beside(sight.nearest_face(), law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
+  if (fit.terms < fitted_terms && fit.stations.size() < enough_points) {
+    reach.inner = 0;
+    fit.stations = stations(tip, law, reach, fitted_cosine, sight);
+  }
+  return fit;
 }
 
 std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
-  return stations(tip, law, near_reach, [](const Station& s) {
-    return s.distance < near_reach && s.ahead >= near_cosine * s.distance - rounding_of_places;
-  });
+  return stations(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law));
 }
 
 // Points without bonds have no stress.
-template <class IsAsked>
-std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const pd::TipLaw& law, double reach,
-                                                    const IsAsked& is_asked) const {
+std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
+                                                    double least_cosine, const TipSight& sight) const {
   std::vector<Station> found;
-  for (const int node : near_.about(tip.place, reach * law.horizon)) {
-    const Point step = (positions_[static_cast<std::size_t>(node)] - tip.place) / law.horizon;
-    const Station station{node, step.norm(), step.dot(tip.direction), cross(tip.direction, step)};
-    if (is_asked(station) && !bonds_at_.of(node).empty()) found.push_back(station);
+  for (const int node : near_.about(tip.place, reach.outer * law.horizon)) {
+    const Point& point = positions_[static_cast<std::size_t>(node)];
+    const Point step = (point - tip.place) / law.horizon;
+    const Station s{node, step.norm(), step.dot(tip.direction), cross(tip.direction, step)};
+    if (s.distance < reach.inner - rounding_of_places || s.distance >= reach.outer - rounding_of_places) continue;
+    if (s.ahead < least_cosine * s.distance - rounding_of_places || bonds_at_.of(node).empty()) continue;
+    if (sight.sees(point)) found.push_back(s);
   }
   return found;
 }
 
 void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead,
                                 std::vector<int>& nodes) const {
-  std::vector<Station> asked = stations_of_fit(tip, law);
+  std::vector<Station> asked = fit_of(tip, law).stations;
   if (closely_ahead) {
     const std::vector<Station> near = stations_closely_ahead(tip, law);
     asked.insert(asked.end(), near.begin(), near.end());
@@ -201,10 +240,12 @@ AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, cons
   using Parts = Eigen::Matrix<double, amplitudes_fitted, 2>;
   Square normal = Square::Zero();
   Parts right = Parts::Zero();
-  for (const auto& [node, r, ahead, across] : stations_of_fit(tip, law)) {
+  const Fit fit = fit_of(tip, law);
+  for (const auto& [node, r, ahead, across] : fit.stations) {
     Stress s = stress(node, tip.direction, law, displacement);
     s.topRows<2>().rowwise() += pressure;
-    const Eigen::Matrix<double, 3, amplitudes_fitted> terms = williams_stress(r, std::atan2(across, ahead));
+    Eigen::Matrix<double, 3, amplitudes_fitted> terms = williams_stress(r, std::atan2(across, ahead));
+    terms.rightCols(amplitudes_fitted - 2 * fit.terms).setZero();
     normal += r * terms.transpose() * terms;
     right += r * terms.transpose() * s;
   }

@@ -6,6 +6,7 @@
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/line/growing_tip.hpp"
 #include "fracture/line/near_points.hpp"
+#include "fracture/line/tip_sight.hpp"
 #include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"
 
@@ -18,8 +19,8 @@ struct AffineIntensity {
 
 // Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
 // either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
-// a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only, none
-// of which lies beside the crack.
+// a point). All that is asked of them is linear in the displacements, and asked of points ahead of the tip only that it
+// sees, none of which lies beside its crack.
 class TipStress {
  public:
   TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
@@ -52,11 +53,15 @@ class TipStress {
     int node;
     double distance, ahead, across;  // of the tip, in horizons
   };
-  std::vector<Station> stations_of_fit(const GrowingTip& tip, const pd::TipLaw& law) const;
+  struct Fit {
+    int terms;  // of Williams' series
+    std::vector<Station> stations;
+  };
+  Fit fit_of(const GrowingTip& tip, const pd::TipLaw& law) const;
   std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
-  template <class IsAsked>
-  std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, double reach,
-                                const IsAsked& is_asked) const;
+  // Those ahead within reach that it sees, with bonds.
+  std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
+                                const TipSight& sight) const;
 
   // Terms that are left at a node, on which its stress depends.
   template <class Visit>
@@ -66,7 +71,9 @@ class TipStress {
         if (system_.intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
   }
 
-  Reach reach_at(const Point& place, double horizon) const;
+  double nearest_outline(const Point& place, double at_most) const;
+  Reach reach_at(double nearest_surface, double horizon) const;
+  TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
   Eigen::Vector3d moment_about(int node, std::size_t wide, const Point& direction) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
@@ -75,8 +82,7 @@ class TipStress {
   const std::vector<Point>& positions_;
   NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
-  std::vector<double> share_;             // of a full point's area
-  std::vector<Point> outline_;            // points on it
+  std::vector<double> share_;             // of a full point's area, less than 1 on the outline
 };
 
 }  // namespace bempd::fracture

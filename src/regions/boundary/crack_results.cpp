@@ -3,6 +3,7 @@
 #include "bem/coarse_level.hpp"
 #include "elasticity/griffith.hpp"
 #include "elasticity/kinked_tip.hpp"
+#include "number_range.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
 #include "regions/boundary_conditions.hpp"
@@ -29,6 +30,11 @@ bem::FaceTraction without(const bem::FaceTraction& traction, const LinearBodyFor
     const Point own = -traction_of(particular, x, normal);
     return traction ? Point(traction(line, x, normal) + own) : own;
   };
+}
+
+double length_of(const Point& vector) {
+  const int far = far_exponent(vector.lpNorm<Eigen::Infinity>());
+  return far == 0 ? vector.norm() : std::ldexp((vector * std::ldexp(1, -far)).norm(), far);
 }
 
 const std::vector<CrackLoad>& loads_of(const Solution& solution) {
@@ -166,7 +172,7 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     const bem::StressIntensity &constant = factors[t][0], &proportional = factors[t][1], &present = factors[t][2];
     values.push_back({cracks_->id_of(tip), tip.end == bem::TipEnd::end ? 1 : 0, tip.place, tip.direction,
                       present.factors, present.energy_release_rate, along[t],
-                      error_of_difference * (present.factors - factors[t].back().factors).norm(),
+                      error_of_difference * length_of(present.factors - factors[t].back().factors),
                       kink_of(present.factors).angle,
                       critical_load_factor(constant.factors, proportional.factors, toughness), constant.factors,
                       proportional.factors, toughness, modulus});

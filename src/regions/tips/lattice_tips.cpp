@@ -9,6 +9,7 @@
 #include "cancellation.hpp"
 #include "elasticity/griffith.hpp"
 #include "elasticity/kinked_tip.hpp"
+#include "number_range.hpp"
 
 namespace bempd::regions {
 
@@ -98,10 +99,13 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fractu
   values.contour_radius = radius;
   const double modulus = plane_modulus(tip.axes.elasticity), toughness = std::sqrt(modulus * fracture_energy);
   const Point held = factors_of(seen(constant, 1)), growing = factors_of(seen(proportional, 1));
-  values.energy_release_rate = values.factors.squaredNorm() / modulus;
+  values.energy_release_rate = in_range(values.factors.squaredNorm() / modulus);
   values.kink_angle = kink_of(values.factors).angle;
   values.critical_load_factor = critical_load_factor(held, growing, toughness);
-  return values;
+  // Squares of lengths below 1e-154 m are none.
+  const bool known = values.factors.allFinite() && std::isfinite(values.stress_along) && std::isfinite(values.error) &&
+                     std::isfinite(values.kink_angle) && std::isfinite(values.felt_ahead);
+  return known ? values : without_contours(tip);
 }
 
 }  // namespace

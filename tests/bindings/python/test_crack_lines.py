@@ -162,6 +162,41 @@ def test_a_line_ends_at_the_face_of_another_crack() -> None:
     assert not ((beside[:, 0] > 22.5)).any()  # bonds of the crack that it meets end before
 
 
+def crack_before_another(kind: str, horizon_ratio: int = 3) -> bempd.Model:
+    """Its tip is 15 spacings from the face of the other crack, straight across its way."""
+    model = bempd.Model()
+    if kind != "bem":
+        model.options["pd.crack_rule"] = "tips"
+        model.options["stepping.control"] = "path"
+    material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
+    box = bempd.rectangle(0, -24, 48, 24)
+    body = model.add_bem_region(material, box, 3) if kind == "bem" else model.add_pd_region(material, box, 1.0, horizon_ratio)
+    model.add_crack([(0, 0.513), (13.5, 0.513)])
+    model.add_crack([(28.47, -8.487), (28.47, 9.513)])
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+        model.fix_edge(body, edge, "x")
+    if kind == "bem":
+        for end in bempd.TipEnd:
+            model.set_tip_frozen(2, end)
+    return model
+
+
+@pytest.mark.parametrize("horizon_ratio", [3, 4])
+def test_a_tip_does_not_see_behind_the_face_that_it_approaches(horizon_ratio: int) -> None:
+    elements = crack_before_another("bem")
+    known = []
+    for _ in range(13):
+        elements.grow_cracks(1.0)
+        known.append(elements.load_factor)
+    model = crack_before_another("line", horizon_ratio)
+    ratios = np.array([model.step_to_next_event(1e6).load_factor for _ in range(13)]) / known
+    gaps = (14.97 - np.arange(13)) / horizon_ratio
+    print("gaps in horizons and loads over those of boundary elements", *zip(gaps, ratios))
+    assert abs(ratios[gaps > 1.1] - 1).max() < 0.08  # 0.25 and 0.32 with the stress behind the face
+    assert abs(ratios - 1).max() < 0.25  # 0.37 and 0.46
+
+
 def holed_strip() -> tuple[bempd.Model, int]:
     model = bempd.Model(options={"pd.crack_rule": "line", "pd.lattice_angle": 0.3})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)

@@ -1,0 +1,45 @@
+#include "fracture/line/tip_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/turning.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// A face is made of pieces, each across the middle of a bond between neighbours and a bit longer than the way to the
+// next one.
+constexpr double half_piece = 0.55;  // in spacings
+
+// The bonds that a tip's own crack has broken between neighbours have their middles within half a spacing of it, which
+// goes back from the tip by 110 degrees at least.
+constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;  // in spacings
+
+bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {
+  return (cross(to - from, a - from) > 0) != (cross(to - from, b - from) > 0);
+}
+
+}  // namespace
+
+TipSight::TipSight(const Point& place, const Point& direction, double spacing)
+    : place_(place), direction_(direction), spacing_(spacing), nearest_face_(std::numeric_limits<double>::infinity()) {}
+
+void TipSight::add_gone(const Point& middle, const Point& along) {
+  const Point step = middle - place_;
+  const double ahead = step.dot(direction_), aside = std::abs(cross(direction_, step));
+  if (ahead <= (aside <= beside_own * spacing_ ? ahead_of_own : ahead_of_kink) * spacing_) return;
+  nearest_face_ = std::min(nearest_face_, step.norm());
+  const Point half = half_piece * spacing_ * Point(-along.y(), along.x());
+  faces_.push_back({middle - half, middle + half});
+}
+
+bool TipSight::sees(const Point& point) const {
+  return std::none_of(faces_.begin(), faces_.end(), [&](const Piece& face) {
+    return lie_apart(place_, point, face.from, face.to) && lie_apart(face.from, face.to, place_, point);
+  });
+}
+
+}  // namespace bempd::fracture
