@@ -27,6 +27,8 @@ STRETCHES = 1e-11
 # Of the load factor over that of the first event, or over 10, as loads are such that bonds break at about 1: as many digits
 # of the stretches are lost.
 MOST_GROWTH, FIRST = 1e5, 10
+# Energies far below those that bonds take, about 1e-7 each: where all loads are lost at the first event, rounding is left.
+SMALL_ENERGY = 1e-15
 EVENTS = 40
 POISSON_RATIO = 1 / 3
 OUTLINED = False  # lattices in any direction, with points on their outline
@@ -171,7 +173,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
         return f"plain: {plain.error}; window: {window.error}"
     if len(plain.reports) != len(window.reports):
         return f"{len(plain.reports)} events, with windows {len(window.reports)}"
-    largest_energy = max((abs(r.work) for r in plain.reports), default=0)
+    largest_energy = max([abs(r.work) for r in plain.reports] + [SMALL_ENERGY])
     # Where nothing is left to react, forces are rounding of those that stored the work (Young's modulus is 1).
     natural = math.sqrt(largest_energy)
     size = max((np.abs(r).max() for r in plain.reactions), default=0) + natural + 1e-300
