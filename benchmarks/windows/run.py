@@ -30,7 +30,7 @@ DOCUMENT = ROOT / "docs" / "windows.md"
 COMPILED = ("states_swept_at_once", "classes", "hot_shares")
 # Bounds on rounding are no trade of time: docs/reliability.md has the scenes behind them.
 ROUNDING = ("smallest_pivot", "most_growth", "certificate_margin", "energy_rounding", "doubtful_energy",
-            "acceptable_residual", "negligible_residual", "least_class_width")
+            "acceptable_residual", "negligible_residual", "least_class_width", "surely_driven")
 
 SCENES = {
     "plate of 60 x 60": ["plate", {"n": 60}],
@@ -43,6 +43,16 @@ BESIDES = ("hot_in_present", "opening_all_around", "reach_of_followers", "events
 SCENES_BESIDES = {
     "plate of 50 x 50, Poisson's ratio 0.45": ["plate", {"n": 50, "ratio": 0.45}],
     "plate of 100 x 100, whose faces meet": ["plate", {"n": 100}],
+}
+# What acts where cracks grow as lines.
+LINES = ("least_way", "beside_way", "worthwhile_steps")
+LINE = {"pd.crack_rule": "line"}
+SCENES_OF_LINES = {
+    "plate of 50 x 50": ["plate", {"n": 50}, LINE],
+    "plate of 100 x 100": ["plate", {"n": 100}, LINE],
+    "plate of 200 x 200": ["plate", {"n": 200}, LINE],
+    "two edge cracks, 50 x 50": ["plate", {"n": 50, "cracks": "two"}, LINE],
+    "eight cracks, 50 x 50": ["plate", {"n": 50, "cracks": "eight"}, LINE],
 }
 REPEATS = 7
 
@@ -191,8 +201,9 @@ def main() -> None:
     chosen = [s for s in settings() if s.name not in ROUNDING]
     if arguments.only:
         chosen = [s for s in chosen if s.name in arguments.only.split(",")]
-    write("windows", table([one for one in chosen if one.name not in BESIDES], SCENES), arguments.write)
+    write("windows", table([one for one in chosen if one.name not in BESIDES + LINES], SCENES), arguments.write)
     write("besides", table([one for one in chosen if one.name in BESIDES], SCENES_BESIDES), arguments.write)
+    write("lines", table([one for one in chosen if one.name in LINES], SCENES_OF_LINES), arguments.write)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Runs scenes of the speed benchmark to separation, each so often, and prints processor seconds and digests of what broke.
 
-    worker.py SCENES REPEATS    SCENES as JSON: [[scene, arguments], ...]"""
+    worker.py SCENES REPEATS    SCENES as JSON: [[scene, arguments, options], ...], the
+    options may be left out"""
 
 from __future__ import annotations
 
@@ -27,9 +28,9 @@ def digest(model: bempd.Model) -> str:
     return found.hexdigest()
 
 
-def run(scene: str, arguments: dict[str, Any]) -> tuple[float, str]:
+def run(scene: str, arguments: dict[str, Any], options: dict[str, Any] = {}) -> tuple[float, str]:
     start = time.process_time()
-    model = bempd.Model(options={"threads": 1})
+    model = bempd.Model(options={"threads": 1, **options})
     SCENES[scene](model, **arguments)
     model.run_to_separation(1e9)
     return time.process_time() - start, digest(model)
@@ -37,7 +38,7 @@ def run(scene: str, arguments: dict[str, Any]) -> tuple[float, str]:
 
 def main() -> None:
     scenes, repeats = json.loads(sys.argv[1]), int(sys.argv[2])
-    runs = [[run(scene, arguments) for scene, arguments in scenes] for _ in range(repeats)]
+    runs = [[run(*scene) for scene in scenes] for _ in range(repeats)]
     print(json.dumps([{"seconds": [one[k][0] for one in runs], "digest": runs[0][k][1]} for k in range(len(scenes))]))
 
 

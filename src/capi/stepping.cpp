@@ -53,13 +53,13 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.resistance = state.resistance.present;
   r.peak_resistance = state.resistance.peak;
   r.face_switches = result.face_switches;
+  r.hanging = result.hanging ? 1 : 0;
   return r;
 }
 
 void write_report(model::Model& m, const model::StepResult& result, bempd_step_report* report) {
   if (!report) return;
   bempd_step_report r = report_of(result, m.prepared().evolution->progress());
-  r.hanging = m.hangs() ? 1 : 0;
   r.closed_places = static_cast<std::int64_t>(m.prepared().system->contacts().closed_count() +
                                               m.prepared().system->closed_face_count());
   write_struct(report, r, "report");

@@ -1,5 +1,6 @@
 #include "coupling/condensation.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "cancellation.hpp"
@@ -16,6 +17,8 @@ Condensation::Condensation(EquilibriumSystem& system) : system_(system.reduce())
   eliminated_ = std::move(system_.right_hand_side);
   system_.cholesky.solve_forward(eliminated_);
   check_cancelled();
+  place_of_.assign(static_cast<std::size_t>(system_.prescribed.rows()), -1);
+  for (std::size_t k = 0; k < order.size(); ++k) place_of_[system_.dof_of[order[k]]] = static_cast<int>(k);
 }
 
 Affine Condensation::load() const {
@@ -73,6 +76,27 @@ Affine Condensation::displacement(const Affine& kept) const {
     all.col(1) = expand(kept.col(1), {1}).transpose();
   }
   recover(all);
+  return all;
+}
+
+// Tied nodes follow others, and one solution is as fast as a part of two.
+Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine& kept) const {
+  const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));
+  if (has_constant_part || !system_.ties.empty()) return displacement(kept);
+  const Stopwatch watch(system_.counters.seconds_solve);
+  std::vector<int> places;
+  for (const int node : nodes)
+    for (int dof = 2 * node; dof < 2 * node + 2; ++dof)
+      if (place_of_[dof] >= 0) places.push_back(place_of_[dof]);
+  const Eigen::Index others = eliminated_.rows() - kept.rows();
+  Eigen::MatrixXd unknowns(1, eliminated_.rows());
+  unknowns.leftCols(others) = eliminated_.col(1).head(others).transpose();
+  unknowns.rightCols(kept.rows()) = kept.col(1).transpose();
+  system_.cholesky.solve_backward_at(places, unknowns, static_cast<int>(kept.rows()));
+  Affine all = system_.prescribed;
+  const std::vector<int>& order = system_.cholesky.elimination_order();
+  for (const int dof : system_.dof_of) all(dof, 1) = std::numeric_limits<double>::quiet_NaN();
+  for (const int place : places) all(system_.dof_of[order[place]], 1) = unknowns(0, place);
   return all;
 }
 

@@ -41,14 +41,16 @@ class Condensation {
   // Adds the displacements of nodes without bonds.
   void recover(Affine& displacement) const;
 
-  // Displacements of all nodes.
+  // Displacements of all nodes; or of these at least, where others may be no numbers.
   Affine displacement(const Affine& kept) const;
+  Affine displacement_at(const std::vector<int>& nodes, const Affine& kept) const;
 
  private:
   ReducedSystem system_;
   std::vector<int> dofs_;
   Eigen::MatrixXd factor_;
-  Affine eliminated_;  // L^-1 load
+  Affine eliminated_;          // L^-1 load
+  std::vector<int> place_of_;  // of a degree of freedom in the order of elimination; -1: it is no unknown
 };
 
 }  // namespace bempd::coupling

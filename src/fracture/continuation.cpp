@@ -68,6 +68,7 @@ bool EventSources::open_again(const Continuation& continuation) {
   BodyState& state = body_.state();
   state.load_factor = window.load_factor;
   state.displacement = window.displacement;
+  state.tips = window.tips;
   state.total_displacement = coupling::evaluate(state.displacement, state.load_factor);
   for (const coupling::StageChange& c : continuation.factor->stages)
     state.stages[c.term] = static_cast<std::uint8_t>(c.stage);

@@ -60,7 +60,8 @@ bool CrackEvolution::energies_are_lost() const {
 }
 
 StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptions& options,
-                                   const std::function<void(const EvolutionState&)>& on_event) {
+                                   const std::function<void(const EvolutionState&)>& on_event,
+                                   const std::function<void()>& on_end) {
   sources_.refresh();
   sources_.go_on();
   const Start start{state_, state_.history.size(), state_.reactions.size()};
@@ -68,6 +69,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
     const StopReason reason = run(target, goal, options, on_event);
     const bool changed = state_.events != start.sums.events || state_.contact_switches != start.sums.contact_switches;
     if (options.leaves_fresh && changed) synchronize();
+    if (on_end) on_end();
     sources_.drop_mark();
     return reason;
   } catch (...) {

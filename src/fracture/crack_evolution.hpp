@@ -79,9 +79,10 @@ class CrackEvolution {
   FaceLoads load_faces(coupling::Affine offsets);
   void unload_faces(FaceLoads loads) noexcept;
 
-  // Calls `on_event` after every event; what it throws, and any other failure, takes the run back to where it was.
+  // Calls `on_event` after every event and `on_end` at the end; what they throw, and any other failure, takes the run
+  // back to where it was.
   StopReason advance(double target, Goal goal, const SteppingOptions& options,
-                     const std::function<void(const EvolutionState&)>& on_event);
+                     const std::function<void(const EvolutionState&)>& on_event, const std::function<void()>& on_end);
 
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();

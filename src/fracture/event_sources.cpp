@@ -19,12 +19,10 @@ bool EventSources::may_use_window(double target, const SteppingOptions& options)
 void EventSources::grow_lines(pd::TipLaws laws) {
   settle();
   lines_.emplace(body_, whole_body_, std::move(laws));
+  window_.follow(lines_->steps());
 }
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
-  if (lines_) {
-    return first_of(*lines_, lines_->next(target, options), target);
-  }
   const bool possible = may_use_window(target, options);
   if (window_.is_open() && !(possible && window_.suits(options))) settle();
   while (possible) {
@@ -32,7 +30,7 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     if (!window_.is_open()) break;
     told_ = &window_;
     if (const Event* event = window_.next(target, options)) return event;
-    if (window_.events_performed() > 0) {
+    if (window_.events_performed() >= (lines_ ? WindowSettings::worthwhile_steps : 1)) {
       patience_ = 1;
       if (window_.needs_whole_body()) whole_body_events_ = 1;
       if (window_.ended_at_faces()) whole_body_events_ = WindowSettings::events_beside_faces;
@@ -41,7 +39,13 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     }
     settle();
   }
-  return first_of(whole_body_, whole_body_.next(target, options), target);
+  EventSource& source = everywhere();
+  return first_of(source, source.next(target, options), target);
+}
+
+EventSource& EventSources::everywhere() {
+  if (lines_) return *lines_;
+  return whole_body_;
 }
 
 // An event of a source on the way to the target, or faces that close or open before it.
@@ -53,10 +57,16 @@ const Event* EventSources::first_of(EventSource& source, const Event* event, dou
 
 void EventSources::open_window(double target, const SteppingOptions& options) {
   if (body_.state().separated || whole_body_events_ > 0) return;
-  const bool path = options.control == Control::path;
-  const std::optional<double> next = path ? body_.next_on_path(target) : body_.next_break(target);
+  const std::optional<double> next = next_in_window(target, options);
   if (!next || *next > target || contact_.is_before(*next)) return;
   if (!window_.open(*next, options)) be_patient();
+}
+
+// Load factor of an event that a window could perform.
+std::optional<double> EventSources::next_in_window(double target, const SteppingOptions& options) {
+  if (!lines_) return options.control == Control::path ? body_.next_on_path(target) : body_.next_break(target);
+  const Event* event = lines_->next(target, options);
+  return event && lines_->tells_step() ? std::optional(event->load_factor) : std::nullopt;
 }
 
 void EventSources::be_patient() {
@@ -65,7 +75,7 @@ void EventSources::be_patient() {
 }
 
 Outcome EventSources::perform() {
-  if (told_ == &whole_body_) whole_body_events_ = std::max(0, whole_body_events_ - 1);
+  if (told_ == &everywhere()) whole_body_events_ = std::max(0, whole_body_events_ - 1);
   return told_->perform();
 }
 

@@ -58,6 +58,8 @@ class EventSources {
 
   bool may_use_window(double target, const SteppingOptions& options) const;
   void open_window(double target, const SteppingOptions& options);
+  std::optional<double> next_in_window(double target, const SteppingOptions& options);
+  EventSource& everywhere();  // where no window is open
   const Event* first_of(EventSource& source, const Event* event, double target);
   void be_patient();
   void keep_present();

@@ -67,6 +67,10 @@ class EigenCholesky final : public SparseCholesky {
     }
   }
 
+  void solve_backward_at(const std::vector<int>&, Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {
+    solve_backward(transposed, known);
+  }
+
   Eigen::MatrixXd trailing_factor(int size) const override {
     const SparseMatrix& lower = factor_.unit_lower();
     const Eigen::Index first = lower.rows() - size;

@@ -23,9 +23,12 @@ class SparseCholesky : public SparseFactorization {
 
   // The two halves of solve_in_place() with a factor A = L L^T that no update() has touched: takes right-hand sides and
   // leaves L^-1 of them in the order of elimination; takes such and leaves the unknowns, in the same order. The second
-  // takes one set after the other in its columns, and the last `known` of the unknowns as they are.
+  // takes one set after the other in its columns, and the last `known` of the unknowns as they are. The third leaves
+  // these places in the order of elimination, and what they depend on; others may stay as they came.
   virtual void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
   virtual void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const = 0;
+  virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
+                                 int known) const = 0;
 
   // Lower right corner of L: the Cholesky factor of the Schur complement on the last `size` unknowns.
   virtual Eigen::MatrixXd trailing_factor(int size) const = 0;

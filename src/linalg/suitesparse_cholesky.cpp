@@ -145,6 +145,14 @@ class SuiteSparseCholesky final : public SparseCholesky {
     SupernodalFactor(*factor_.get()).solve_backward(transposed, known);
   }
 
+  void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
+                         int known) const override {
+    assert(has_factor_ && factor_->is_super && transposed.cols() == diagonal_.size());
+    const SupernodalFactor factor(*factor_.get());
+    const std::vector<char> asked = factor.asked_by(places);
+    factor.solve_backward(transposed, known, &asked);
+  }
+
   Eigen::MatrixXd trailing_factor(int size) const override {
     assert(has_factor_ && factor_->is_super);
     return SupernodalFactor(*factor_.get()).trailing_block(size);

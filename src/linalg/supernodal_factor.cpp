@@ -94,12 +94,27 @@ void SupernodalFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> x) {
   }
 }
 
-void SupernodalFactor::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const {
+std::vector<char> SupernodalFactor::asked_by(const std::vector<int>& places) const {
+  std::vector<char> marked(static_cast<std::size_t>(supernodes_), 0);
+  for (int place : places) {
+    for (;;) {
+      const auto s = std::upper_bound(first_column_, first_column_ + supernodes_ + 1, place) - first_column_ - 1;
+      if (marked[static_cast<std::size_t>(s)]) break;
+      marked[static_cast<std::size_t>(s)] = 1;
+      if (rows_of(s) == columns_of(s)) break;
+      place = row_[rows_begin_[s] + columns_of(s)];
+    }
+  }
+  return marked;
+}
+
+void SupernodalFactor::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
+                                      const std::vector<char>* marked) const {
   const int unknown = size_ - known;
   Eigen::MatrixXd later;  // what a supernode's columns depend on
   for (std::ptrdiff_t s = supernodes_ - 1; s >= 0; --s) {
     const int columns = std::min(first_column_[s + 1], unknown) - first_column_[s];
-    if (columns <= 0) continue;
+    if (columns <= 0 || (marked && !(*marked)[static_cast<std::size_t>(s)])) continue;
     const int rows = rows_begin_[s + 1] - rows_begin_[s];
     const Eigen::Map<const Eigen::MatrixXd> panel(values_ + values_begin_[s], rows, columns);
     auto own = transposed.middleCols(first_column_[s], columns);

@@ -3,6 +3,7 @@
 #include <cholmod.h>
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace bempd::linalg {
 
@@ -41,8 +42,12 @@ class SupernodalFactor {
   void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
   void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
 
-  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already.
-  void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const;
+  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already; in all supernodes
+  // or in those marked.
+  void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
+                      const std::vector<char>* marked = nullptr) const;
+  // Marks the supernodes that solutions in these places depend on: their own and the way from there to the root.
+  std::vector<char> asked_by(const std::vector<int>& places) const;
 
  private:
   int columns_of(std::ptrdiff_t s) const { return first_column_[s + 1] - first_column_[s]; }

@@ -175,7 +175,7 @@ Growing Model::go_to_growth(double length) {
     if (round == most_rounds_of_faces)
       fail(Failure::convergence, "faces of cracks close and open without an end where cracks are to grow");
     const std::int64_t switches = prepared_->evolution->progress().contact_switches;
-    prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {});
+    prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {}, {});
     if (prepared_->evolution->progress().contact_switches == switches) break;
     ++generation_;
     growing = growing_tips(free_tips(), length, options_);

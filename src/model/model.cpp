@@ -176,7 +176,7 @@ StepResult Model::run(double target, fracture::Goal goal) {
   {
     const Stopwatch watch(result.seconds_total);
     ++generation_;
-    result.reason = run_recording(target, goal, stepping);
+    run_recording(target, goal, stepping, result);
   }
   result.events = evolution.progress().events - events;
   result.broken_bonds = evolution.progress().broken_bonds - broken;

@@ -211,7 +211,7 @@ class Model {
   bool records_tips() const { return options_.whole_number("tips.record") > 0; }
   void record_tips();
   // As CrackEvolution::advance() (recording.cpp).
-  fracture::StopReason run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping);
+  void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping, StepResult& result);
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::CrackPicture> crack_pictures() const;

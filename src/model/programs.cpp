@@ -17,6 +17,7 @@ void add(StepResult& sum, const StepResult& step) {
   sum.seconds_solve += step.seconds_solve;
   sum.seconds_update += step.seconds_update;
   sum.seconds_search += step.seconds_search;
+  sum.hanging = step.hanging;
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ void Model::record_tips() {
     tip_history_.push_back({line.event, line.total_broken_bonds, line.load_factor, tip});
 }
 
-fracture::StopReason Model::run_recording(double target, fracture::Goal goal,
-                                          const fracture::SteppingOptions& stepping) {
+void Model::run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
+                          StepResult& result) {
   const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
   const auto every = static_cast<std::int64_t>(options_.number("tips.record"));
   try {
@@ -23,9 +23,11 @@ fracture::StopReason Model::run_recording(double target, fracture::Goal goal,
       if (cancel_requested_)
         fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
     };
-    const fracture::StopReason reason = prepared_->evolution->advance(target, goal, stepping, on_event);
-    if (every > 0 && prepared_->evolution->progress().history.back().event == 0) record_tips();
-    return reason;
+    const auto on_end = [&] {
+      if (every > 0 && prepared_->evolution->progress().history.back().event == 0) record_tips();
+      result.hanging = hangs();
+    };
+    result.reason = prepared_->evolution->advance(target, goal, stepping, on_event, on_end);
   } catch (...) {
     tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
     throw;

@@ -9,13 +9,13 @@
 
 namespace bempd::model {
 
-namespace {
-
 bool is_sound(const fracture::GrowingTip& tip) {
   const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
   return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 &&
          std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
 }
+
+namespace {
 
 // A state whose numbers go together may still have been made for another body.
 void require_fit(const SavedState& saved, const PreparedScene& scene) {

@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 10;
+constexpr std::uint32_t format_version = 11;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -99,7 +99,7 @@ requires std::is_same_v<std::remove_const_t<Window>, fracture::WindowOrigin>
 void visit_members(Window& w, Visit& visit) {
   visit(w.options.tie_band), visit(w.options.max_breaks_per_solve), visit(w.options.ahead), visit(w.options.control);
   visit(w.load_factor), visit(w.displacement), visit(w.faces), visit(w.looks), visit(w.events_performed);
-  visit(w.is_behind), visit(w.has_changed_terms), visit(w.needs_whole_body);
+  visit(w.is_behind), visit(w.has_changed_terms), visit(w.needs_whole_body), visit(w.tips);
 }
 
 template <class State, class Visit>

@@ -8,6 +8,8 @@ namespace bempd::model {
 // Throws Error (argument) unless the numbers of a state that was read from bytes go together.
 void require_consistent(const SavedState& state);
 
+bool is_sound(const fracture::GrowingTip& tip);
+
 // Whether a continuation is one of a state, and both are of a scene (continuation_checks.cpp).
 bool fits(const fracture::Continuation& continuation, const fracture::EvolutionState& state,
           const PreparedScene& scene);

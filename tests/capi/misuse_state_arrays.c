@@ -1,7 +1,7 @@
 /* Saved states whose checksum is right and whose arrays are not: refused, whatever stands in them. */
 #include "scenes.h"
 
-/* The layout of format version 10: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 11: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
@@ -34,9 +34,9 @@ typedef struct bytes {
   int64_t count[array_count];
   int64_t begin_values, begin_way, begin_said;
   /** How the run goes on: its numbers; the first zone and node of windows; the factorization, none where 0, with its
-   * first stage and its first change; and the window that is open, none where 0. */
+   * first stage and its first change; and the window that is open, none where 0, with the tips that there were then. */
   int64_t begin_continuation, zones, zone_count, nodes, node_count, factor, factor_stages, factor_stage_count;
-  int64_t factor_springs, changes, change_count, window;
+  int64_t factor_springs, changes, change_count, window, window_tips;
 } bytes;
 
 static int64_t count_at(const bytes* saved, int64_t place) {
@@ -81,7 +81,8 @@ static void find_continuation(bytes* saved) {
   if (saved->data[place++]) {
     place += 8 + 4 + 8 + 1 + 8;
     place = behind(saved, place, 8) + 1; /* and whether faces have met in it */
-    place = behind(saved, place, 24) + 8 + 3;
+    saved->window_tips = behind(saved, place, 24) + 8 + 3;
+    place = behind(saved, saved->window_tips, entry_size[tips]);
   }
   CHECK(place + 8 == saved->size);
 }
@@ -322,6 +323,17 @@ static void windows_are_checked(bempd_model* model, const bytes* saved) {
   put_count(model, saved, looks + 8, 1000000, "events after which a window computed more");
   put_double(model, saved, looks + 8 + 8, INFINITY, "the load factor then");
   put_count(model, saved, performed, -1, "events of a window");
+  put_count(model, saved, saved->window_tips, INT64_MAX, "a huge count of tips");
+  {
+    bytes altered = copy_of(saved);
+    const double along = 1.0;
+    uint8_t* tip = altered.data + saved->window_tips + 8;
+    altered.data[saved->window_tips] = 1;
+    memset(tip, 0, (size_t)entry_size[tips]);
+    memcpy(tip + 16, &along, 8);
+    altered.size += entry_size[tips];
+    expect_refusal(model, &altered, "a tip in a window that has none");
+  }
 }
 
 static void other_versions_are_refused(const bytes* saved) {

@@ -128,6 +128,11 @@ SCENES: dict[str, tuple[Build, list[Call]]] = {
     "contact in windows": (pulled_plate, [lambda model: [model.step_to_next_event(1e9) for _ in range(318)]] + events(20)),
     "rough contact": (lambda: torn_plate(20, cracks=SLANTED, pd__contact="rough"), pressed),
     "lines": (lambda: torn_plate(20, cracks=SLANTED, pd__crack_rule="line"), events(20)),
+    "lines in windows": (lambda: torn_plate(30, pd__crack_rule="line"), [call for event in events(24) for call in
+                                                                         (event, lambda m: m.field(1, "displacement"))]),
+    "lines that begin": (lambda: torn_plate(20, cracks=(), pd__crack_rule="line"), events(20)),
+    "lines on the path": (lambda: torn_plate(24, ratio=0.2, pd__crack_rule="line", stepping__control="path"), events(20)),
+    "lines in the whole body": (lambda: torn_plate(pd__crack_rule="line", stepping__solver="plain"), events(12)),
     "boundary elements": (coupled_strip, events(40)),
     "boundary elements, no windows": (lambda: coupled_strip(stepping__solver="plain"), steps(0.5, 1, 1.1) + events(30)),
     "new values": (torn_plate, moved(0.006, 0.012, 0.016, 0.018, 0.014, 0.02, 0.019, 0.026)),

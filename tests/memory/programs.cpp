@@ -112,6 +112,14 @@ Program windows() {
   return program;
 }
 
+// Cracks that grow as lines, in windows.
+Program lines() {
+  Program program{"lines", lattice("window")};
+  add(program, {text_option("pd.crack_rule", "line"), next_event(), next_event(), field(0, BEMPD_STRESS), next_event(),
+                save(), next_event(), reaction(1), restore(), run(), bonds(0), free_state(), free_model()});
+  return program;
+}
+
 Program plain() {
   Program program{"plain", lattice("plain")};
   // The forces on a body that has come apart are rounding, which a failure on the way alters.
@@ -174,7 +182,7 @@ Program threads() {
 }  // namespace
 
 std::vector<Program> all_programs() {
-  return {coupled(), windows(), plain(), cracks(), paper(), mistakes(), threads()};
+  return {coupled(), windows(), lines(), plain(), cracks(), paper(), mistakes(), threads()};
 }
 
 }  // namespace memory_test

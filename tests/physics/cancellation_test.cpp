@@ -135,6 +135,20 @@ TEST_F(Cancellation, is_heard_throughout_a_step_of_a_large_lattice) {
   });
 }
 
+// Cracks that grow as lines: steps that are computed ahead in windows, and bonds that are looked at in each of them.
+TEST_F(Cancellation, is_heard_throughout_a_run_of_lines) {
+  expect_heard_throughout([&] {
+    const double vertices[] = {0, 0, 100, 0, 100, 100, 0, 100}, crack[] = {40, 50.5, 60, 50.5}, pull = 1;
+    int32_t region = 0;
+    bempd_set_option_text(model, "pd.crack_rule", "line");
+    bempd_add_pd_region(model, material, 4, vertices, 1, 4, &region);
+    bempd_add_crack(model, 2, crack, nullptr);
+    bempd_fix_edge(model, region, 1, BEMPD_BOTH, nullptr);
+    bempd_prescribe_edge(model, region, 3, 0, 1, BEMPD_Y, 1, nullptr, &pull, nullptr);
+    return bempd_run_to_separation(model, 1000, nullptr);
+  });
+}
+
 TEST_F(Cancellation, is_heard_while_values_inside_are_computed) {
   expect_usable(add_boundary(4, 0.05));
   const std::vector<double> places(1000000, 0.4);
@@ -143,8 +157,10 @@ TEST_F(Cancellation, is_heard_while_values_inside_are_computed) {
   EXPECT_EQ(bempd_evaluate(model, 1, places.data(), nullptr, stress.data(), nullptr), BEMPD_OK);
 }
 
+class CancellationOfRuns : public Cancellation, public testing::WithParamInterface<const char*> {};
+
 // Requests that come again and again while events are computed ahead.
-TEST_F(Cancellation, takes_nothing_away_from_a_run) {
+TEST_P(CancellationOfRuns, takes_nothing_away) {
   const double vertices[] = {0, 0, 40, 0, 40, 24, 0, 24}, crack[] = {20.5, 0, 20.5, 8.5}, pull = 1;
   bempd_model* undisturbed = nullptr;
   bempd_model_create(&undisturbed);
@@ -153,6 +169,7 @@ TEST_F(Cancellation, takes_nothing_away_from_a_run) {
     const bempd_material steel = host::material(1000, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3);
     int32_t id = material, region = 0;
     if (each == undisturbed) bempd_add_material(each, &steel, &id);
+    ASSERT_EQ(bempd_set_option_text(each, "pd.crack_rule", GetParam()), BEMPD_OK);
     ASSERT_EQ(bempd_add_pd_region(each, id, 4, vertices, 1, 3, &region), BEMPD_OK);
     bempd_add_crack(each, 2, crack, nullptr);
     bempd_fix_edge(each, region, 4, BEMPD_BOTH, nullptr);
@@ -184,5 +201,7 @@ TEST_F(Cancellation, takes_nothing_away_from_a_run) {
   EXPECT_NEAR(reports[0].work, reports[1].work, 1e-10 * reports[0].work);
   bempd_model_free(undisturbed);
 }
+
+INSTANTIATE_TEST_SUITE_P(Rules, CancellationOfRuns, testing::Values("bond", "line"));
 
 }  // namespace

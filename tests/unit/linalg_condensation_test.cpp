@@ -144,4 +144,17 @@ TEST_F(KeptLast, both_halves_of_a_solution_make_the_whole) {
   }
 }
 
+TEST_F(KeptLast, a_part_of_a_solution_is_that_of_the_whole) {
+  const Eigen::MatrixXd halves = Eigen::Map<const Eigen::MatrixXd>(waves(n).eval().data(), 1, n);
+  const int known = static_cast<int>(kept.size());
+  Eigen::MatrixXd whole = halves;
+  factor->solve_backward(whole, known);
+  for (const std::vector<int>& places : {std::vector<int>{0}, std::vector<int>{7, 30, 52}, std::vector<int>{n - 1}}) {
+    Eigen::MatrixXd part = halves;
+    factor->solve_backward_at(places, part, known);
+    for (const int place : places) EXPECT_EQ(part(0, place), whole(0, place)) << place;
+    EXPECT_EQ(part.rightCols(known), halves.rightCols(known));
+  }
+}
+
 }  // namespace

@@ -1,6 +1,7 @@
 #include "fracture/line/line_events.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace bempd::fracture {
@@ -58,33 +59,57 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
   return &event_;
 }
 
+std::optional<double> LineEvents::next_bond(const std::vector<char>& intact, bool path) const {
+  if (path) return body_.ratios().admissible(intact).next(true);
+  return body_.ratios().next_break(intact, body_.state().load_factor, std::numeric_limits<double>::infinity());
+}
+
+// Terms that break by themselves, beside these steps, the first of which comes at a load factor.
+std::vector<char> LineEvents::left_to_themselves(const std::vector<LineStep>& steps, double at, bool path) const {
+  const BodyState& state = body_.state();
+  std::vector<char> intact = body_.system().intact();
+  double first = std::abs(state.load_factor);
+  const auto are_driven = [&] {
+    return std::all_of(steps.begin(), steps.end(), [&](const LineStep& s) { return LineSteps::is_driven(s, first); });
+  };
+  if (!are_driven()) {
+    if (const std::optional<double> bonds = next_bond(intact, path)) at = std::min(at, *bonds);
+    if (std::isfinite(at)) first = std::max(first, std::abs(at));
+  }
+  for (const LineStep& step : steps)
+    if (LineSteps::is_driven(step, first)) steps_.spare(state.tips[step.tip], intact);
+  return intact;
+}
+
 const Event* LineEvents::next(double target, const SteppingOptions& options) {
   step_.reset();
   birth_.reset();
   const BodyState& state = body_.state();
   if (target < state.load_factor) return nullptr;
   const bool path = options.control == Control::path;
-  std::vector<char> growing;
-  step_ = steps_.first(state.tips, state.displacement, state.load_factor, growing);
-  const double infinity = std::numeric_limits<double>::infinity();
-  double at = infinity;
-  if (step_) at = path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
-  std::vector<char> intact;
-  if (!laws().of_node.empty()) {
-    intact = body_.system().intact();
-    steps_.spare(state.tips, growing, intact);
+  const std::vector<LineStep> steps = steps_.all(state.tips, state.displacement, state.load_factor, options.control);
+  double at = std::numeric_limits<double>::infinity();
+  if (const LineStep* first = LineSteps::first_of(steps)) {
+    step_ = *first;
+    at = path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
   }
-  const std::optional<double> bonds = laws().of_node.empty() ? std::nullopt
-                                      : path                 ? body_.ratios().admissible(intact).next(true)
-                                             : body_.ratios().next_break(intact, state.load_factor, infinity);
+  std::vector<char> intact;
+  std::optional<double> bonds;
+  if (!laws().of_node.empty()) {
+    intact = left_to_themselves(steps, at, path);
+    bonds = next_bond(intact, path);
+  }
   if (bonds && *bonds < at) {
     step_.reset();
-    const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 1);
+    const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 0);  // alike but for rounding
     const std::optional<Birth> birth = most.empty() ? std::nullopt : birth_at(most.front(), *bonds);
     const Event* born = birth ? tell_birth(most.front(), *birth, *bonds) : nullptr;
     return born ? born : tell_bonds(intact, *bonds, options);
   }
-  if (!step_) return nullptr;
+  return step_ ? tell_step(at) : nullptr;
+}
+
+const Event* LineEvents::tell_step(double at) {
   event_ = {at, step_->ratio_at(at), step_->load_factor, {}};
   for (const int bond : step_->bonds)
     event_.changes.push_back({bond, body_.system().terms().law_of(static_cast<std::size_t>(bond)).gone()});
@@ -102,7 +127,8 @@ Outcome LineEvents::perform() {
   }
   if (step_) {
     const BodyState& state = body_.state();
-    steps_.take(*step_, event_.ratio, outcome.released_energy, state.displacement, state.load_factor, tips);
+    LineSteps::move(*step_, tips);
+    steps_.remember(*step_, event_.ratio, outcome.released_energy, state.displacement, state.load_factor, tips);
   }
   return outcome;
 }

@@ -20,6 +20,9 @@ class LineEvents final : public EventSource {
   const Event* next(double target, const SteppingOptions& options) override;
   Outcome perform() override;
 
+  const LineSteps& steps() const { return steps_; }
+  bool tells_step() const { return step_.has_value(); }  // and no crack begins
+
  private:
   struct Birth {
     Point middle, direction;
@@ -29,6 +32,9 @@ class LineEvents final : public EventSource {
   const pd::TipLaws& laws() const { return steps_.laws(); }
   std::optional<Birth> birth_at(int bond, double load_factor) const;
   const Event* tell_birth(int bond, const Birth& birth, double load_factor);
+  std::optional<double> next_bond(const std::vector<char>& intact, bool path) const;
+  std::vector<char> left_to_themselves(const std::vector<LineStep>& steps, double at, bool path) const;
+  const Event* tell_step(double at);
   const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 
   LoadedBody& body_;

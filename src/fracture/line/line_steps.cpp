@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "elasticity/kinked_tip.hpp"
+#include "fracture/event_source.hpp"
 #include "geometry/turning.hpp"
 
 namespace bempd::fracture {
@@ -33,20 +35,34 @@ double correction(const GrowingTip& tip) {
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
 }
 
-// Positive where c lies to the left of the way from a to b.
-double side(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
+// Whether c lies to the left of the way from a to b; what lies on it does not, whatever rounding says.
+bool is_left(const Point& a, const Point& b, const Point& c) {
+  const Point way = b - a, to = c - a;
+  return cross(way, to) > rounding_of_places * way.norm() * std::max(way.norm(), to.norm());
+}
 
 // A tip that has run into a face keeps its law as the number before -1 that stands for it.
-bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
 int ended(int law) { return -1 - law; }
 
 // Its other tip lies closely behind it at first, which the fitted series does not know.
 bool has_begun(const pd::TipLaw& law) { return law.crack == 0; }
 
+// A tip that does not grow before so many times the load factor at which something else happens feels rounding, as one
+// in a part that bears nothing does.
+constexpr double farthest_load = 1e6;
+// Likewise a stress closely ahead that is this share of the one around.
+constexpr double least_stress = 1e-8;
+
 // Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
 constexpr int stations = 10;
 constexpr double beside = 1, least_cosine = 0.8;
 constexpr int enough_bonds = 2;
+
+// A load factor beyond the one at which a tip reaches its toughness, if a larger one drives it more at all.
+double beyond_toughness(const AffineIntensity& intensity, const pd::TipLaw& law) {
+  const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
+  return slope > 0 ? 4 * (law.toughness + std::hypot(intensity.one[0], intensity.two[0])) / slope : 0;
+}
 
 }  // namespace
 
@@ -68,10 +84,11 @@ std::optional<double> LineSteps::face_ahead(const Point& tip, const Point& way, 
   std::array<int, stations> present{}, left{};
   const auto count = [&](std::size_t t, const Point& from) {
     const Point bond = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
-    if (std::abs(bond.dot(way)) < least_cosine * terms.length[t]) return;
+    if (std::abs(bond.dot(way)) < (least_cosine - rounding_of_places) * terms.length[t]) return;
     for (int k = 0; k < stations; ++k) {
       const double at = (k + 1) * law.spacing / stations, part = (at - from.dot(way)) / bond.dot(way);
-      if (part <= 0 || part >= 1 || std::abs(cross(way, from + part * bond)) > beside * law.spacing) continue;
+      if (part <= rounding_of_places || part >= 1 - rounding_of_places) continue;
+      if (std::abs(cross(way, from + part * bond)) > (beside + rounding_of_places) * law.spacing) continue;
       ++present[static_cast<std::size_t>(k)];
       left[static_cast<std::size_t>(k)] += system_.intact()[t] != 0 ? 1 : 0;
     }
@@ -100,7 +117,7 @@ std::vector<int> LineSteps::across(const Point& from, const Point& to, double ho
       const auto b = static_cast<std::size_t>(bond);
       if (terms.is_wide(b) || !system_.intact()[b]) continue;
       const Point& q = positions[static_cast<std::size_t>(terms.second[b])];
-      if ((side(from, to, p) > 0) != (side(from, to, q) > 0) && (side(p, q, from) > 0) != (side(p, q, to) > 0))
+      if (is_left(from, to, p) != is_left(from, to, q) && is_left(p, q, from) != is_left(p, q, to))
         found.push_back(bond);
     }
   }
@@ -108,29 +125,52 @@ std::vector<int> LineSteps::across(const Point& from, const Point& to, double ho
   return found;
 }
 
+// Where nothing lies ahead, a tip goes straight on.
+AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
+                                      const coupling::Affine& displacement) const {
+  const pd::TipLaw& law = law_of(tip);
+  AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack));
+  for (int part = 0; part < 2; ++part) {
+    const double size = std::hypot(by_fit.one[part], by_fit.two[part]);
+    if (std::hypot(ahead.one[part], ahead.two[part]) < least_stress * size) ahead.one[part] = ahead.two[part] = 0;
+  }
+  return ahead;
+}
+
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
-                                        const coupling::Affine& displacement, double present) const {
+                                        const coupling::Affine& displacement, double present, bool path) const {
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
   const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
-  const AffineIntensity turning =
-      has_begun(law) ? stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack)) : intensity;
+  const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement) : intensity;
   LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
-  // Without constant loads the kink does not depend on the load factor.
-  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
-  double load_factor = proportional || present <= 0 ? 1 : present;
-  for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
+  const auto kink_at = [](const AffineIntensity& of, double load_factor) {
     const Eigen::Vector2d at(1, load_factor);
-    const double kink = kink_of({intensity.one.dot(at), intensity.two.dot(at)}).angle;
-    const double turn = kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
+    return kink_of({of.one.dot(at), of.two.dot(at)});
+  };
+  const auto aim = [&](double load_factor) {
+    const double kink = kink_at(intensity, load_factor).angle, turn = kink_at(turning, load_factor).angle;
     const auto share = [&](int part) {
       return hoop_factor({intensity.one[part], intensity.two[part]}, kink) * correction(tip) / law.toughness;
     };
     step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, turn);
-    if (!(step.growing > 0)) return std::nullopt;
-    load_factor = (1 - step.constant) / step.growing;
+    step.load_factor = (1 - step.constant) / step.growing;
+    return step.growing > 0;
+  };
+  // Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and
+  // has these tangents: where they rise they lead to its larger root.
+  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
+  bool grows =
+      aim(proportional || present <= 0 ? 1 : present) || (!proportional && aim(beyond_toughness(intensity, law)));
+  for (int round = 1; grows && !proportional && round < rounds_for_kink; ++round) grows = aim(step.load_factor);
+  const bool is_due = !proportional && !path && (!grows || step.load_factor > present) &&
+                      kink_at(intensity, present).equivalent_factor * correction(tip) >= law.toughness;
+  if (is_due) {
+    aim(present);
+    step.load_factor = present;
+  } else if (!grows) {
+    return std::nullopt;
   }
-  step.load_factor = load_factor;
   find_bonds(tip.place, law, step);
   return step.bonds.empty() ? std::nullopt : std::optional(std::move(step));
 }
@@ -149,17 +189,26 @@ void LineSteps::find_bonds(const Point& place, const pd::TipLaw& law, LineStep& 
   }
 }
 
-std::optional<LineStep> LineSteps::first(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                         double load_factor, std::vector<char>& growing) const {
-  growing.assign(tips.size(), 0);
-  std::optional<LineStep> found;
+std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
+                                     double load_factor, Control control) const {
+  std::vector<LineStep> steps;
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (has_ended(tips[k])) continue;
-    std::optional<LineStep> step = next(tips, k, displacement, load_factor);
-    growing[k] = step.has_value();
-    if (step && (!found || step->load_factor < found->load_factor)) found = std::move(step);
+    if (std::optional<LineStep> step = next(tips, k, displacement, load_factor, control == Control::path))
+      steps.push_back(std::move(*step));
   }
+  return steps;
+}
+
+const LineStep* LineSteps::first_of(const std::vector<LineStep>& steps) {
+  const LineStep* found = nullptr;
+  for (const LineStep& step : steps)
+    if (!found || step.load_factor < found->load_factor - ratio_rounding * std::abs(found->load_factor)) found = &step;
   return found;
+}
+
+bool LineSteps::is_driven(const LineStep& step, double load_factor) {
+  return step.load_factor <= farthest_load * std::abs(load_factor);
 }
 
 double LineSteps::hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
@@ -169,14 +218,19 @@ double LineSteps::hoop_ratio(const GrowingTip& tip, const coupling::Affine& disp
   return kink_of({found.one.dot(at), found.two.dot(at)}).equivalent_factor / law.toughness;
 }
 
-void LineSteps::take(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
-                     double load_factor, std::vector<GrowingTip>& tips) const {
+void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) {
+  GrowingTip& tip = tips[step.tip];
+  tip.place += step.length * step.direction;
+  tip.direction = step.direction;
+}
+
+void LineSteps::remember(const LineStep& step, double ratio, double released_energy,
+                         const coupling::Affine& displacement, double load_factor,
+                         std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = law_of(tip);
   // The ratio of the event holds the correction that was made; what is remembered must not.
   const double before = ratio / correction(tip);
-  tip.place += step.length * step.direction;
-  tip.direction = step.direction;
   // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
   // is expected is the mean of the rates at both ends of the step.
   const double after = step.arrives ? before : std::max(hoop_ratio(tip, displacement, load_factor), 0.0);
@@ -189,15 +243,23 @@ void LineSteps::take(const LineStep& step, double ratio, double released_energy,
   if (step.arrives) tip.law = ended(tip.law);
 }
 
-void LineSteps::spare(const std::vector<GrowingTip>& tips, const std::vector<char>& growing,
-                      std::vector<char>& intact) const {
-  for (std::size_t k = 0; k < tips.size(); ++k) {
-    if (!growing[k]) continue;
-    const double reach = guarded_reach * law_of(tips[k]).horizon;
-    for (const int node : stress_.near().about(tips[k].place, reach)) {
-      if ((body_.positions()[static_cast<std::size_t>(node)] - tips[k].place).norm() >= reach) continue;
-      for (const int term : terms_from_.of(node)) intact[static_cast<std::size_t>(term)] = 0;
-    }
+std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) const {
+  std::vector<int> nodes;
+  for (const GrowingTip& tip : tips)
+    if (!has_ended(tip)) stress_.add_nodes_asked(tip, law_of(tip), has_begun(law_of(tip)), nodes);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+bool LineSteps::is_spared(const Point& first, const GrowingTip& tip) const {
+  return (first - tip.place).norm() < guarded_reach * law_of(tip).horizon;
+}
+
+void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact) const {
+  for (const int node : stress_.near().about(tip.place, guarded_reach * law_of(tip).horizon)) {
+    if (!is_spared(body_.positions()[static_cast<std::size_t>(node)], tip)) continue;
+    for (const int term : terms_from_.of(node)) intact[static_cast<std::size_t>(term)] = 0;
   }
 }
 

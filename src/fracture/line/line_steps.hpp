@@ -5,6 +5,7 @@
 
 #include "fracture/line/tip_stress.hpp"
 #include "fracture/loaded_body.hpp"
+#include "fracture/stepping_options.hpp"
 
 namespace bempd::fracture {
 
@@ -31,24 +32,39 @@ class LineSteps {
   const pd::TipLaws& laws() const { return laws_; }
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
 
-  // Null where the way meets no bond, or nothing drives the tip.
-  std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
-                               const coupling::Affine& displacement, double load_factor) const;
-  // The first of all tips', marking those that have one.
-  std::optional<LineStep> first(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                double load_factor, std::vector<char>& growing) const;
-  // After an event with this ratio that released this energy and has led to these displacements.
-  void take(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
-            double load_factor, std::vector<GrowingTip>& tips) const;
+  // One for each tip whose way meets bonds and that something drives; and the first of them, of those alike but for
+  // rounding that of the first tip. Null if there is none.
+  std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
+                            double load_factor, Control control) const;
+  static const LineStep* first_of(const std::vector<LineStep>& steps);
+  // Whether what drives the tip is more than rounding, where something happens at this load factor.
+  static bool is_driven(const LineStep& step, double load_factor);
+
+  // The tip moves. Then, of an event with this ratio that released this energy and has led to these displacements:
+  // the tip remembers it, or ends.
+  static void move(const LineStep& step, std::vector<GrowingTip>& tips);
+  void remember(const LineStep& step, double ratio, double released_energy, const coupling::Affine& displacement,
+                double load_factor, std::vector<GrowingTip>& tips) const;
+
+  // Nodes whose displacements are asked for where these tips are, each once.
+  std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
+  static bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
+
+  // Where a bond does not break by itself, as near as it is to a tip that grows.
+  bool is_spared(const Point& first, const GrowingTip& tip) const;
 
   // Bonds that are left across a way.
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
-  // Marks as gone the terms near tips that grow: they do not break by themselves.
-  void spare(const std::vector<GrowingTip>& tips, const std::vector<char>& growing, std::vector<char>& intact) const;
+  // Marks as gone the terms near a tip that grows: they do not break by themselves.
+  void spare(const GrowingTip& tip, std::vector<char>& intact) const;
 
   const TipStress& stress() const { return stress_; }
 
  private:
+  std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
+                               const coupling::Affine& displacement, double load_factor, bool path) const;
+  AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
+                             const coupling::Affine& displacement) const;
   std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
   // Largest hoop intensity over the toughness.
   double hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;

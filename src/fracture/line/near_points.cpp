@@ -10,7 +10,7 @@ namespace {
 constexpr double points_in_a_bucket = 16;
 
 // What distances may differ by that are rounded otherwise, in sides of buckets.
-constexpr double rounding_of_places = 1e-6;
+constexpr double rounding_of_distances = 1e-6;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ int NearPoints::number_of(double distance, int count) const {
 }
 
 std::vector<int> NearPoints::about(const Point& place, double reach) const {
-  const Point from_lowest = place - lowest_, around = Point::Constant(reach + rounding_of_places * side_);
+  const Point from_lowest = place - lowest_, around = Point::Constant(reach + rounding_of_distances * side_);
   const Point low = from_lowest - around, high = from_lowest + around;
   std::vector<int> found;
   for (int row = number_of(low.y(), rows_); row <= number_of(high.y(), rows_); ++row) {

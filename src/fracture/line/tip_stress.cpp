@@ -134,19 +134,6 @@ TipSight TipStress::sight_of(const GrowingTip& tip, const pd::TipLaw& law) const
   return sight;
 }
 
-std::vector<int> TipStress::points_seen(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
-                                        double least_cosine, const TipSight& sight) const {
-  std::vector<int> seen;
-  for (const int node : near_.about(tip.place, reach.outer * law.horizon)) {
-    const Point& point = positions_[static_cast<std::size_t>(node)];
-    const Point step = (point - tip.place) / law.horizon;
-    const double r = step.norm();
-    if (r < reach.inner || r >= reach.outer || step.dot(tip.direction) < least_cosine * r) continue;
-    if (!bonds_at_.of(node).empty() && sight.sees(point)) seen.push_back(node);
-  }
-  return seen;
-}
-
 Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
   Eigen::RowVector2d parts;
@@ -158,33 +145,35 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   return parts;
 }
 
+// Share of a point in what the pulls of a wide term of unit tension do, by their arms.
+Eigen::Vector3d TipStress::moment_about(int node, std::size_t wide, const Point& direction) const {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  int nodes = 0;
+  system_.terms().for_each_entry(wide, [&](int at, double x, double y) {
+    const Point pull(x, y), arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
+    const double along = pull.dot(direction), across = cross(direction, pull);
+    const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
+    moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);
+    ++nodes;
+  });
+  return moment / nodes;
+}
+
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
   Stress sum = Stress::Zero();
-  for_each_bond(node, [&](int bond) {
-    const auto b = static_cast<std::size_t>(bond);
-    const Point e(terms.cosine[b], terms.sine[b]);
+  for_each_term(node, [&](std::size_t t) {
+    if (terms.is_wide(t)) {
+      sum += moment_about(node, t, direction) * tension(t, displacement);
+      return;
+    }
+    const Point e(terms.cosine[t], terms.sine[t]);
     const double along = e.dot(direction), across = cross(direction, e);
     const Eigen::Vector3d dyad(along * along, across * across, along * across);
-    const Eigen::RowVector2d force = tension(b, displacement);
-    for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[b] / 2 * dyad;
+    const Eigen::RowVector2d force = tension(t, displacement);
+    for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[t] / 2 * dyad;
   });
-  for (const int t : wide_at_.of(node)) {
-    const auto wide = static_cast<std::size_t>(t);
-    if (!system_.intact()[wide]) continue;
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-    int nodes = 0;
-    terms.for_each_entry(wide, [&](int at, double x, double y) {
-      const Point pull(x, y),
-          arm = positions_[static_cast<std::size_t>(at)] - positions_[static_cast<std::size_t>(node)];
-      const double along = pull.dot(direction), across = cross(direction, pull);
-      const double arm_along = arm.dot(direction), arm_across = cross(direction, arm);
-      moment += Eigen::Vector3d(along * arm_along, across * arm_across, (along * arm_across + across * arm_along) / 2);
-      ++nodes;
-    });
-    sum += moment / nodes * tension(wide, displacement);
-  }
   return sum / (law.spacing * law.spacing * law.thickness * share_[static_cast<std::size_t>(node)]);
 }
 
@@ -200,29 +189,63 @@ Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling:
   return {-std::sin(angle), std::cos(angle)};
 }
 
+TipStress::Fit TipStress::fit_of(const GrowingTip& tip, const pd::TipLaw& law) const {
+  const TipSight sight = sight_of(tip, law);
+  const double surface = std::min(sight.nearest_face(), nearest_outline(tip.place, away_from_surfaces * law.horizon));
+  Reach reach = reach_at(surface, law.horizon);
+  Fit fit{terms_beside(sight.nearest_face(), law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
+  if (fit.terms < fitted_terms && fit.stations.size() < enough_points) {
+    reach.inner = 0;
+    fit.stations = stations(tip, law, reach, fitted_cosine, sight);
+  }
+  return fit;
+}
+
+std::vector<TipStress::Station> TipStress::stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const {
+  return stations(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law));
+}
+
+// Points without bonds have no stress.
+std::vector<TipStress::Station> TipStress::stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach,
+                                                    double least_cosine, const TipSight& sight) const {
+  std::vector<Station> found;
+  for (const int node : near_.about(tip.place, reach.outer * law.horizon)) {
+    const Point& point = positions_[static_cast<std::size_t>(node)];
+    const Point step = (point - tip.place) / law.horizon;
+    const Station s{node, step.norm(), step.dot(tip.direction), cross(tip.direction, step)};
+    if (s.distance < reach.inner - rounding_of_places || s.distance >= reach.outer - rounding_of_places) continue;
+    if (s.ahead < least_cosine * s.distance - rounding_of_places || bonds_at_.of(node).empty()) continue;
+    if (sight.sees(point)) found.push_back(s);
+  }
+  return found;
+}
+
+void TipStress::add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead,
+                                std::vector<int>& nodes) const {
+  std::vector<Station> asked = fit_of(tip, law).stations;
+  if (closely_ahead) {
+    const std::vector<Station> near = stations_closely_ahead(tip, law);
+    asked.insert(asked.end(), near.begin(), near.end());
+  }
+  for (const Station& s : asked) {
+    for_each_term(s.node, [&](std::size_t term) {
+      system_.terms().for_each_node(term, [&](int node) { nodes.push_back(node); });
+    });
+  }
+}
+
 AffineIntensity TipStress::at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                               const Eigen::RowVector2d& pressure) const {
   using Square = Eigen::Matrix<double, amplitudes_fitted, amplitudes_fitted>;
   using Parts = Eigen::Matrix<double, amplitudes_fitted, 2>;
   Square normal = Square::Zero();
   Parts right = Parts::Zero();
-  const TipSight sight = sight_of(tip, law);
-  const double surface = std::min(sight.nearest_face(), nearest_outline(tip.place, away_from_surfaces * law.horizon));
-  const int count = terms_beside(sight.nearest_face(), law.horizon);
-  Reach reach = reach_at(surface, law.horizon);
-  std::vector<int> points = points_seen(tip, law, reach, fitted_cosine, sight);
-  if (count < fitted_terms && points.size() < enough_points) {
-    reach.inner = 0;
-    points = points_seen(tip, law, reach, fitted_cosine, sight);
-  }
-  for (const int node : points) {
-    const Point step = (positions_[static_cast<std::size_t>(node)] - tip.place) / law.horizon;
-    const double r = step.norm(), ahead = step.dot(tip.direction);
+  const Fit fit = fit_of(tip, law);
+  for (const auto& [node, r, ahead, across] : fit.stations) {
     Stress s = stress(node, tip.direction, law, displacement);
     s.topRows<2>().rowwise() += pressure;
-    const double across = cross(tip.direction, step);
     Eigen::Matrix<double, 3, amplitudes_fitted> terms = williams_stress(r, std::atan2(across, ahead));
-    terms.rightCols(amplitudes_fitted - 2 * count).setZero();
+    terms.rightCols(amplitudes_fitted - 2 * fit.terms).setZero();
     normal += r * terms.transpose() * terms;
     right += r * terms.transpose() * s;
   }
@@ -237,9 +260,9 @@ AffineIntensity TipStress::closely_ahead_of(const GrowingTip& tip, const pd::Tip
                                             const Eigen::RowVector2d& pressure) const {
   AffineIntensity sum;
   double total = 0;
-  for (const int node : points_seen(tip, law, {0, near_reach}, near_cosine, sight_of(tip, law))) {
-    const double r = ((positions_[static_cast<std::size_t>(node)] - tip.place) / law.horizon).norm();
-    const Stress s = stress(node, tip.direction, law, displacement);
+  for (const Station& station : stations_closely_ahead(tip, law)) {
+    const double r = station.distance;
+    const Stress s = stress(station.node, tip.direction, law, displacement);
     const double bump = 1 - r * r / (near_reach * near_reach), weight = bump * bump;
     sum.one += weight * (s.row(1) + pressure);
     sum.two += weight * s.row(2);

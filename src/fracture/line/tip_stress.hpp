@@ -34,15 +34,11 @@ class TipStress {
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                                    const Eigen::RowVector2d& pressure) const;
 
+  // Nodes on whose displacements the first of both depends, or both; some of them more than once.
+  void add_nodes_asked(const GrowingTip& tip, const pd::TipLaw& law, bool closely_ahead, std::vector<int>& nodes) const;
+
   // Unit vector across the largest principal stress where a bond is.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
-
-  // Bonds that are left at a node.
-  template <class Visit>
-  void for_each_bond(int node, const Visit& visit) const {
-    for (const int bond : bonds_at_.of(node))
-      if (system_.intact()[static_cast<std::size_t>(bond)]) visit(bond);
-  }
 
   const NearPoints& near() const { return near_; }
 
@@ -52,13 +48,34 @@ class TipStress {
     double inner, outer;  // in horizons, of what is asked around a tip
   };
 
+  // A point whose stress is asked.
+  struct Station {
+    int node;
+    double distance, ahead, across;  // of the tip, in horizons
+  };
+  struct Fit {
+    int terms;  // of Williams' series
+    std::vector<Station> stations;
+  };
+  Fit fit_of(const GrowingTip& tip, const pd::TipLaw& law) const;
+  std::vector<Station> stations_closely_ahead(const GrowingTip& tip, const pd::TipLaw& law) const;
+  // Those ahead within reach that it sees, with bonds.
+  std::vector<Station> stations(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
+                                const TipSight& sight) const;
+
+  // Terms that are left at a node, on which its stress depends.
+  template <class Visit>
+  void for_each_term(int node, const Visit& visit) const {
+    for (const linalg::Adjacency* list : {&bonds_at_, &wide_at_})
+      for (const int term : list->of(node))
+        if (system_.intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
+  }
+
   double nearest_outline(const Point& place, double at_most) const;
   Reach reach_at(double nearest_surface, double horizon) const;
   TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
-  // Those ahead within reach that it sees, with bonds.
-  std::vector<int> points_seen(const GrowingTip& tip, const pd::TipLaw& law, const Reach& reach, double least_cosine,
-                               const TipSight& sight) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]
+  Eigen::Vector3d moment_about(int node, std::size_t wide, const Point& direction) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
   const coupling::EquilibriumSystem& system_;

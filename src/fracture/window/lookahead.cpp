@@ -23,6 +23,7 @@ Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder&
       freed_parts_(freed_parts),
       faces_(faces),
       whole_ratios_(ratios),
+      positions_(positions),
       place_(system, ratios, positions),
       functions_(system, reaction_dofs),
       narrowing_(system, place_, positions),
@@ -31,9 +32,14 @@ Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder&
 bool Lookahead::open(const BodyState& state, double load_factor, const Options& options) {
   close();
   options_ = options;
-  if (!has_window_form(system_) || !place_.choose(load_factor, options.tie_band, options.ahead)) return false;
+  if (!has_window_form(system_) || !choose_place(state, load_factor)) return false;
   open_here(state);
   return true;
+}
+
+bool Lookahead::choose_place(const BodyState& state, double load_factor) {
+  return lines_ ? choose_place_of_lines(state, load_factor)
+                : place_.choose(load_factor, options_.tie_band, options_.ahead);
 }
 
 void Lookahead::open_again(const BodyState& state, const Options& options) {
@@ -67,7 +73,9 @@ void Lookahead::build_window(const BodyState& state) {
   check_cancelled();
   phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
-  certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+  if (!lines_)
+    certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+  tips_ = state.tips;
   outside_gaps_ = OutsideGaps(system_, *condensation_);
   whole_ = state.displacement;
   any_displacement_ = state.total_displacement;
@@ -80,6 +88,7 @@ void Lookahead::close() noexcept {
   if (!condensation_) return;
   window_.reset();
   certificate_.reset();
+  away_from_tips_.reset();
   condensation_.reset();
   events_.clear();
   states_.clear();
@@ -128,6 +137,7 @@ void Lookahead::compute(const BodyState& state) {
   events_.clear();
   checks_.clear();
   position_ = balanced_events_ = 0;
+  if (lines_) begin_steps(state);
   unbalanced_ = 0;
   foreseen_ = {window_->state()};
   std::optional<FacesAhead> ahead;
@@ -179,28 +189,34 @@ std::optional<double> Lookahead::next_load_factor(double from) const {
   return ratios.admissible(window_->intact()).next(true);
 }
 
-bool Lookahead::foresee(double from, const BodyState& start) {
-  narrowing_.narrow(*window_, condensation_->dofs(), from);
+bool Lookahead::choose_breaks(double from, ForeseenEvent& foreseen) const {
   const AffineRatios& ratios = window_->ratios();
   const std::optional<double> next = next_load_factor(from);
   if (!next) return false;
-  const std::vector<int> chosen = choose(*next);
-  ForeseenEvent foreseen;
   foreseen.event.load_factor = *next;
-  for (int place : chosen) {
+  for (int place : choose(*next)) {
     if (!window_->ratio_is_known(place)) return false;
     const int term = window_->bonds()[place];
     foreseen.event.changes.push_back(system_.after_critical(term));
     const auto bond = static_cast<std::size_t>(place);
     foreseen.event.reach(ratios.at(bond, *next), ratios.critical_load_factor(bond, *next));
   }
+  return true;
+}
+
+bool Lookahead::foresee(double from, const BodyState& start) {
+  narrow(from);
+  ForeseenEvent foreseen;
+  const std::optional<LineStep> step = lines_ ? choose_step(from, foreseen) : std::nullopt;
+  if (lines_ ? !step.has_value() : !choose_breaks(from, foreseen)) return false;
   if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.event.changes = system_.with_followers(std::move(foreseen.event.changes));
   for (const coupling::StageChange& c : foreseen.event.changes) {
     if (window_->place_of(c.term) < 0) return false;  // a follower that reaches out of the window
     foreseen.back.push_back({c.term, system_.stages()[c.term]});
   }
-  foreseen.largest_force = events_.empty() ? largest_force_before(*next, start) : events_.back().largest_force;
+  foreseen.largest_force =
+      events_.empty() ? largest_force_before(foreseen.event.load_factor, start) : events_.back().largest_force;
   if (!perform_in_window(foreseen)) {
     needs_whole_body_ = true;
     return false;
@@ -212,7 +228,11 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     needs_whole_body_ = true;
     return false;
   }
-  add_checks(from, foreseen.event);
+  if (step) {
+    take_step(*step, foreseen);
+  } else {
+    add_checks(from, foreseen.event);
+  }
   events_.push_back(std::move(foreseen));
   foreseen_.push_back(window_->state());
   return true;
@@ -230,6 +250,7 @@ bool Lookahead::is_balanced() {
   balanced_events_ = count;
   if (share <= WindowSettings::negligible_residual) return true;
   window_->balance(force);
+  if (lines_) near_tips_ = displacement_near(last_tips());
   narrowing_.stop();
   foreseen_.back() = window_->state();
   return true;

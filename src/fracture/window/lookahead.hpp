@@ -8,7 +8,9 @@
 #include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
+#include "fracture/line/line_steps.hpp"
 #include "fracture/window/active_window.hpp"
+#include "fracture/window/away_from_tips.hpp"
 #include "fracture/window/narrowing.hpp"
 #include "fracture/window/outside_gaps.hpp"
 #include "fracture/window/window_certificate.hpp"
@@ -28,6 +30,8 @@ struct ForeseenEvent {
   std::vector<double> reactions_before, reactions;  // after it
   std::int64_t switches = 0;                        // places of faces that close or open
   std::optional<FaceState> faces;                   // after it, where there are such
+  std::vector<GrowingTip> tips;                     // after it, where cracks grow as lines
+  std::vector<GrowingTip> growing;                  // before it, those that have a way
 };
 
 // Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those
@@ -43,6 +47,9 @@ class Lookahead {
 
   // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
   void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }
+
+  // From now on events are steps of lines.
+  void follow(const LineSteps& lines) { lines_ = &lines; }
 
   // Around the bonds that are hot at the load factor of the next event. False if there is no window that would be
   // smaller than the problem.
@@ -86,6 +93,17 @@ class Lookahead {
   void open_here(const BodyState& state);
   void build_window(const BodyState& state);
   bool foresee(double from, const BodyState& start);
+  bool choose_breaks(double from, ForeseenEvent& foreseen) const;
+  bool choose_place(const BodyState& state, double load_factor);
+  bool choose_place_of_lines(const BodyState& state, double load_factor);
+  void begin_steps(const BodyState& state);
+  std::optional<LineStep> choose_step(double from, ForeseenEvent& foreseen) const;
+  void take_step(const LineStep& step, ForeseenEvent& foreseen);
+  coupling::Affine displacement_near(const std::vector<GrowingTip>& tips) const;
+  const std::vector<GrowingTip>& last_tips() const { return events_.empty() ? tips_ : events_.back().tips; }
+  void narrow(double load_factor);
+  int steps_as_foreseen() const;
+  coupling::Affine whole_in(int state) const;
   std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;
@@ -107,14 +125,19 @@ class Lookahead {
   CrackFaces& faces_;
   FacesAhead* ahead_ = nullptr;  // while events are computed, where faces can meet
   const StretchRatios& whole_ratios_;
+  const std::vector<Point>& positions_;
   WindowPlace place_;
   WindowFunctions functions_;
   Narrowing narrowing_;
   Options options_{};
+  const LineSteps* lines_ = nullptr;
+  std::vector<GrowingTip> tips_;  // in the state 0
+  coupling::Affine near_tips_;    // displacements in the state foreseen last, where its tips ask
 
   std::unique_ptr<coupling::Condensation> condensation_;
   std::unique_ptr<ActiveWindow> window_;
-  std::unique_ptr<WindowCertificate> certificate_;
+  std::unique_ptr<WindowCertificate> certificate_;  // or, of lines:
+  std::unique_ptr<AwayFromTips> away_from_tips_;
   OutsideGaps outside_gaps_;
   Eigen::VectorXd any_displacement_;
   coupling::Affine whole_;  // displacements of the whole body in the last state

@@ -26,7 +26,7 @@ void Lookahead::add_checks(double from, const Event& event) {
 
 // Keeps the events that the whole body would go through in the same way.
 void Lookahead::certify(double from) {
-  if (!events_.empty()) keep_first(window_->left_behind().first_violation(states_, checks_));
+  if (!events_.empty() && !lines_) keep_first(window_->left_behind().first_violation(states_, checks_));
   if (events_.empty()) return;
   // Their bonds are gone while the events computed are not taken back.
   if (ahead_) ahead_->forget_after(static_cast<int>(events_.size()));
@@ -39,7 +39,7 @@ void Lookahead::certify(double from) {
   for (const ForeseenEvent& foreseen : events_) {
     breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
-  const int kept = certificate_->first_violation(states_, breaks, checks_, whole_);
+  const int kept = lines_ ? steps_as_foreseen() : certificate_->first_violation(states_, breaks, checks_, whole_);
   faces_move_ = faces_move_ && kept >= unchanged;
   keep_first(kept);
   if (!events_.empty()) check_whole_body();
@@ -48,7 +48,7 @@ void Lookahead::certify(double from) {
 // Forces of the whole body are known before the first and after the last of the events.
 void Lookahead::check_whole_body() {
   const Affine before = std::move(whole_);  // in state 0
-  whole_ = certificate_->last_displacement(static_cast<int>(events_.size()));
+  whole_ = whole_in(static_cast<int>(events_.size()));
   ForeseenEvent& last = events_.back();
   const Eigen::VectorXd force = internal_force_after_all(last.event.load_factor);
   last.largest_force = std::max(

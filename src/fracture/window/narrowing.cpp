@@ -45,11 +45,28 @@ bool Narrowing::is_needed(int node, const std::vector<double>& rear) const {
   return false;
 }
 
+bool Narrowing::is_due(const ActiveWindow& window) {
+  if (window.breaks() < next_) return false;
+  next_ = window.breaks() + WindowSettings::breaks_between_narrowings;
+  return true;
+}
+
 void Narrowing::narrow(ActiveWindow& window, const std::vector<int>& dofs, double load_factor) {
-  const std::size_t broken = window.breaks();
-  if (broken < next_) return;
-  next_ = broken + WindowSettings::breaks_between_narrowings;
-  const std::vector<double> rear = rears(window, load_factor);
+  if (is_due(window)) leave(window, dofs, rears(window, load_factor));
+}
+
+void Narrowing::narrow(ActiveWindow& window, const std::vector<int>& dofs, const std::vector<Reach>& tips) {
+  if (!is_due(window)) return;
+  std::vector<double> rear(place_.zones().size(), std::numeric_limits<double>::infinity());
+  for (std::size_t z = 0; z < rear.size(); ++z) {
+    const Zone& zone = place_.zones()[z];
+    for (const Reach& tip : tips)
+      if (zone.contains(tip.place)) rear[z] = std::min(rear[z], zone.coordinates(tip.place).x() - tip.back);
+  }
+  leave(window, dofs, rear);
+}
+
+void Narrowing::leave(ActiveWindow& window, const std::vector<int>& dofs, const std::vector<double>& rear) const {
   std::vector<char> leaves;
   int leaving = 0;
   for (int dof : dofs) {

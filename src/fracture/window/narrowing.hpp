@@ -26,7 +26,16 @@ class Narrowing {
   // From time to time, at the load factor of an event. `dofs` are those kept by the window's condensation.
   void narrow(ActiveWindow& window, const std::vector<int>& dofs, double load_factor);
 
+  // The same behind the tips of lines, which reach so far back from their places.
+  struct Reach {
+    Point place;
+    double back;
+  };
+  void narrow(ActiveWindow& window, const std::vector<int>& dofs, const std::vector<Reach>& tips);
+
  private:
+  bool is_due(const ActiveWindow& window);
+  void leave(ActiveWindow& window, const std::vector<int>& dofs, const std::vector<double>& rear) const;
   // Per zone the place along its axis of the hindmost hot bond; minus infinity where nothing is hot.
   std::vector<double> rears(const ActiveWindow& window, double load_factor) const;
   bool is_needed(int node, const std::vector<double>& rear) const;

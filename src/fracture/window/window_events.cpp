@@ -56,7 +56,7 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
     const int most_events = lookahead_.most_events();
     const BodyState& state = body_.state();
     if (!lookahead_.open(state, load_factor, options_of(options))) return false;
-    origin_ = {lookahead_.options(), state.load_factor, state.displacement, state.faces, {}};
+    origin_ = {lookahead_.options(), state.load_factor, state.displacement, state.tips, state.faces, {}};
     faces_have_switched_ = false;
     most_events_at_first_ = most_events;
     return true;
@@ -114,6 +114,7 @@ void WindowEvents::take(const ForeseenEvent& next) {
   const std::vector<coupling::StageChange>& changes = next.event.changes;
   for (const coupling::StageChange& c : changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   const std::vector<int> gone = body_.system().gone_with(changes);
+  if (!state.tips.empty()) state.tips = next.tips;
   lookahead_.take();
   if (next.faces) {
     take_faces(*next.faces);
@@ -202,7 +203,8 @@ void WindowEvents::show() {
 
 WindowEvents::Place WindowEvents::place() const {
   const BodyState& state = body_.state();
-  return {lookahead_.position(), events_performed_, state.load_factor, state.largest_force, state.separated};
+  return {lookahead_.position(), events_performed_, state.load_factor,
+          state.largest_force,   state.separated,   state.tips};
 }
 
 BodyState WindowEvents::state_at(const Place& place) const {
@@ -220,15 +222,17 @@ BodyState WindowEvents::state_at(const Place& place) const {
   state.springs = present.springs;
   state.unloaded = present.unloaded;
   state.faces = present.faces;
+  state.tips = place.tips;
   return state;
 }
 
-void WindowEvents::return_to(const Place& place) noexcept {
+void WindowEvents::return_to(Place& place) noexcept {
   lookahead_.return_to(place.position);
   BodyState& state = body_.state();
   state.load_factor = place.load_factor;
   state.largest_force = place.largest_force;
   state.separated = place.separated;
+  state.tips.swap(place.tips);
   state.stages = body_.system().stages();
   events_performed_ = place.events_performed;
   is_behind_ = true;

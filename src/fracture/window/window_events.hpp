@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "fracture/event_source.hpp"
 #include "fracture/loaded_body.hpp"
@@ -16,6 +17,9 @@ class WindowEvents final : public EventSource {
  public:
   // Calls `before_forgetting` before places told so far lose their meaning.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
+
+  // From now on events are steps of lines.
+  void follow(const LineSteps& lines) { lookahead_.follow(lines); }
 
   // Before the first solution: initial cracks, given by the bonds they cut.
   void expect_cracks(const std::vector<int>& cut) { lookahead_.expect_cracks(cut); }
@@ -57,10 +61,11 @@ class WindowEvents final : public EventSource {
     std::int64_t events_performed;
     double load_factor, largest_force;
     bool separated;
+    std::vector<GrowingTip> tips;
   };
   Place place() const;
   BodyState state_at(const Place& place) const;
-  void return_to(const Place& place) noexcept;
+  void return_to(Place& place) noexcept;  // for the last time
 
  private:
   Lookahead lookahead_;

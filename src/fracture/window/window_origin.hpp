@@ -6,6 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "fracture/contact/face_state.hpp"
+#include "fracture/line/growing_tip.hpp"
 #include "fracture/stepping_options.hpp"
 #include "fracture/window/window_zones.hpp"
 
@@ -33,7 +34,8 @@ struct WindowOrigin {
   WindowOptions options;
   double load_factor = 0;
   coupling::Affine displacement{0, 2};
-  std::optional<FaceState> faces;  // then, if places have closed or opened in the window since
+  std::vector<GrowingTip> tips;    // then
+  std::optional<FaceState> faces;  // likewise, if places have closed or opened in the window since
   struct Look {
     std::int64_t after = 0;  // events performed
     double load_factor = 0, largest_force = 0;

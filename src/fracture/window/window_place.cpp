@@ -163,4 +163,27 @@ bool WindowPlace::choose(double load_factor, double tie_band, double ahead) {
   return false;
 }
 
+bool WindowPlace::choose(const std::vector<Way>& ways, double ahead) {
+  std::vector<int> next;
+  for (const Way& way : ways) next.insert(next.end(), way.bonds.begin(), way.bonds.end());
+  std::sort(next.begin(), next.end());
+  next.erase(std::unique(next.begin(), next.end()), next.end());
+  if (next.empty()) return false;
+  if (still_holds(next)) return true;
+  ZoneShape shape{length_ahead(ahead)};
+  std::vector<Zone> zones;
+  for (const Way& way : ways) {
+    if (way.bonds.empty()) continue;
+    const double spacing = spacing_[system_.terms().first[way.bonds.front()]];
+    const double reach = way.horizon / spacing + WindowSettings::beside_way;
+    shape.half_width = std::max(shape.half_width, reach);
+    shape.back = std::max(shape.back, reach);
+    zones.push_back(zone_ahead(way.from, way.direction, spacing, shape));
+  }
+  std::vector<int> nodes = nodes_of(zones);
+  if (nodes.empty() || is_too_large(nodes, shape)) return false;
+  keep(std::move(zones), std::move(nodes));
+  return true;
+}
+
 }  // namespace bempd::fracture

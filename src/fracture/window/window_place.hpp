@@ -27,6 +27,14 @@ class WindowPlace {
   // crack tip in lattice spacings, 0 to choose it. False if there is no place that would be smaller than the problem.
   bool choose(double load_factor, double tie_band, double ahead);
 
+  // In front of tips of lines, by their next ways and the bonds across these.
+  struct Way {
+    Point from, direction;
+    double horizon;
+    std::vector<int> bonds;
+  };
+  bool choose(const std::vector<Way>& ways, double ahead);
+
   PlaceMemory memory() const { return {zones_, nodes_, system_.keeps_last(nodes_)}; }
   void go_back_to(PlaceMemory memory);
   void stay() { mark_rim(); }  // where it is, with the present terms

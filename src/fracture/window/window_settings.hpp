@@ -54,6 +54,13 @@ struct WindowSettings {
   // each window would cost a factorization.
   static constexpr int events_beside_faces = 16;
 
+  // Lines: a window has to hold the way for so many spacings at first, how much wider it is than a step reaches, and
+  // how many steps it has to save for the next one to be tried at once, which costs a factorization.
+  static constexpr double least_way = 8, beside_way = 0.5;
+  static constexpr int worthwhile_steps = 16;
+  // Of the load factor of an event, so that a tip that is driven then is driven in the whole body too.
+  static constexpr double surely_driven = 0.1;
+
   // Below this pivot a term was the last resistance to some motion, or nearly so; and so it was if displacements grow
   // by this factor.
   static constexpr double smallest_pivot = 1e-7, most_growth = 1e6;

@@ -140,6 +140,14 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
   return zones;
 }
 
+Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape) {
+  Zone zone;
+  zone.centre = tip;
+  zone.axis = direction;
+  fit(zone, {tip}, shape.back, shape, spacing);
+  return zone;
+}
+
 std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,
                                 const ZoneShape& shape) {

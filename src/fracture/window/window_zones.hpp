@@ -35,6 +35,9 @@ std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& rat
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
 
+// The zone in front of a tip.
+Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape);
+
 // Zones in front of both ends of the cracks that cut these bonds.
 std::vector<Zone> zones_at_ends(const std::vector<int>& cut, const coupling::Terms& bonds,
                                 const std::vector<Point>& positions, const std::vector<double>& spacing,

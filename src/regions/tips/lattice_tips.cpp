@@ -102,7 +102,10 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fractu
   values.energy_release_rate = in_range(values.factors.squaredNorm() / modulus);
   values.kink_angle = kink_of(values.factors).angle;
   values.critical_load_factor = critical_load_factor(held, growing, toughness);
-  return values;
+  // Squares of lengths below 1e-154 m are none.
+  const bool known = values.factors.allFinite() && std::isfinite(values.stress_along) && std::isfinite(values.error) &&
+                     std::isfinite(values.kink_angle) && std::isfinite(values.felt_ahead);
+  return known ? values : without_contours(tip);
 }
 
 }  // namespace
