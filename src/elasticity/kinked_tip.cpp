@@ -54,7 +54,10 @@ Kink largest_energy_release_rate(const Point& factors) {
     (opening_rate(factors, side * a) < opening_rate(factors, side * b) ? low : high) =
         opening_rate(factors, side * a) < opening_rate(factors, side * b) ? a : b;
   }
-  const double angle = side * 0.5 * (low + high), rate = opening_rate(factors, angle);
+  double angle = side * 0.5 * (low + high), rate = opening_rate(factors, angle);
+  // Of a tip that is pressed shut the best kink is the first one that opens: rounding puts it to either side.
+  for (const double opens : {side * high, side * widest_kink * best / grid})
+    if (rate <= 0) angle = opens, rate = opening_rate(factors, angle);
   return {angle, rate > 0 ? std::sqrt(rate) : -std::sqrt(-rate)};
 }
 

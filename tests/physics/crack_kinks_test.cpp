@@ -67,6 +67,19 @@ TEST(Kink, load_factor_brings_the_equivalent_factor_to_the_toughness) {
   }
 }
 
+// The kink that is worth most is the first one that opens at all; found a rounding beside it, it opens or does not.
+TEST(Kink, of_a_tip_that_is_pressed_shut_is_worth_as_much_whatever_rounding_does) {
+  const Point factors(-0.0036662905948943144, -0.002734347828404617);
+  const double worth = kink_of(factors, KinkCriterion::energy_release_rate).equivalent_factor;
+  EXPECT_GT(worth, 0);
+  for (int k = 1; k <= 100; ++k) {
+    const double share = 0.037 * k;
+    EXPECT_NEAR(kink_of(share * factors, KinkCriterion::energy_release_rate).equivalent_factor / share, worth, 1e-9 * worth);
+    EXPECT_NEAR(growth_load_factor({0, 0}, share * factors, 1e-3, KinkCriterion::energy_release_rate) * share * worth,
+                1e-3, 1e-9);
+  }
+}
+
 // Against the same on elements half as long: faces of a sharp kink lie close to each other.
 TEST(Kink, that_nearly_closes_keeps_its_digits) {
   Eigen::Matrix2d pull = Eigen::Matrix2d::Identity();
