@@ -8,6 +8,7 @@
 
 #include "elasticity/kinked_tip.hpp"
 #include "fracture/event_source.hpp"
+#include "fracture/line/on_limits.hpp"
 #include "geometry/turning.hpp"
 
 namespace bempd::fracture {
@@ -33,12 +34,6 @@ constexpr int rounds_for_kink = 8;
 double correction(const GrowingTip& tip) {
   const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
-}
-
-// Whether c lies to the left of the way from a to b; what lies on it does not, whatever rounding says.
-bool is_left(const Point& a, const Point& b, const Point& c) {
-  const Point way = b - a, to = c - a;
-  return cross(way, to) > rounding_of_places * way.norm() * std::max(way.norm(), to.norm());
 }
 
 // A tip that has run into a face keeps its law as the number before -1 that stands for it.
