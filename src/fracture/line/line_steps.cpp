@@ -116,13 +116,15 @@ std::vector<int> LineSteps::across(const Point& from, const Point& to, double ho
 
 // Where nothing lies ahead, a tip goes straight on.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
-                                      const coupling::Affine& displacement) const {
+                                      const coupling::Affine& displacement, double present) const {
   const pd::TipLaw& law = law_of(tip);
   AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack));
-  for (int part = 0; part < 2; ++part) {
-    const double size = std::hypot(by_fit.one[part], by_fit.two[part]);
-    if (std::hypot(ahead.one[part], ahead.two[part]) < least_stress * size) ahead.one[part] = ahead.two[part] = 0;
-  }
+  const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
+  const double load_factor = std::max(std::abs(present), law.toughness / size(by_fit, 1));
+  const double around = std::max(size(by_fit, 0), load_factor * size(by_fit, 1));
+  for (int part = 0; part < 2; ++part)
+    if ((part == 0 ? 1 : load_factor) * size(ahead, part) < least_stress * around)
+      ahead.one[part] = ahead.two[part] = 0;
   return ahead;
 }
 
@@ -131,7 +133,7 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
   const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
-  const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement) : intensity;
+  const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement, present) : intensity;
   LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
   // Without constant loads the kink does not depend on the load factor.
   const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
