@@ -58,6 +58,7 @@ class LoadedBody {
   void act_again(ActingLoads loads) noexcept;      // restore() has to follow
   void drop_loads(const std::vector<int>& nodes);  // for good
   void keep_held_parts_dry();
+  bool unload_pushed_parts();
 
   struct FirstEquilibrium {
     double work;

@@ -184,11 +184,12 @@ Outcome WholeBodyEvents::perform() {
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
   const HeldMotions held = solve_and_hold(body_, system_.gone_with(changes), before, [&] { return runs_away(); });
   outcome.fragments += held.fragments;
+  const bool pushed = body_.unload_pushed_parts();
   const LoadedBody::Settled settled = body_.settle_contacts(0);
   outcome.switches = settled.switched;
   outcome.fragments += settled.fragments;
   body_.keep_held_parts_dry();
-  const bool loads_lost = held.loads_lost || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
+  const bool loads_lost = held.loads_lost || pushed || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
   // All of that force is there while the points give way, of which nodal forces before and after show the half; and it

@@ -203,4 +203,26 @@ TEST(CrackPressure, stays_out_of_parts_that_are_held) {
   for (int event = 0; event < 10; ++event) EXPECT_LE(model.next_event(100).residual, 1e-9) << event;
 }
 
+// The sliver between both legs of a folded crack is held on hinges, its pressures balanced until the crack grows.
+TEST(CrackPressure, lets_go_of_a_sliver_that_it_no_longer_balances) {
+  Model model;
+  const int32_t glass = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
+  model.set_text("pd.contact", "none");
+  model.set_text("pd.criterion", "opening");
+  model.set("stepping.tie_band", 0);
+  const int32_t left = model.pd(glass, rectangle(0, 0, 6, 10), 1, 4);
+  const int32_t right = model.pd(glass, rectangle(6, 0, 15, 10), 1, 4);
+  model.crack({{11.710645904933905, 4.731467647711591},
+               {8.388413248488495, 1.469794568895984},
+               {11.894461906441101, 4.410706742300947}});
+  model.fix(left, 4, BEMPD_BOTH);
+  model.prescribe(right, 2, BEMPD_Y, 0, 0.015);
+  model.traction(right, 1, 0, 1, BEMPD_Y, -3.645739402339319e-4, 0);
+  press(model, 2e-4, 0);
+  const bempd_step_report end = model.step(0.6);
+  EXPECT_GT(end.events, 50);
+  EXPECT_LE(end.residual, 1e-9);
+  EXPECT_LE(end.energy_balance_error, 1e-9);
+}
+
 }  // namespace

@@ -254,7 +254,7 @@ class Shrinking : public testing::TestWithParam<Shrinkage> {
 };
 
 TEST_P(Shrinking, cracks_with_its_energies_in_balance) {
-  evolution->advance(parted, fracture::Goal::load_factor, {}, {});
+  evolution->advance(parted, fracture::Goal::load_factor, {}, {}, {});
   const fracture::EvolutionState state = evolution->state();
   std::printf("%s: %lld events, %lld bonds, stored %.3g, released %.3g of %.3g, energy balance %.1e (reference: 0)\n",
               GetParam().name, static_cast<long long>(state.events), static_cast<long long>(state.broken_bonds),
@@ -267,13 +267,13 @@ TEST_P(Shrinking, cracks_with_its_energies_in_balance) {
 }
 
 TEST_P(Shrinking, goes_on_from_a_saved_state_and_back_to_it) {
-  for (int event = 0; event < 15; ++event) evolution->advance(1e6, fracture::Goal::next_event, {}, {});
+  for (int event = 0; event < 15; ++event) evolution->advance(1e6, fracture::Goal::next_event, {}, {}, {});
   evolution->synchronize();
   const fracture::EvolutionState saved = evolution->state();
-  evolution->advance(parted, fracture::Goal::load_factor, {}, {});
+  evolution->advance(parted, fracture::Goal::load_factor, {}, {}, {});
   const fracture::EvolutionState first = evolution->state();
   evolution->restore(saved);
-  evolution->advance(parted, fracture::Goal::load_factor, {}, {});
+  evolution->advance(parted, fracture::Goal::load_factor, {}, {}, {});
   EXPECT_EQ(evolution->state().work, first.work);
   EXPECT_EQ(evolution->state().stages, first.stages);
 }

@@ -17,6 +17,9 @@ constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 // A node that a held motion takes along by less than this share of its largest displacement stays where it is.
 constexpr double taken_along = 1e-6;
 
+// Springs that carry less of the largest force at a node carry rounding.
+constexpr double pushed_share = 1e-9;
+
 void keep_least(std::vector<int>& first, std::vector<int>& second) {
   if (first.empty()) {
     second.erase(second.begin() + 1, second.end());
@@ -49,6 +52,26 @@ void LoadedBody::keep_held_parts_dry() {
   const std::vector<char> held = nodes_of_held_parts();
   for (int node = 0; node < system_.node_count(); ++node)
     if (held[node] && system_.force().middleRows<2>(2 * node).isZero(0)) state_.unloaded[node] = 1;
+}
+
+// The fluid pushes what springs hold: its loads are dropped, for which the displacements change.
+bool LoadedBody::unload_pushed_parts() {
+  if (!has_fluid() || system_.springs().empty()) return false;
+  const double f = state_.load_factor;
+  const Eigen::VectorXd u = evaluate(state_.displacement, f);
+  double largest = 0;
+  for (const coupling::HoldingSpring& s : system_.springs()) {
+    const double moved = s.cosine * u[2 * s.node] + s.sine * u[2 * s.node + 1] - s.anchor;
+    largest = std::max(largest, std::abs(s.stiffness * moved));
+  }
+  if (largest <= pushed_share * evaluate(system_.force(), f).lpNorm<Eigen::Infinity>()) return false;
+  const std::vector<char> held = nodes_of_held_parts();
+  std::vector<int> nodes;
+  for (int node = 0; node < system_.node_count(); ++node)
+    if (held[node]) nodes.push_back(node);
+  drop_loads(nodes);
+  solve();
+  return true;
 }
 
 // What springs hold where it is would be pushed away.

@@ -87,7 +87,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   const BodyState& state = body_.state();
   if (target < state.load_factor) return nullptr;
   const bool path = options.control == Control::path;
-  const std::vector<LineStep> steps = steps_.all(state.tips, state.displacement, state.load_factor);
+  const std::vector<LineStep> steps = steps_.all(state.tips, state.displacement, state.load_factor, options.control);
   double at = std::numeric_limits<double>::infinity();
   if (const LineStep* first = LineSteps::first_of(steps)) {
     step_ = *first;

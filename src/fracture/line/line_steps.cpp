@@ -53,6 +53,12 @@ constexpr int stations = 10;
 constexpr double beside = 1, least_cosine = 0.8;
 constexpr int enough_bonds = 2;
 
+// A load factor beyond the one at which a tip reaches its toughness, if a larger one drives it more at all.
+double beyond_toughness(const AffineIntensity& intensity, const pd::TipLaw& law) {
+  const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
+  return slope > 0 ? 4 * (law.toughness + std::hypot(intensity.one[0], intensity.two[0])) / slope : 0;
+}
+
 }  // namespace
 
 LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
@@ -129,27 +135,39 @@ AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensi
 }
 
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
-                                        const coupling::Affine& displacement, double present) const {
+                                        const coupling::Affine& displacement, double present, bool path) const {
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
   const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
   const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement, present) : intensity;
   LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
-  // Without constant loads the kink does not depend on the load factor.
-  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
-  double load_factor = proportional || present <= 0 ? 1 : present;
-  for (int round = 0; round < (proportional ? 1 : rounds_for_kink); ++round) {
+  const auto kink_at = [](const AffineIntensity& of, double load_factor) {
     const Eigen::Vector2d at(1, load_factor);
-    const double kink = kink_of({intensity.one.dot(at), intensity.two.dot(at)}).angle;
-    const double turn = kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
+    return kink_of({of.one.dot(at), of.two.dot(at)});
+  };
+  const auto aim = [&](double load_factor) {
+    const double kink = kink_at(intensity, load_factor).angle, turn = kink_at(turning, load_factor).angle;
     const auto share = [&](int part) {
       return hoop_factor({intensity.one[part], intensity.two[part]}, kink) * correction(tip) / law.toughness;
     };
     step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, turn);
-    if (!(step.growing > 0)) return std::nullopt;
-    load_factor = (1 - step.constant) / step.growing;
+    step.load_factor = (1 - step.constant) / step.growing;
+    return step.growing > 0;
+  };
+  // Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and
+  // has these tangents: where they rise they lead to its larger root.
+  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
+  bool grows =
+      aim(proportional || present <= 0 ? 1 : present) || (!proportional && aim(beyond_toughness(intensity, law)));
+  for (int round = 1; grows && !proportional && round < rounds_for_kink; ++round) grows = aim(step.load_factor);
+  const bool is_due = !proportional && !path && (!grows || step.load_factor > present) &&
+                      kink_at(intensity, present).equivalent_factor * correction(tip) >= law.toughness;
+  if (is_due) {
+    aim(present);
+    step.load_factor = present;
+  } else if (!grows) {
+    return std::nullopt;
   }
-  step.load_factor = load_factor;
   find_bonds(tip.place, law, step);
   return step.bonds.empty() ? std::nullopt : std::optional(std::move(step));
 }
@@ -169,11 +187,12 @@ void LineSteps::find_bonds(const Point& place, const pd::TipLaw& law, LineStep& 
 }
 
 std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                     double load_factor) const {
+                                     double load_factor, Control control) const {
   std::vector<LineStep> steps;
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (has_ended(tips[k])) continue;
-    if (std::optional<LineStep> step = next(tips, k, displacement, load_factor)) steps.push_back(std::move(*step));
+    if (std::optional<LineStep> step = next(tips, k, displacement, load_factor, control == Control::path))
+      steps.push_back(std::move(*step));
   }
   return steps;
 }

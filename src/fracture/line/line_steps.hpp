@@ -5,6 +5,7 @@
 
 #include "fracture/line/tip_stress.hpp"
 #include "fracture/loaded_body.hpp"
+#include "fracture/stepping_options.hpp"
 
 namespace bempd::fracture {
 
@@ -34,7 +35,7 @@ class LineSteps {
   // One for each tip whose way meets bonds and that something drives; and the first of them, of those alike but for
   // rounding that of the first tip. Null if there is none.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                            double load_factor) const;
+                            double load_factor, Control control) const;
   static const LineStep* first_of(const std::vector<LineStep>& steps);
   // Whether what drives the tip is more than rounding, where something happens at this load factor.
   static bool is_driven(const LineStep& step, double load_factor);
@@ -61,7 +62,7 @@ class LineSteps {
 
  private:
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
-                               const coupling::Affine& displacement, double load_factor) const;
+                               const coupling::Affine& displacement, double load_factor, bool path) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                              const coupling::Affine& displacement, double present) const;
   std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;

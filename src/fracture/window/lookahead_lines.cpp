@@ -13,7 +13,7 @@ using coupling::Affine;
 bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor) {
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
   std::vector<WindowPlace::Way> ways;
-  for (const LineStep& step : lines_->all(state.tips, state.displacement, state.load_factor)) {
+  for (const LineStep& step : lines_->all(state.tips, state.displacement, state.load_factor, options_.control)) {
     if (!LineSteps::is_driven(step, load_factor)) continue;
     const GrowingTip& tip = state.tips[step.tip];
     const pd::TipLaw& law = lines_->law_of(tip);
@@ -37,7 +37,7 @@ Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
 
 std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
-  const std::vector<LineStep> steps = lines_->all(tips, near_tips_, from);
+  const std::vector<LineStep> steps = lines_->all(tips, near_tips_, from, options_.control);
   const LineStep* first = LineSteps::first_of(steps);
   if (!first) return std::nullopt;
   const double at = options_.control == Control::path ? first->load_factor : std::max(first->load_factor, from);

@@ -265,3 +265,23 @@ def test_lines_need_a_scheme_and_a_mode_that_have_them() -> None:
         model.options[name] = "paper"
         with pytest.raises(bempd.ArgumentError, match="pd.crack_rule is line or tips"):
             model.step(1.0)
+
+
+@pytest.mark.parametrize("constant", [-3e-4, 3e-4])
+def test_with_constant_loads_lines_grow_where_they_do_in_small_steps(constant: float) -> None:
+    """The load factor at which the tip reaches its toughness may lie beyond one at which loads close the crack, or the constant
+    ones may have brought it there by themselves."""
+    outcomes = []
+    for steps in (1, 2, 20):
+        model = bempd.Model(options={"pd.crack_rule": "tips"})
+        glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+        plate = model.add_pd_region(glass, bempd.rectangle(0, 0, 17, 13), 1, 3)
+        model.add_crack([(9.4, 10.5), (12.4, 5.2)])
+        model.fix_edge(plate, 4, "x")
+        model.fix_point((0, 0), "y")
+        model.add_traction(plate, 2, "y", 1e-3, constant=constant)
+        for step in range(steps):
+            report = model.step(0.7 * (step + 1) / steps)
+        outcomes.append((report.total_broken_bonds, report.total_events))
+        assert report.total_events > 0
+    assert outcomes[0] == outcomes[1] == outcomes[2]
