@@ -156,7 +156,8 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   };
   // Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and
   // has these tangents: where they rise they lead to its larger root.
-  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
+  const bool proportional =
+      turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
   bool grows =
       aim(proportional || present <= 0 ? 1 : present) || (!proportional && aim(beyond_toughness(intensity, law)));
   for (int round = 1; grows && !proportional && round < rounds_for_kink; ++round) grows = aim(step.load_factor);
