@@ -76,13 +76,17 @@ class PartBalance {
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
+    std::vector<std::vector<char>> known;  // what has been held
     for (int round = 0; round < most_rounds; ++round) {
       if (!factorize()) return false;
       start_over();
       if (rough) {
         const double before = target_.lpNorm<Eigen::Infinity>();
         if (approach(1, 1) > hopeless * before) return false;
-        if (update_held()) continue;
+        if (update_held()) {
+          if (!is_new(known)) return false;
+          continue;
+        }
       }
       rough = false;
       const double left = approach(8, 30);
@@ -232,6 +236,16 @@ class PartBalance {
       b.held = next;
     }
     return changed;
+  }
+
+  // Else the rounds would repeat themselves.
+  bool is_new(std::vector<std::vector<char>>& known) const {
+    std::vector<char> held;
+    held.reserve(bonds_.size());
+    for (const Bond& b : bonds_) held.push_back(b.held);
+    if (std::find(known.begin(), known.end(), held) != known.end()) return false;
+    known.push_back(std::move(held));
+    return true;
   }
 
   // Those that are below the bound.

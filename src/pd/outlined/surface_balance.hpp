@@ -14,7 +14,7 @@ namespace bempd::pd {
 // have chords of one length. The factors are as close to 1 as that allows. They keep the resultant and the first
 // moments of every loop, and the resultant and the moment of a constant load on every piece where there are enough
 // nodes for it. Those of nodes that are kept are 1.
-std::vector<double> balancing_factors(const Chords& chords);
+std::vector<double> balancing_factors(const Chords& chords, bool by_piece = false);
 
 // The largest of the three numbers over the length of their loop.
 double imbalance(const Chords& chords, const std::vector<double>& factors);
