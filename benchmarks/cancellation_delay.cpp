@@ -1,6 +1,7 @@
 // How long it takes until a request to stop is heard: a run is stopped at many moments, each in a fresh model, and the
 // processor time between request and return is measured.
 //   bempd_cancellation_delay lattice N [moments]    plate of N x N points with a crack, prepared and run to separation
+//   bempd_cancellation_delay line N [moments]       the same with a crack that grows as a line
 //   bempd_cancellation_delay boundary N [moments]   square of N elements, prepared and one step
 //   bempd_cancellation_delay paper N [moments]      the same two side by side in scheme paper, N elements and N / 4
 //   rows
@@ -65,6 +66,11 @@ bempd_status lattice(bempd_model* model, int n) {
   return bempd_run_to_separation(model, 1e9, nullptr);
 }
 
+bempd_status line(bempd_model* model, int n) {
+  check(model, bempd_set_option_text(model, "pd.crack_rule", "line"));
+  return lattice(model, n);
+}
+
 bempd_status boundary(bempd_model* model, int n) {
   const double corners[] = {0, 0, 1, 0, 1, 1, 0, 1};
   check(model, bempd_add_bem_region(model, 1, 4, corners, 4.0 / n, nullptr));
@@ -120,7 +126,9 @@ int main(int argc, char** argv) {
   const std::string kind = argv[1];
   const int size = std::atoi(argv[2]), moments = argc > 3 ? std::atoi(argv[3]) : 20;
   const Run run = [&](bempd_model* model) {
-    return kind == "lattice" ? lattice(model, size) : kind == "boundary" ? boundary(model, size) : paper(model, size);
+    if (kind == "boundary") return boundary(model, size);
+    if (kind == "paper") return paper(model, size);
+    return kind == "line" ? line(model, size) : lattice(model, size);
   };
   const double whole = measure(run, INFINITY);
   std::printf("%s %d: %.2f s\n", kind.c_str(), size, whole);

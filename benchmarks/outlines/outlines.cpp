@@ -1,8 +1,9 @@
 // Prints how exact the networks of bodies with any outline are, as a table: three places and directions of the lattice
-// for each.
+// for each; with the argument `mouths` those of long outlines on which cracks begin.
 #include <algorithm>
 #include <cstdio>
 
+#include "mouths.hpp"
 #include "unit/pd_outlines.hpp"
 
 namespace {
@@ -55,7 +56,11 @@ std::string name(const char* what, double value) {
 
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
+  if (count > 1 && std::string(arguments[1]) == "mouths") {
+    print_mouths();
+    return 0;
+  }
   std::mt19937 random(2);
   std::printf("| outline, in spacings | m = 3 | m = 4 | m = 5 |\n|---|---|---|---|\n");
   for (const double radius : {1.0, 1.5, 2.0, 3.0, 5.0, 8.3})

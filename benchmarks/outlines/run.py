@@ -244,7 +244,11 @@ def cost_table() -> str:
 
 def main() -> None:
     program = pathlib.Path(os.environ["BEMPD_BENCHMARKS"]) / "bempd_outlines"
-    makers = {"networks": lambda: subprocess.run([program], check=True, capture_output=True, text=True).stdout.strip(),
+
+    def printed(*arguments: str) -> str:
+        return subprocess.run([program, *arguments], check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+
+    makers = {"networks": printed, "mouths": lambda: printed("mouths"),
               "kirsch": kirsch_table, "breaks": breaks_table, "ratios": ratios_table, "tips": tips_table, "crossings": crossings_table,
               "cost": cost_table}
     chosen = sys.argv[2].split(",") if sys.argv[1:2] == ["--only"] else list(makers)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "host.hpp"
 
@@ -46,6 +47,24 @@ TEST(OutlinedFracture, windows_break_the_same_bonds_as_the_plain_loop) {
     for (std::size_t k = 0; k < first.size(); ++k)
       EXPECT_NEAR(first[k].load_factor, second[k].load_factor, 1e-9 * first[k].load_factor);
     EXPECT_LT(a.energy_balance_error, 1e-11);
+  }
+}
+
+// Chords beside a mouth have other lengths than its own. An elastic plate hardly feels where in its middle the crack lies.
+TEST(OutlinedFracture, mouths_anywhere_on_long_outlines_have_networks) {
+  std::vector<double> pulls;
+  for (const double mouth : {0.0, 0.237, 0.513}) {
+    Model model;
+    model.set("pd.lattice_angle", 20 * std::numbers::pi / 180);
+    const int32_t plate = model.pd(model.add(material(1, 1.0 / 3)), rectangle(0, -80, 160, 80), 1, 3);
+    model.crack({{0, mouth}, {40, mouth}});
+    const int32_t low = model.prescribe(plate, 1, BEMPD_Y, 0, -1), high = model.prescribe(plate, 3, BEMPD_Y, 0, 1);
+    model.fix_point({160, -80}, BEMPD_X);
+    model.step(1);
+    pulls.push_back(model.reaction(high)[1]);
+    std::printf("mouth at %g: pull %.6f\n", mouth, pulls.back());
+    EXPECT_NEAR(pulls.back(), -model.reaction(low)[1], 1e-9 * pulls.back());
+    EXPECT_NEAR(pulls.back(), pulls.front(), 2e-3 * pulls.front());
   }
 }
 

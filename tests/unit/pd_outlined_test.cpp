@@ -89,6 +89,22 @@ TEST(OutlinedNetwork, is_exact_in_smooth_curves) {
   }
 }
 
+// Chords half a spacing to either side of a crack's mouth are one spacing long, those between them and the corners not:
+// multipliers grow along the outline, and nothing is left to tell the rows' dependence from long waves.
+TEST(OutlinedNetwork, is_exact_on_long_outlines_whose_chords_differ) {
+  const std::vector<Point> corners = box(160, 160);
+  for (const double mouth : {79.763, 80.0}) {
+    std::vector<Point> vertices{corners[0], corners[1], corners[2], corners[3]};
+    vertices.emplace_back(0, mouth + 0.5), vertices.emplace_back(0, mouth - 0.5);
+    const OutlinedBody body =
+        build_outlined_body(make_chords({polygon(vertices)}), {{0.0625, 0.375}, 20 * degree, true}, 3, bonds_alone, 1);
+    std::printf("mouth at %g: %s, patch test %.0e\n", mouth, body.is_careful ? "with care" : "without", patch_error(body));
+    EXPECT_TRUE(body.is_exact());
+    EXPECT_LT(patch_error(body), 1e-11);
+    EXPECT_GT(body.network.min_weight_ratio, 0.019);
+  }
+}
+
 // Bonds and squares of cells; the last two have chords of several lengths, so that their surface vectors have factors.
 TEST(OutlinedNetwork, is_exact_for_any_ratio) {
   const std::vector<PlaneElasticity> materials{{1, -0.2, PlaneState::stress, 1}, {1, 0.2, PlaneState::stress, 1},
@@ -234,6 +250,32 @@ TEST(SurfaceBalance, keeps_the_load_of_every_edge) {
     }
     EXPECT_NEAR(kept, whole, 1e-12 * whole);
   }
+}
+
+// A piece alone has the sums over a straight line that chords of one length have, whatever its own length.
+TEST(SurfaceBalance, by_piece_leaves_nothing_to_carry_from_piece_to_piece) {
+  const std::vector<Point> vertices{{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 17.3}, {0, 16.3}};
+  const Chords chords = make_chords({polygon(vertices)});
+  const std::vector<double> plain = balancing_factors(chords), careful = balancing_factors(chords, true);
+  EXPECT_LT(imbalance(chords, careful), 1e-14);
+  const auto squares = [&](int piece, const std::vector<double>& factors) {
+    const int first = chords.piece_start[piece], end = chords.piece_start[piece + 1];
+    double sum = 0, length = 0;
+    for (int c = first; c < end; ++c) {
+      const double half = 0.5 * chords.length(c);
+      for (const int node : {chords.chords[c].first, chords.chords[c].second}) {
+        const double along = (chords.nodes[node] - chords.nodes[first]).norm();
+        sum += half * factors[node] * along * along;
+      }
+      length += chords.length(c);
+    }
+    return (sum - length * length * length / 3) * 6 / length;  // l^2 of chords that are alike
+  };
+  for (const int piece : {0, 1, 2, 3, 5}) {
+    std::printf("piece %d: %.6f, by piece %.6f\n", piece, squares(piece, plain), squares(piece, careful));
+    EXPECT_NEAR(squares(piece, careful), 1, 1e-3);
+  }
+  EXPECT_GT(std::abs(squares(3, plain) - 1), 5e-3);
 }
 
 TEST(ImpossibleCorner, is_one_below_60_degrees_or_with_unlike_chords) {

@@ -6,10 +6,6 @@
 
 namespace bempd::fracture {
 
-// What lies as near as this to a limit, in lengths of what is compared, lies on it: tips of symmetric bodies pass
-// through points.
-constexpr double rounding_of_places = 1e-8;
-
 // The tip of a crack that grows as a line.
 struct GrowingTip {
   Point place{0, 0}, direction{1, 0};  // of its last step

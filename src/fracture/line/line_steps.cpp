@@ -8,6 +8,7 @@
 
 #include "elasticity/kinked_tip.hpp"
 #include "fracture/event_source.hpp"
+#include "fracture/line/on_limits.hpp"
 #include "geometry/turning.hpp"
 
 namespace bempd::fracture {
@@ -33,12 +34,6 @@ constexpr int rounds_for_kink = 8;
 double correction(const GrowingTip& tip) {
   const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
-}
-
-// Whether c lies to the left of the way from a to b; what lies on it does not, whatever rounding says.
-bool is_left(const Point& a, const Point& b, const Point& c) {
-  const Point way = b - a, to = c - a;
-  return cross(way, to) > rounding_of_places * way.norm() * std::max(way.norm(), to.norm());
 }
 
 // A tip that has run into a face keeps its law as the number before -1 that stands for it.
@@ -127,13 +122,15 @@ std::vector<int> LineSteps::across(const Point& from, const Point& to, double ho
 
 // Where nothing lies ahead, a tip goes straight on.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
-                                      const coupling::Affine& displacement) const {
+                                      const coupling::Affine& displacement, double present) const {
   const pd::TipLaw& law = law_of(tip);
   AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack));
-  for (int part = 0; part < 2; ++part) {
-    const double size = std::hypot(by_fit.one[part], by_fit.two[part]);
-    if (std::hypot(ahead.one[part], ahead.two[part]) < least_stress * size) ahead.one[part] = ahead.two[part] = 0;
-  }
+  const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
+  const double load_factor = std::max(std::abs(present), law.toughness / size(by_fit, 1));
+  const double around = std::max(size(by_fit, 0), load_factor * size(by_fit, 1));
+  for (int part = 0; part < 2; ++part)
+    if ((part == 0 ? 1 : load_factor) * size(ahead, part) < least_stress * around)
+      ahead.one[part] = ahead.two[part] = 0;
   return ahead;
 }
 
@@ -142,7 +139,7 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
   const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
-  const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement) : intensity;
+  const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement, present) : intensity;
   LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
   const auto kink_at = [](const AffineIntensity& of, double load_factor) {
     const Eigen::Vector2d at(1, load_factor);
@@ -159,7 +156,8 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   };
   // Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and
   // has these tangents: where they rise they lead to its larger root.
-  const bool proportional = turning.one[0] == 0 && turning.two[0] == 0;
+  const bool proportional =
+      turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
   bool grows =
       aim(proportional || present <= 0 ? 1 : present) || (!proportional && aim(beyond_toughness(intensity, law)));
   for (int round = 1; grows && !proportional && round < rounds_for_kink; ++round) grows = aim(step.load_factor);

@@ -63,8 +63,8 @@ class LineSteps {
  private:
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
                                const coupling::Affine& displacement, double load_factor, bool path) const;
-  AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
-                             const coupling::Affine& displacement) const;
+  AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
+                             double present) const;
   std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
   // Largest hoop intensity over the toughness.
   double hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/turning.hpp"
+#include "fracture/line/on_limits.hpp"
 
 namespace bempd::fracture {
 
@@ -19,7 +19,7 @@ constexpr double half_piece = 0.55;  // in spacings
 constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;  // in spacings
 
 bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {
-  return (cross(to - from, a - from) > 0) != (cross(to - from, b - from) > 0);
+  return is_left(from, to, a) != is_left(from, to, b);
 }
 
 }  // namespace
@@ -30,7 +30,8 @@ TipSight::TipSight(const Point& place, const Point& direction, double spacing)
 void TipSight::add_gone(const Point& middle, const Point& along) {
   const Point step = middle - place_;
   const double ahead = step.dot(direction_), aside = std::abs(cross(direction_, step));
-  if (ahead <= (aside <= beside_own * spacing_ ? ahead_of_own : ahead_of_kink) * spacing_) return;
+  const double rounding = rounding_of_places * spacing_;
+  if (ahead <= (aside <= beside_own * spacing_ + rounding ? ahead_of_own : ahead_of_kink) * spacing_ + rounding) return;
   nearest_face_ = std::min(nearest_face_, step.norm());
   const Point half = half_piece * spacing_ * Point(-along.y(), along.x());
   faces_.push_back({middle - half, middle + half});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fracture/line/on_limits.hpp"
 #include "linalg/least_squares.hpp"
 
 namespace bempd::fracture {
@@ -39,7 +40,7 @@ constexpr double longest_short_bond = 1.3;
 
 int terms_beside(double face, double horizon) {
   if (face >= away_from_surfaces * horizon) return fitted_terms;
-  return face < at_face * horizon ? terms_at_face : terms_near_face;
+  return face < (at_face - rounding_of_places) * horizon ? terms_at_face : terms_near_face;
 }
 
 // Share of the sum of forces on a point from which on they do not balance.
@@ -128,7 +129,7 @@ TipSight TipStress::sight_of(const GrowingTip& tip, const pd::TipLaw& law) const
       if (terms.first[b] != node || system_.intact()[b] || terms.length[b] > longest_short_bond * law.spacing) continue;
       const Point along(terms.cosine[b], terms.sine[b]);
       const Point middle = positions_[static_cast<std::size_t>(node)] + terms.length[b] / 2 * along;
-      if ((middle - tip.place).norm() < reach) sight.add_gone(middle, along);
+      if ((middle - tip.place).norm() < reach * (1 - rounding_of_places)) sight.add_gone(middle, along);
     }
   }
   return sight;

@@ -8,6 +8,7 @@
 #include "cancellation.hpp"
 #include "linalg/profile_cholesky.hpp"
 #include "parallel.hpp"
+#include "pd/outlined/killing_tensors.hpp"
 
 namespace bempd::pd {
 
@@ -48,7 +49,8 @@ class PartBalance {
       if (missing.evenness[bond.first] > 0) bonds_.back().even[0] = even;
       if (missing.evenness[bond.second] > 0) bonds_.back().even[1] = even;
     }
-    const std::vector<int> order = order_of(part.points.size());
+    order_ = order_of(all, part, number);
+    const std::vector<int>& order = order_;
     std::vector<int> place(order.size()), first(order.size());
     target_.resize(size_of(order.size()));
     slack_ = VectorXd::Zero(target_.size());
@@ -72,17 +74,31 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
+  // Long layers: they give way to waves nearly as easily as to the Killing tensor fields, in which rounding drowns them.
+  void keep_off_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
+    std::vector<Point> ordered;
+    for (const int k : order_) ordered.push_back(places[points[k]]);
+    const Eigen::MatrixXd fields = killing_tensors(ordered);
+    kernel_ = Eigen::MatrixXd::Zero(target_.size(), fields.cols());
+    for (std::size_t k = 0; k < order_.size(); ++k)
+      kernel_.middleRows<4>(row(static_cast<int>(k), 0)) = fields.middleRows<4>(4 * static_cast<Eigen::Index>(k));
+  }
+
   // Mostly the first digits of the multipliers tell which values are held at the bound.
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
+    std::vector<std::vector<char>> known;  // what has been held
     for (int round = 0; round < most_rounds; ++round) {
       if (!factorize()) return false;
       start_over();
       if (rough) {
         const double before = target_.lpNorm<Eigen::Infinity>();
-        if (approach(1, 1) > hopeless * before) return false;
-        if (update_held()) continue;
+        if (approach(1, kernel_.size() > 0 ? 30 : 1) > hopeless * before) return false;
+        if (update_held()) {
+          if (!is_new(known)) return false;
+          continue;
+        }
       }
       rough = false;
       const double left = approach(8, 30);
@@ -136,18 +152,6 @@ class PartBalance {
     normal_->at(2 * high + 1, 2 * low + 1) += of_high * of_low.transpose();
     normal_->at(2 * high + 1, 2 * high) -= of_high * odd.transpose();
     normal_->at(2 * high + 1, 2 * high + 1) += of_high * of_high.transpose();
-  }
-
-  std::vector<int> order_of(std::size_t count) const {
-    std::vector<int> start(count + 1, 0);
-    for (const Bond& b : bonds_) ++start[b.first + 1], ++start[b.second + 1];
-    for (std::size_t i = 0; i < count; ++i) start[i + 1] += start[i];
-    std::vector<int> at(start.begin(), start.end() - 1), neighbours(2 * bonds_.size());
-    for (const Bond& b : bonds_) {
-      neighbours[at[b.first]++] = b.second;
-      neighbours[at[b.second]++] = b.first;
-    }
-    return linalg::close_order(start, neighbours);
   }
 
   // Rows depend on each other, so the diagonal takes a shift near rounding.
@@ -212,11 +216,18 @@ class PartBalance {
     if (groups_ == 2) q += slack_.cwiseProduct(p);
     return q;
   }
-  // F^-1 with the factor F, and F^-1 N F^-1 once what is missing is so small that its rounding in the kernel of N would
+  void leave_kernel(VectorXd& x) const {
+    if (kernel_.size() == 0) return;
+    const VectorXd along = kernel_.transpose() * x;
+    x -= kernel_ * along;
+  }
+  // F^-1 with the factor F, and, where the kernel is not left, F^-1 N F^-1 once what is missing is so small that its rounding in the kernel of N would
   // drown the rest (linalg/minimum_norm.hpp).
   VectorXd precondition(VectorXd r) const {
+    leave_kernel(r);
     normal_->solve_in_place(r);
-    if (is_rough_) return r;
+    leave_kernel(r);
+    if (is_rough_ || kernel_.size() > 0) return r;
     r = product(r);
     normal_->solve_in_place(r);
     return r;
@@ -234,6 +245,15 @@ class PartBalance {
     return changed;
   }
 
+  // Else the rounds would repeat themselves.
+  bool is_new(std::vector<std::vector<char>>& known) const {
+    std::vector<char> held;
+    for (const Bond& b : bonds_) held.push_back(b.held);
+    if (std::find(known.begin(), known.end(), held) != known.end()) return false;
+    known.push_back(std::move(held));
+    return true;
+  }
+
   // Those that are below the bound.
   bool hold_more() {
     bool changed = false;
@@ -247,7 +267,9 @@ class PartBalance {
   double lower_;
   int groups_;  // of four equations a point: odd moments, and even ones up to a slack
   std::vector<Bond> bonds_;
+  std::vector<int> order_;  // of the part's points
   VectorXd target_, lambda_, slack_;
+  Eigen::MatrixXd kernel_;  // orthonormal; empty where it is not left
   std::unique_ptr<ProfileCholesky> normal_;
   bool is_rough_ = true;
 };
@@ -255,7 +277,7 @@ class PartBalance {
 }  // namespace
 
 bool balance_layer(const std::vector<Point>& surface, const std::vector<double>& evenness, double lower, int threads,
-                   OutlinedBonds& bonds) {
+                   OutlinedBonds& bonds, const std::vector<Point>& places) {
   const Missing missing{missing_moments(surface, bonds),
                         evenness.empty() ? std::vector<Vector4d>() : missing_even_moments(surface.size(), bonds),
                         evenness};
@@ -264,6 +286,7 @@ bool balance_layer(const std::vector<Point>& surface, const std::vector<double>&
   parallel_for(all.parts.size(), threads, [&](std::size_t p) {
     const LayerParts::Part& part = all.parts[p];
     PartBalance balance(bonds, part, all.number, missing, lower);
+    if (!places.empty()) balance.keep_off_kernel(part.points, places);
     if (!balance.solve()) return;
     done[p] = 1;
     for (std::size_t k = 0; k < part.bonds.size(); ++k) {

@@ -20,20 +20,21 @@ constexpr double smallest_outlined_ratio = 0.02;  // bound on a stiffness over t
 
 struct Attempt {
   double gap, free_depth, shift;  // of the lattice along both of its axes
+  bool is_careful = false;        // surface vectors balanced piece by piece, the kernel of the equations left
 };
 
 // In the order in which they are tried. Short families have their best networks at smaller gaps and need all of the
 // layer; with longer ones less of it gives smaller errors in thin bodies.
-std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move) {
+std::vector<Attempt> attempts_for(int horizon_ratio, bool may_move, bool is_careful) {
   const bool is_short = horizon_ratio == 3;
   const double whole = horizon_ratio, less = is_short ? whole : 0.75 * horizon_ratio;
   const std::vector<double> gaps =
       is_short ? std::vector{0.65, 0.75, 0.55, 0.85, 0.95} : std::vector{0.85, 0.75, 0.95, 0.65};
   std::vector<Attempt> attempts;
-  if (!is_short) attempts.push_back({gaps.front(), less, 0});
+  if (!is_short) attempts.push_back({gaps.front(), less, 0, is_careful});
   for (const double shift : {0.0, 0.5}) {
     if (shift > 0 && !may_move) break;
-    for (const double gap : gaps) attempts.push_back({gap, whole, shift});
+    for (const double gap : gaps) attempts.push_back({gap, whole, shift, is_careful});
   }
   return attempts;
 }
@@ -90,17 +91,19 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
                      const PlaneElasticity& elasticity, int threads, OutlineBalance balance, const BondKernel& kernel) {
   place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
   const OutlinedPoints points(chords, place, attempt.gap, 1 + layer_depth(attempt, horizon_ratio));
-  OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords), {}, {}};
+  OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords, attempt.is_careful), {}, {}};
   body.place = place;
+  body.is_careful = attempt.is_careful;
   body.areas = areas_of_points(body.points, body.cells);
   std::vector<Point> surface(body.points.size(), Point::Zero());
   for (int i = 0; i < chords.count(); ++i) surface[i] = body.factors[i] * chords.surface_vector(i);
   OutlinedBonds bonds = draft_outlined_bonds(chords, points, horizon_ratio, kernel);
   const std::vector<double> evenness = evenness_of(chords, body.points.size(), balance);
+  const std::vector<Point> places = attempt.is_careful ? body.points : std::vector<Point>();
   for (const Layer& layer : layers_for(attempt, horizon_ratio)) {
     mark_layer(points, layer, bonds);
     share_by_area(body.areas, bonds);
-    if (balance_layer(surface, evenness, smallest_outlined_ratio, threads, bonds)) break;
+    if (balance_layer(surface, evenness, smallest_outlined_ratio, threads, bonds, places)) break;
   }
   body.network = finish_outlined(surface, std::move(bonds), elasticity);
   return body;
@@ -113,10 +116,14 @@ OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place
                                  const BondKernel& kernel) {
   assert(horizon_ratio >= 3 && horizon_ratio <= 8);
   std::optional<OutlinedBody> best;
-  for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed)) {
-    OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, balance, kernel);
-    if (body.is_exact()) return body;
-    if (!best || body.network.max_residual < best->network.max_residual) best = std::move(body);
+  // Long outlines whose chords differ need care; bodies that do without it keep their digits.
+  for (const bool is_careful : {false, true}) {
+    if (is_careful && balancing_factors(chords, true) == balancing_factors(chords)) break;
+    for (const Attempt& attempt : attempts_for(horizon_ratio, !place.fixed, is_careful)) {
+      OutlinedBody body = try_out(attempt, chords, place, horizon_ratio, elasticity, threads, balance, kernel);
+      if (body.is_exact()) return body;
+      if (!best || body.network.max_residual < best->network.max_residual) best = std::move(body);
+    }
   }
   return std::move(*best);
 }

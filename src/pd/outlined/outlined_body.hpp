@@ -17,6 +17,7 @@ struct OutlinedBody {
   std::vector<double> factors;  // of the surface vectors of the outline's nodes, close to 1
   Network network;
   LatticePlace place;
+  bool is_careful = false;  // found with chords that count alike piece by piece (surface_balance.hpp)
 
   // Whether the bonds are positive and reproduce every linear displacement field.
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
@@ -26,7 +27,7 @@ struct OutlinedBody {
 // own stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the
 // area of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline.
 // Where that does not succeed other gaps between the outline and the points inside are tried, and other places of
-// these; the result is that of the best try. 3 <= horizon_ratio <= 8.
+// these, and last chords of different lengths that are balanced piece by piece; the result is that of the best try. 3 <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  OutlineBalance balance = OutlineBalance::constant_stress,

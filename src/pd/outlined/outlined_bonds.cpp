@@ -6,6 +6,7 @@
 
 #include "cancellation.hpp"
 #include "linalg/disjoint_sets.hpp"
+#include "linalg/profile_cholesky.hpp"
 
 namespace bempd::pd {
 
@@ -214,6 +215,20 @@ LayerParts parts_of_layer(const OutlinedBonds& bonds, std::size_t point_count) {
     }
   }
   return found;
+}
+
+std::vector<int> order_of(const OutlinedBonds& bonds, const LayerParts::Part& part, const std::vector<int>& number) {
+  const std::size_t count = part.points.size();
+  std::vector<int> start(count + 1, 0);
+  for (const int b : part.bonds) ++start[number[bonds.bonds[b].first] + 1], ++start[number[bonds.bonds[b].second] + 1];
+  for (std::size_t i = 0; i < count; ++i) start[i + 1] += start[i];
+  std::vector<int> at(start.begin(), start.end() - 1), neighbours(2 * part.bonds.size());
+  for (const int b : part.bonds) {
+    const int first = number[bonds.bonds[b].first], second = number[bonds.bonds[b].second];
+    neighbours[at[first]++] = second;
+    neighbours[at[second]++] = first;
+  }
+  return linalg::close_order(start, neighbours);
 }
 
 }  // namespace bempd::pd

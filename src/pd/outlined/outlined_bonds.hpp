@@ -59,4 +59,7 @@ struct LayerParts {
 
 LayerParts parts_of_layer(const OutlinedBonds& bonds, std::size_t point_count);
 
+// An order of a part's points in which those that bonds join are close to each other.
+std::vector<int> order_of(const OutlinedBonds& bonds, const LayerParts::Part& part, const std::vector<int>& number);
+
 }  // namespace bempd::pd

@@ -39,6 +39,24 @@ class LoopBalance {
     return sum;
   }
 
+  // Makes the chords of every piece with four or more of them count as if they had one length, by factors of two nodes
+  // at either of its ends: a (1, -1, .., -1, 1) keeps resultant and moment of a straight piece and adds a l^3 (2 n - 6)
+  // to the sum of N s^2, in which chords of another length are missing n l (l^2 - wanted) / 6.
+  void level(std::vector<double>& factors) const {
+    const std::vector<int> pieces = own_pieces();
+    const double wanted = wanted_square(pieces);
+    for (const int piece : pieces) {
+      const int start = chords_.piece_start[piece], count = chords_.piece_start[piece + 1] - start;
+      if (count < 4) continue;
+      const double square = chords_.along(start).squaredNorm();
+      const double change = (wanted - square) / square * count / (12.0 * (count - 3));
+      const std::array<int, 4> nodes{start + 1, start + 2, start + count - 2, start + count - 1};
+      const auto is_kept = [&](int node) { return !chords_.kept.empty() && chords_.kept[node]; };
+      if (std::abs(change) > largest_factor_change || std::any_of(nodes.begin(), nodes.end(), is_kept)) continue;
+      for (int k = 0; k < 4; ++k) factors[nodes[k]] += k == 0 || k == 3 ? change : -change;
+    }
+  }
+
   // `moments_a_piece`: of a constant load that are kept, none, the zeroth, or the first one too.
   bool change(int moments_a_piece, std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
@@ -54,7 +72,9 @@ class LoopBalance {
       add_piece(pieces[p], 9 + p * moments_a_piece, moments_a_piece, equations);
     for (int i = 0; i < count_ && !chords_.kept.empty(); ++i)
       if (chords_.kept[first_ + i]) equations.col(i).setZero();
-    VectorXd wanted = VectorXd::Zero(rows);
+    VectorXd changed(count_), wanted = VectorXd::Zero(rows);
+    for (int i = 0; i < count_; ++i) changed[i] = factors[first_ + i] - 1;
+    if (!changed.isZero(0)) wanted = -equations * changed;
     wanted.segment<3>(6) = -sums(factors);
     const linalg::LeastSquares solver(equations, 1e-12);
     VectorXd a = solver.solve(wanted);
@@ -78,6 +98,17 @@ class LoopBalance {
     }
     return pieces;
   }
+  // That of pieces too short to be changed, or else the mean.
+  double wanted_square(const std::vector<int>& pieces) const {
+    double sum = 0, of_short = 0, length = 0, length_of_short = 0;
+    for (const int piece : pieces) {
+      const int start = chords_.piece_start[piece], count = chords_.piece_start[piece + 1] - start;
+      const double own = count * chords_.length(start), square = chords_.along(start).squaredNorm();
+      (count < 4 ? of_short : sum) += own * square;
+      (count < 4 ? length_of_short : length) += own;
+    }
+    return length_of_short > 0 ? of_short / length_of_short : sum / length;
+  }
   void add_piece(int piece, std::size_t row, int moments, MatrixXd& equations) const {
     for (int c = chords_.piece_start[piece]; moments > 0 && c < chords_.piece_start[piece + 1]; ++c) {
       for (const int node : {chords_.chords[c].first, chords_.chords[c].second}) {
@@ -98,11 +129,12 @@ class LoopBalance {
 
 }  // namespace
 
-std::vector<double> balancing_factors(const Chords& chords) {
+std::vector<double> balancing_factors(const Chords& chords, bool by_piece) {
   std::vector<double> factors(chords.nodes.size(), 1.0);
   for (int loop = 0; loop < chords.loop_count(); ++loop) {
     const LoopBalance balance(chords, loop);
     if (balance.sums(factors).lpNorm<Eigen::Infinity>() <= negligible_number) continue;
+    if (by_piece) balance.level(factors);
     for (int moments = 2; moments >= 0; --moments)
       if (balance.change(moments, factors)) break;
   }

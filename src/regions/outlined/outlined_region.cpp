@@ -158,8 +158,8 @@ void OutlinedRegion::build(const Preparation& preparation, Contributions& contri
   require(body_.is_exact(), "region ", id(), " has a shape for which no network of positive bonds with horizon ratio ",
           horizon_ratio(), " and spacing ", spacing(),
           " was found: corners below 65 degrees, parts less than three spacings wide and edges shorter than a spacing "
-          "may have none; try a smaller spacing or the horizon ratio 4. Edges in common with "
-          "others need chords of like lengths");
+          "may have none; try a smaller spacing or the horizon ratio 4, and cracks that begin half a spacing "
+          "farther along the outline. Edges in common with others need chords of like lengths");
   points_ = body_.points;
   nodes_.clear();
   for (int i = 0; i < point_count(); ++i) {

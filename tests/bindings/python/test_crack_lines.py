@@ -77,42 +77,6 @@ def test_an_inclined_crack_first_grows_at_the_load_of_boundary_elements(incline:
     assert model.step_to_next_event(1e6).load_factor == pytest.approx(elements.load_factor, rel=0.05)
 
 
-def run_of(solver: str, rule: str, control: str, incline: float, events: int) -> tuple[np.ndarray, np.ndarray, int]:
-    """Lines of the history, states of the bonds, and columns by which factors were changed, which windows do without."""
-    model, body = plate(incline, rule)
-    model.options["stepping.solver"], model.options["stepping.control"] = solver, control
-    for _ in range(events):
-        model.step_to_next_event(1e6)
-    return model.history(), model.bonds(body).states, model.statistics().factor_updates
-
-
-@pytest.mark.parametrize("rule,control,incline,events", [("line", "path", 0, 27), ("line", "load", 0, 27), ("tips", "path", 0, 27),
-                                                         ("line", "path", 30, 20), ("tips", "load", 60, 20)])
-def test_windows_take_the_steps_of_the_whole_body(rule: str, control: str, incline: float, events: int) -> None:
-    window, states, updates = run_of("window", rule, control, incline, events)
-    plain, same_states, same_updates = run_of("plain", rule, control, incline, events)
-    assert (states == same_states).all() and len(window) == len(plain)
-    for column in ("load_factor", "stored_energy", "released_energy", "work", "critical_load_factor", "stretch_ratio"):
-        assert window[column] == pytest.approx(plain[column], rel=1e-9, abs=1e-12), column
-    assert window["residual"].max() < 1e-11
-    if incline == 0:
-        assert updates < same_updates / 4
-
-
-def test_a_window_goes_on_from_a_state_and_back_to_one() -> None:
-    model, body = plate(0, "line")
-    for _ in range(5):
-        model.step_to_next_event(1e6)
-    state = model.save()
-    loads = [model.step_to_next_event(1e6).load_factor for _ in range(8)]
-    model.restore(state)
-    assert [model.step_to_next_event(1e6).load_factor for _ in range(8)] == loads
-    other, _ = plate(0, "line")
-    other.restore(bempd.State.from_bytes(state.to_bytes()))
-    assert [other.step_to_next_event(1e6).load_factor for _ in range(8)] == loads
-    assert other.save().to_bytes() == model.save().to_bytes()
-
-
 def crack_along_the_edge(kind: str) -> bempd.Model:
     """At 75 degrees, its tip four spacings from the edge that it leaves."""
     model = bempd.Model()
