@@ -69,7 +69,8 @@ struct Counts {
 }  // namespace
 
 void print_mouths() {
-  std::printf("| plates | m | networks without care | with care | forces of constant stress | factors of surface vectors |\n");
+  std::printf(
+      "| plates | m | networks without care | with care | forces of constant stress | factors of surface vectors |\n");
   std::printf("|---|---|---|---|---|---|\n");
   std::array<std::array<Counts, 2>, 3> all;
   for (int k = 0; k < plates; ++k) {

@@ -74,7 +74,8 @@ TEST(Kink, of_a_tip_that_is_pressed_shut_is_worth_as_much_whatever_rounding_does
   EXPECT_GT(worth, 0);
   for (int k = 1; k <= 100; ++k) {
     const double share = 0.037 * k;
-    EXPECT_NEAR(kink_of(share * factors, KinkCriterion::energy_release_rate).equivalent_factor / share, worth, 1e-9 * worth);
+    EXPECT_NEAR(kink_of(share * factors, KinkCriterion::energy_release_rate).equivalent_factor / share, worth,
+                1e-9 * worth);
     EXPECT_NEAR(growth_load_factor({0, 0}, share * factors, 1e-3, KinkCriterion::energy_release_rate) * share * worth,
                 1e-3, 1e-9);
   }

@@ -50,7 +50,8 @@ TEST(OutlinedFracture, windows_break_the_same_bonds_as_the_plain_loop) {
   }
 }
 
-// Chords beside a mouth have other lengths than its own. An elastic plate hardly feels where in its middle the crack lies.
+// Chords beside a mouth have other lengths than its own. An elastic plate hardly feels where in its middle the crack
+// lies.
 TEST(OutlinedFracture, mouths_anywhere_on_long_outlines_have_networks) {
   std::vector<double> pulls;
   for (const double mouth : {0.0, 0.237, 0.513}) {

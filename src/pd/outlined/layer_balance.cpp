@@ -74,7 +74,8 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
-  // Long layers: they give way to waves nearly as easily as to the Killing tensor fields, in which rounding drowns them.
+  // Long layers: they give way to waves nearly as easily as to the Killing tensor fields, in which rounding drowns
+  // them.
   void keep_off_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
@@ -221,8 +222,8 @@ class PartBalance {
     const VectorXd along = kernel_.transpose() * x;
     x -= kernel_ * along;
   }
-  // F^-1 with the factor F, and, where the kernel is not left, F^-1 N F^-1 once what is missing is so small that its rounding in the kernel of N would
-  // drown the rest (linalg/minimum_norm.hpp).
+  // F^-1 with the factor F, and, where the kernel is not left, F^-1 N F^-1 once what is missing is so small that its
+  // rounding in the kernel of N would drown the rest (linalg/minimum_norm.hpp).
   VectorXd precondition(VectorXd r) const {
     leave_kernel(r);
     normal_->solve_in_place(r);

@@ -91,7 +91,9 @@ OutlinedBody try_out(const Attempt& attempt, const Chords& chords, LatticePlace 
                      const PlaneElasticity& elasticity, int threads, OutlineBalance balance, const BondKernel& kernel) {
   place.origin += Eigen::Rotation2Dd(place.angle) * Point::Constant(attempt.shift);
   const OutlinedPoints points(chords, place, attempt.gap, 1 + layer_depth(attempt, horizon_ratio));
-  OutlinedBody body{chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords, attempt.is_careful), {}, {}};
+  OutlinedBody body{
+      chords, points.points(), fill_with_cells(chords, points), {}, balancing_factors(chords, attempt.is_careful), {},
+      {}};
   body.place = place;
   body.is_careful = attempt.is_careful;
   body.areas = areas_of_points(body.points, body.cells);

@@ -27,7 +27,8 @@ struct OutlinedBody {
 // own stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the
 // area of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline.
 // Where that does not succeed other gaps between the outline and the points inside are tried, and other places of
-// these, and last chords of different lengths that are balanced piece by piece; the result is that of the best try. 3 <= horizon_ratio <= 8.
+// these, and last chords of different lengths that are balanced piece by piece; the result is that of the best try. 3
+// <= horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  OutlineBalance balance = OutlineBalance::constant_stress,
