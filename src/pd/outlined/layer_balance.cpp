@@ -74,8 +74,7 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
-  // Long layers: they give way to waves nearly as easily as to the Killing tensor fields, in which rounding drowns
-  // them.
+  // Long layers give way to waves nearly as easily as to the Killing tensor fields, in which rounding drowns them.
   void keep_off_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
