@@ -14,6 +14,7 @@ from typing import Any
 import bempd
 import bodies
 import faces
+import ligaments
 import numpy as np
 
 SIDE = 80.0
@@ -159,6 +160,9 @@ def jobs() -> list[list]:
         for m in (3, 4):
             for angle in (0.0, 20.0):
                 found.append(["face", scene, m, angle])
+    for spacing in (1e-3, 5e-4, 2.5e-4):
+        for m in (3, 4):
+            found.append(["ligament", spacing, m])
     for m in (3, 4):
         for angle in (0.0, 20.0):
             for hole in (True, False):
@@ -172,7 +176,8 @@ def jobs() -> list[list]:
 
 def one(job: list) -> tuple[list, dict[str, Any]]:
     try:
-        return job, {"inclined": inclined, "begun": begun, "body": known_body, "face": faces.compared}[job[0]](*job[1:])
+        return job, {"inclined": inclined, "begun": begun, "body": known_body, "face": faces.compared,
+                     "ligament": ligaments.compared}[job[0]](*job[1:])
     except bempd.Error as failed:
         return job, {"failed": str(failed)}
 
@@ -236,4 +241,5 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
         if job[0] == "body":
             known.append(f"| {job[1]} | {job[2]} | {job[3]} | {r['compared']} | {r['spacings']:.1f} | {r['end'][0]:.2f}, {r['end'][1]:.2f} |")
     return {"lines-straight": straight, "lines-inclined": inclines, "lines-finer": finer_rows(found), "lines-faces": face_rows(found),
+            "lines-ligaments": ligaments.rows(found),
             "lines-begun": births, "lines-bodies": known}

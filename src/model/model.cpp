@@ -62,11 +62,16 @@ void Model::check_mechanism(const PreparedScene& p) const {
   }
 }
 
-void Model::grow_lines(PreparedScene& p) const {
-  require(options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event",
+bool Model::cracks_are_lines() const {
+  const std::string rule = options_.text_value("pd.crack_rule");
+  const bool can_be = options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event";
+  require(can_be || rule == "auto" || rule == "bond",
           "pd.crack_rule is line or tips, by which cracks grow in scheme symmetric and stepping.mode event; choose "
-          "these, or "
-          "pd.crack_rule = bond");
+          "these, or pd.crack_rule = bond");
+  return can_be && rule != "bond";
+}
+
+void Model::grow_lines(PreparedScene& p) const {
   pd::TipLaws laws;
   std::vector<fracture::GrowingTip> tips;
   for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_)) {
@@ -74,7 +79,7 @@ void Model::grow_lines(PreparedScene& p) const {
     laws.laws.push_back(tip.law);
   }
   // Without any of these nothing but the tips that there are grows.
-  const bool more_begin = options_.text_value("pd.crack_rule") == "line";
+  const bool more_begin = options_.text_value("pd.crack_rule") != "tips";
   if (more_begin) laws.of_node.assign(p.discretization.positions.size(), -1);
   for (const auto& region : p.discretization.regions) {
     if (!more_begin) break;
@@ -130,7 +135,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
-  if (options_.text_value("pd.crack_rule") != "bond") grow_lines(*p);
+  if (cracks_are_lines()) grow_lines(*p);
   let_fluid_in(*p);
   p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,

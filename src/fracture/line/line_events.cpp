@@ -111,7 +111,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
 
 const Event* LineEvents::tell_step(double at) {
   event_ = {at, step_->ratio_at(at), step_->load_factor, {}};
-  for (const int bond : step_->bonds)
+  for (const int bond : step_->way.bonds)
     event_.changes.push_back({bond, body_.system().terms().law_of(static_cast<std::size_t>(bond)).gone()});
   event_.changes = body_.system().with_followers(std::move(event_.changes));
   return &event_;

@@ -15,9 +15,6 @@ namespace bempd::fracture {
 
 namespace {
 
-// A tip whose way meets no bond within this many spacings has arrived at an edge or a crack.
-constexpr int most_empty_steps = 2;
-
 // The last steps whose energies correct the load factor, and as many besides that are taken to be exact.
 constexpr std::size_t remembered_steps = 8;
 constexpr double steps_taken_exact = 2;
@@ -48,11 +45,6 @@ constexpr double farthest_load = 1e6;
 // Likewise a stress closely ahead that is this share of the one around.
 constexpr double least_stress = 1e-8;
 
-// Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
-constexpr int stations = 10;
-constexpr double beside = 1, least_cosine = 0.8;
-constexpr int enough_bonds = 2;
-
 // A load factor beyond the one at which a tip reaches its toughness, if a larger one drives it more at all.
 double beyond_toughness(const AffineIntensity& intensity, const pd::TipLaw& law) {
   const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
@@ -64,61 +56,9 @@ double beyond_toughness(const AffineIntensity& intensity, const pd::TipLaw& law)
 LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
     : body_(body),
       system_(body.system()),
-      terms_from_(linalg::make_adjacency(body.positions().size(),
-                                         [&](const auto& add) {
-                                           const std::vector<int>& first = body.system().terms().first;
-                                           for (std::size_t t = 0; t < first.size(); ++t)
-                                             add(first[t], static_cast<int>(t));
-                                         })),
       stress_(body.system(), body.positions()),
+      way_(body.system(), body.positions(), stress_),
       laws_(std::move(laws)) {}
-
-// How far from a tip its way meets the face of a crack: there all bonds along the way are gone.
-std::optional<double> LineSteps::face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
-  const coupling::Terms& terms = system_.terms();
-  std::array<int, stations> present{}, left{};
-  const auto count = [&](std::size_t t, const Point& from) {
-    const Point bond = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
-    if (std::abs(bond.dot(way)) < (least_cosine - rounding_of_places) * terms.length[t]) return;
-    for (int k = 0; k < stations; ++k) {
-      const double at = (k + 1) * law.spacing / stations, part = (at - from.dot(way)) / bond.dot(way);
-      if (part <= rounding_of_places || part >= 1 - rounding_of_places) continue;
-      if (std::abs(cross(way, from + part * bond)) > (beside + rounding_of_places) * law.spacing) continue;
-      ++present[static_cast<std::size_t>(k)];
-      left[static_cast<std::size_t>(k)] += system_.intact()[t] != 0 ? 1 : 0;
-    }
-  };
-  for (const int node : stress_.near().about(tip, law.horizon + law.spacing)) {
-    const Point from = body_.positions()[static_cast<std::size_t>(node)] - tip;
-    if (from.norm() > law.horizon + law.spacing) continue;
-    for (const int term : terms_from_.of(node))
-      if (!terms.is_wide(static_cast<std::size_t>(term))) count(static_cast<std::size_t>(term), from);
-  }
-  for (std::size_t k = 0; k < stations; ++k)
-    if (present[k] >= enough_bonds && left[k] == 0) return static_cast<double>(k + 1) * law.spacing / stations;
-  return std::nullopt;
-}
-
-// A point that lies on the way belongs to one of its sides, so that none is left hanging between.
-std::vector<int> LineSteps::across(const Point& from, const Point& to, double horizon) const {
-  const std::vector<Point>& positions = body_.positions();
-  const coupling::Terms& terms = system_.terms();
-  const double reach = horizon + (to - from).norm();
-  std::vector<int> found;
-  for (const int node : stress_.near().about(from, reach)) {
-    const Point& p = positions[static_cast<std::size_t>(node)];
-    if ((p - from).norm() > reach) continue;
-    for (const int bond : terms_from_.of(node)) {
-      const auto b = static_cast<std::size_t>(bond);
-      if (terms.is_wide(b) || !system_.intact()[b]) continue;
-      const Point& q = positions[static_cast<std::size_t>(terms.second[b])];
-      if (is_left(from, to, p) != is_left(from, to, q) && is_left(p, q, from) != is_left(p, q, to))
-        found.push_back(bond);
-    }
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
 
 // Where nothing lies ahead, a tip goes straight on.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
@@ -140,7 +80,7 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const pd::TipLaw& law = law_of(tip);
   const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
   const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement, present) : intensity;
-  LineStep step{number, tip.direction, 0, false, present, 0, 0, {}};
+  LineStep step{number, tip.direction, {}, present, 0, 0};
   const auto kink_at = [](const AffineIntensity& of, double load_factor) {
     const Eigen::Vector2d at(1, load_factor);
     return kink_of({of.one.dot(at), of.two.dot(at)});
@@ -169,22 +109,8 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   } else if (!grows) {
     return std::nullopt;
   }
-  find_bonds(tip.place, law, step);
-  return step.bonds.empty() ? std::nullopt : std::optional(std::move(step));
-}
-
-void LineSteps::find_bonds(const Point& place, const pd::TipLaw& law, LineStep& step) const {
-  if (const std::optional<double> face = face_ahead(place, step.direction, law)) {
-    step.arrives = true;
-    // As far as the row of points behind the face may lie.
-    step.length = *face + law.spacing / 2;
-    step.bonds = across(place, place + step.length * step.direction, law.horizon);
-    return;
-  }
-  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) {
-    step.length = k * law.spacing;
-    step.bonds = across(place, place + step.length * step.direction, law.horizon);
-  }
+  step.way = way_.next(tip.place, step.direction, law);
+  return step.way.bonds.empty() ? std::nullopt : std::optional(std::move(step));
 }
 
 std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
@@ -218,7 +144,7 @@ double LineSteps::hoop_ratio(const GrowingTip& tip, const coupling::Affine& disp
 
 void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) {
   GrowingTip& tip = tips[step.tip];
-  tip.place += step.length * step.direction;
+  tip.place += step.way.length * step.direction;
   tip.direction = step.direction;
 }
 
@@ -231,14 +157,14 @@ void LineSteps::remember(const LineStep& step, double ratio, double released_ene
   const double before = ratio / correction(tip);
   // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
   // is expected is the mean of the rates at both ends of the step.
-  const double after = step.arrives ? before : std::max(hoop_ratio(tip, displacement, load_factor), 0.0);
+  const double after = step.way.arrives ? before : std::max(hoop_ratio(tip, displacement, load_factor), 0.0);
   const double rate = law.toughness * law.toughness / law.modulus * (before * before + after * after) / 2;
-  const double released = released_energy / (rate * law.thickness * step.length);
+  const double released = released_energy / (rate * law.thickness * step.way.length);
   // The first step releases more or less by where among the points the crack was described to end.
   const bool is_first = tip.energy_ratios.empty();
   tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
-  if (step.arrives) tip.law = ended(tip.law);
+  if (step.way.arrives) tip.law = ended(tip.law);
 }
 
 std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) const {
@@ -257,7 +183,7 @@ bool LineSteps::is_spared(const Point& first, const GrowingTip& tip) const {
 void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact) const {
   for (const int node : stress_.near().about(tip.place, guarded_reach * law_of(tip).horizon)) {
     if (!is_spared(body_.positions()[static_cast<std::size_t>(node)], tip)) continue;
-    for (const int term : terms_from_.of(node)) intact[static_cast<std::size_t>(term)] = 0;
+    for (const int term : way_.terms_from().of(node)) intact[static_cast<std::size_t>(term)] = 0;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "fracture/line/line_way.hpp"
 #include "fracture/line/tip_stress.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/stepping_options.hpp"
@@ -13,11 +14,9 @@ namespace bempd::fracture {
 struct LineStep {
   std::size_t tip;
   Point direction;
-  double length;
-  bool arrives;              // at the face of a crack
+  LineWay::Step way;
   double load_factor;        // critical
   double constant, growing;  // hoop intensity there, over the toughness, corrected
-  std::vector<int> bonds;    // across it
 
   double ratio_at(double at) const { return constant + at * growing; }
 };
@@ -53,8 +52,9 @@ class LineSteps {
   // Where a bond does not break by itself, as near as it is to a tip that grows.
   bool is_spared(const Point& first, const GrowingTip& tip) const;
 
-  // Bonds that are left across a way.
-  std::vector<int> across(const Point& from, const Point& to, double horizon) const;
+  std::vector<int> across(const Point& from, const Point& to, double horizon) const {
+    return way_.across(from, to, horizon);
+  }
   // Marks as gone the terms near a tip that grows: they do not break by themselves.
   void spare(const GrowingTip& tip, std::vector<char>& intact) const;
 
@@ -65,15 +65,13 @@ class LineSteps {
                                const coupling::Affine& displacement, double load_factor, bool path) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
-  std::optional<double> face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const;
   // Largest hoop intensity over the toughness.
   double hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
-  void find_bonds(const Point& place, const pd::TipLaw& law, LineStep& step) const;
 
   LoadedBody& body_;
   const coupling::EquilibriumSystem& system_;
-  linalg::Adjacency terms_from_;  // nodes, the first ones of terms
   TipStress stress_;
+  LineWay way_;
   pd::TipLaws laws_;
 };
 

@@ -41,6 +41,7 @@ class TipStress {
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
   const NearPoints& near() const { return near_; }
+  double nearest_outline(const Point& place, double at_most) const;
 
  private:
   using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
@@ -71,7 +72,6 @@ class TipStress {
         if (system_.intact()[static_cast<std::size_t>(term)]) visit(static_cast<std::size_t>(term));
   }
 
-  double nearest_outline(const Point& place, double at_most) const;
   Reach reach_at(double nearest_surface, double horizon) const;
   TipSight sight_of(const GrowingTip& tip, const pd::TipLaw& law) const;
   Eigen::RowVector2d tension(std::size_t term, const coupling::Affine& displacement) const;  // both parts [N]

@@ -18,7 +18,7 @@ bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor
     const GrowingTip& tip = state.tips[step.tip];
     const pd::TipLaw& law = lines_->law_of(tip);
     const Point& from = tip.place;
-    const double length = std::max(step.length, WindowSettings::least_way * law.spacing);
+    const double length = std::max(step.way.length, WindowSettings::least_way * law.spacing);
     ways.push_back({from, step.direction, law.horizon, {}});
     ways.back().bonds = lines_->across(from, from + length * step.direction, law.horizon);
   }

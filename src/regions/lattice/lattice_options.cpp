@@ -58,11 +58,12 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
                              "stretch | opening", "stretch")),
       scene::shaping(scene::text_option(
           "pd.crack_rule",
-          "How cracks in peridynamic regions of scheme symmetric grow: bond, bonds break one by one by their own "
-          "stretch and the way prefers rows of the lattice; line, by a spacing at a time towards the largest hoop "
-          "stress, all bonds across it at once, from initial cracks and from places where a bond reaches its critical "
-          "stretch; tips, the same from initial cracks only, and nothing else breaks.",
-          "bond | line | tips", "bond")),
+          "How cracks in peridynamic regions grow: line, by a spacing at a time towards the largest hoop stress, all "
+          "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
+          "tips, the same from initial cracks only, and nothing else breaks; bond, bonds break one by one by their own "
+          "stretch and the way prefers rows of the lattice; auto, line in scheme symmetric and stepping.mode event, "
+          "else bond.",
+          "auto | bond | line | tips", "auto")),
       scene::shaping(scene::text_option(
           "pd.contact",
           "What faces of cracks in peridynamic regions of scheme symmetric do where they meet: faces, they press on "

@@ -1,0 +1,124 @@
+#include "fracture/line/line_way.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fracture/line/on_limits.hpp"
+#include "geometry/turning.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// A tip whose way meets no bond within this many spacings has arrived at an edge or a crack.
+constexpr int most_empty_steps = 2;
+
+// A tip that has this many horizons, and a spacing, or less to an edge that is free tears what is left at one step: no
+// point ahead tells the intensities of a shorter ligament, by which it would bear twice what it bears
+// (docs/directions.md).
+constexpr double shortest_ligament = 1;
+// Whether an edge is free is asked of points this many spacings around.
+constexpr double around_edge = 1.5;
+
+// Stations a spacing on the way are asked at, bonds within this many spacings beside it, as steep to it at most.
+constexpr int stations = 10;
+constexpr double beside = 1, least_cosine = 0.8;
+constexpr int enough_bonds = 2;
+
+}  // namespace
+
+LineWay::LineWay(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                 const TipStress& stress)
+    : system_(system),
+      positions_(positions),
+      stress_(stress),
+      terms_from_(linalg::make_adjacency(positions.size(), [&](const auto& add) {
+        const std::vector<int>& first = system.terms().first;
+        for (std::size_t t = 0; t < first.size(); ++t) add(first[t], static_cast<int>(t));
+      })) {}
+
+// How far from a tip its way meets the face of a crack: there all bonds along the way are gone.
+std::optional<double> LineWay::face_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
+  const coupling::Terms& terms = system_.terms();
+  std::array<int, stations> present{}, left{};
+  const auto count = [&](std::size_t t, const Point& from) {
+    const Point bond = terms.length[t] * Point(terms.cosine[t], terms.sine[t]);
+    if (std::abs(bond.dot(way)) < (least_cosine - rounding_of_places) * terms.length[t]) return;
+    for (int k = 0; k < stations; ++k) {
+      const double at = (k + 1) * law.spacing / stations, part = (at - from.dot(way)) / bond.dot(way);
+      if (part <= rounding_of_places || part >= 1 - rounding_of_places) continue;
+      if (std::abs(cross(way, from + part * bond)) > (beside + rounding_of_places) * law.spacing) continue;
+      ++present[static_cast<std::size_t>(k)];
+      left[static_cast<std::size_t>(k)] += system_.intact()[t] != 0 ? 1 : 0;
+    }
+  };
+  for (const int node : stress_.near().about(tip, law.horizon + law.spacing)) {
+    const Point from = positions_[static_cast<std::size_t>(node)] - tip;
+    if (from.norm() > law.horizon + law.spacing) continue;
+    for (const int term : terms_from_.of(node))
+      if (!terms.is_wide(static_cast<std::size_t>(term))) count(static_cast<std::size_t>(term), from);
+  }
+  for (std::size_t k = 0; k < stations; ++k)
+    if (present[k] >= enough_bonds && left[k] == 0) return static_cast<double>(k + 1) * law.spacing / stations;
+  return std::nullopt;
+}
+
+// Whether no boundary element and no support is near.
+bool LineWay::is_free(const Point& edge, double reach) const {
+  for (const int node : stress_.near().about(edge, reach)) {
+    if ((positions_[static_cast<std::size_t>(node)] - edge).norm() > reach) continue;
+    if (system_.in_dense_body(node) || system_.is_prescribed(2 * node) || system_.is_prescribed(2 * node + 1))
+      return false;
+  }
+  return true;
+}
+
+// How far from a tip its way leaves the body through a free edge, if that is near.
+std::optional<double> LineWay::edge_ahead(const Point& tip, const Point& way, const pd::TipLaw& law) const {
+  const int farthest = static_cast<int>(std::lround(shortest_ligament * law.horizon / law.spacing)) + 1;
+  const double around = around_edge * law.spacing, reach = farthest * law.spacing + around;
+  if (stress_.nearest_outline(tip, reach) >= reach) return std::nullopt;
+  for (int k = 0; k <= farthest; ++k) {
+    const Point here = tip + k * law.spacing * way;
+    if (!across(here, here + law.spacing * way, law.horizon).empty()) continue;
+    return k > 0 && is_free(here, around) ? std::optional(k * law.spacing) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// A point that lies on the way belongs to one of its sides, so that none is left hanging between.
+std::vector<int> LineWay::across(const Point& from, const Point& to, double horizon) const {
+  const std::vector<Point>& positions = positions_;
+  const coupling::Terms& terms = system_.terms();
+  const double reach = horizon + (to - from).norm();
+  std::vector<int> found;
+  for (const int node : stress_.near().about(from, reach)) {
+    const Point& p = positions[static_cast<std::size_t>(node)];
+    if ((p - from).norm() > reach) continue;
+    for (const int bond : terms_from_.of(node)) {
+      const auto b = static_cast<std::size_t>(bond);
+      if (terms.is_wide(b) || !system_.intact()[b]) continue;
+      const Point& q = positions[static_cast<std::size_t>(terms.second[b])];
+      if (is_left(from, to, p) != is_left(from, to, q) && is_left(p, q, from) != is_left(p, q, to))
+        found.push_back(bond);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd::TipLaw& law) const {
+  const auto step_of = [&](double length, bool arrives) {
+    return Step{length, arrives, across(place, place + length * direction, law.horizon)};
+  };
+  // As far as the row of points behind the face may lie.
+  if (const std::optional<double> face = face_ahead(place, direction, law))
+    return step_of(*face + law.spacing / 2, true);
+  if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, true);
+  Step step;
+  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) step = step_of(k * law.spacing, false);
+  return step;
+}
+
+}  // namespace bempd::fracture
