@@ -145,7 +145,8 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   // Springs must not carry loads, whether the loads were there before the springs or not.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
-  if (is_pushed(unsupported, nodes)) {
+  const bool pushed = is_pushed(unsupported, nodes);
+  if (pushed) {
     found.nodes_with_lost_loads.insert(found.nodes_with_lost_loads.end(), nodes.begin(), nodes.end());
   }
   const bool supported = !held.empty();
@@ -159,7 +160,7 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   const RigidMotion motion(positions_, nodes, held);
   const std::vector<HeldDirection> missing = motion.missing_supports(positions_, holdable);
   for (const HeldDirection& h : missing) found.springs.push_back(spring(h.node, h.cosine, h.sine, displacement));
-  if (!missing.empty() && !supported) ++found.fragments;
+  if (!missing.empty() && (!supported || pushed)) ++found.fragments;  // free, or it swings on a support
 }
 
 FreedPartFinder::Held FreedPartFinder::held_parts() const {

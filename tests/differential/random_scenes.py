@@ -32,7 +32,7 @@ SMALL_ENERGY = 1e-15
 EVENTS = 40
 POISSON_RATIO = 1 / 3
 OUTLINED = False  # lattices in any direction, with points on their outline
-LINES = False  # cracks that grow as lines: no scene ends in an error that has none bond by bond
+LINES = False  # all cracks grow as lines, else every second scene's; and no scene ends in an error that has none bond by bond
 
 
 @dataclasses.dataclass
@@ -71,8 +71,7 @@ def build(seed: int, solver: str, rule: str = "line") -> tuple[bempd.Model, int,
     options = {"stepping.solver": solver, "stepping.tie_band": choose.choice((1e-3, 1e-3, 0.0, 0.02))}
     if OUTLINED:
         options |= {"pd.outline_points": "always", "pd.lattice_angle": choose.choice((0, 0.3, 0.7))}
-    if LINES:
-        options |= {"pd.crack_rule": rule}
+    options |= {"pd.crack_rule": rule if LINES or seed % 2 == 0 else "bond"}
     model = bempd.Model(options=options)
     glass = model.add_material(young_modulus=1, poisson_ratio=POISSON_RATIO, critical_stretch=1e-3)
     height, horizon = choose.randrange(4, 16), choose.choice((3, 4) if OUTLINED else (2, 3, 3, 4))
@@ -168,6 +167,12 @@ def unsound(outcome: Outcome) -> Optional[str]:
     return None
 
 
+def far_out(outcome: Outcome) -> bool:
+    """What breaks there hardly feels the load: its stretch has lost as many digits."""
+    loads = [report.load_factor for report in outcome.reports]
+    return bool(loads) and loads[-1] > MOST_GROWTH * min(loads[0], FIRST)
+
+
 def difference(plain: Outcome, window: Outcome) -> Optional[str]:
     if plain.error != window.error:
         return f"plain: {plain.error}; window: {window.error}"
@@ -214,7 +219,7 @@ def arguments_with(count: int) -> argparse.Namespace:
     parser.add_argument("--also", type=int, nargs="*", default=[], help="scenes that failed once")
     parser.add_argument("--ratio", type=float, default=POISSON_RATIO, help="Poisson's ratio")
     parser.add_argument("--outlined", action="store_true", help="points on outlines, lattices turned")
-    parser.add_argument("--lines", action="store_true", help="cracks that grow as lines, in place of windows")
+    parser.add_argument("--lines", action="store_true", help="all cracks grow as lines")
     parser.add_argument("--verbose", action="store_true")
     arguments = parser.parse_args()
     POISSON_RATIO, OUTLINED, LINES = arguments.ratio, arguments.outlined, arguments.lines
@@ -228,7 +233,7 @@ def main() -> int:
     for seed in seeds:
         plain, window = run(seed, "plain"), run(seed, "window")
         finding = unsound(plain) or unsound(window) or difference(plain, window)
-        if LINES and plain.error and not run(seed, "plain", "bond").error:
+        if LINES and plain.error and not far_out(plain) and not run(seed, "plain", "bond").error:
             finding = finding or f"bonds: no error; lines: {plain.error}"
         compared += len(plain.reports)
         refused += 1 if plain.error else 0

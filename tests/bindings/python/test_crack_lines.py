@@ -107,6 +107,37 @@ def test_a_crack_that_kinks_beside_an_edge_takes_the_loads_of_boundary_elements(
     assert abs(ratios - 1).max() < 0.1 and abs(ratios[3:] - 1).max() < 0.05
 
 
+@pytest.mark.parametrize("horizon_ratio", [3, 4])
+def test_the_last_ligament_bears_no_more_than_it_does(horizon_ratio: int) -> None:
+    """README's strip: by boundary elements the crack runs from its first load on to the other side."""
+    height = 0.02
+
+    def strip(rule: str) -> bempd.Model:
+        model = bempd.Model() if rule == "bem" else bempd.Model(options={"pd.crack_rule": rule})
+        material = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
+        if rule == "bem":
+            left = right = model.add_bem_region(material, bempd.rectangle(0, 0, 0.06, height), 0.002)
+        else:
+            left = model.add_bem_region(material, bempd.rectangle(0, 0, 0.02, height), 0.005)
+            model.add_pd_region(material, bempd.rectangle(0.02, 0, 0.04, height), 0.0005, horizon_ratio)
+            right = model.add_bem_region(material, bempd.rectangle(0.04, 0, 0.06, height), 0.005)
+        model.add_crack([(0.02975, 0), (0.02975, 0.0045)])
+        model.fix_edge(left, 4)
+        model.prescribe_edge(right, 2, "x", 1e-6)
+        return model
+
+    elements = strip("bem")
+    elements.step(1.0)
+    loads = [elements.tips()[0].critical_load_factor]
+    while elements.tips()[0].y < height - 0.0015:
+        elements.grow_cracks(0.0005)
+        loads.append(elements.tips()[0].critical_load_factor)
+    assert max(loads) == loads[0]
+    torn = strip("line").run_to_separation(1e4)
+    print("in two at", torn.load_factor, "by boundary elements at", loads[0])
+    assert torn.load_factor == pytest.approx(loads[0], rel=0.03)
+
+
 def test_a_line_ends_at_the_face_of_another_crack() -> None:
     model = bempd.Model(options={"pd.crack_rule": "tips", "stepping.control": "path"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
@@ -222,13 +253,23 @@ def test_a_state_remembers_its_tips() -> None:
 
 
 def test_lines_need_a_scheme_and_a_mode_that_have_them() -> None:
-    assert bempd.describe_options()["pd.crack_rule"].default == "bond"
+    assert bempd.describe_options()["pd.crack_rule"].default == "auto"
     for name in ("scheme", "stepping.mode"):
         model, _ = plate(0, "line")
         model.options["stepping.control"] = "load"
         model.options[name] = "paper"
         with pytest.raises(bempd.ArgumentError, match="pd.crack_rule is line or tips"):
             model.step(1.0)
+        model.options["pd.crack_rule"] = "auto"  # bond by bond
+        model.step(1.0)
+
+
+def test_by_itself_a_crack_grows_as_a_line() -> None:
+    bonds = []
+    for kind in ("auto", "line", "bond"):
+        model, _ = plate(0, kind)
+        bonds.append(model.step_to_next_event(1e6).total_broken_bonds)
+    assert bonds[0] == bonds[1] > bonds[2]
 
 
 @pytest.mark.parametrize("constant", [-3e-4, 3e-4])
