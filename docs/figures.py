@@ -22,6 +22,8 @@ sys.path.insert(0, str(ROOT / "bindings/python"))
 
 from bempd import Model, rectangle  # noqa: E402
 
+# Cracks of these figures grow bond by bond.
+BONDS = {"pd.crack_rule": "bond"}
 BLUE, RED, ORANGE, GREY = "#1f4e79", "#b3261e", "#c05a00", "#7d838c"
 STYLE = {"font.size": 10, "axes.linewidth": 0.7, "xtick.direction": "in", "ytick.direction": "in", "legend.frameon": False,
          "figure.dpi": 100, "savefig.dpi": 160, "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.5,
@@ -66,7 +68,7 @@ def draw_bonds(folder: pathlib.Path) -> None:
 
 def centre_cracked(horizon_ratio: int, shift: float = 0.0) -> Model:
     """A crack of 80 spacings in a plate of boundary elements ten times as wide, in a lattice; stress 1 a load factor."""
-    model = Model()
+    model = Model(options=BONDS)
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
     half, margin = 40, 3 * horizon_ratio
     right, top = half + margin + 20, margin + 8
@@ -115,7 +117,7 @@ def draw_toughness(folder: pathlib.Path) -> None:
 
 def strip(spacing: float = 0.001, tip: float = 0.0045, margin: float = 0.01) -> tuple[Model, int]:
     """The strip of the tutorial; the lattice reaches `margin` to both sides of the crack."""
-    model = Model()
+    model = Model(options=BONDS)
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     low, high = 0.03 - margin, 0.03 + margin
     left = model.add_bem_region(acrylic, rectangle(0, 0, low, 0.02), element_length=0.005)
