@@ -44,7 +44,7 @@ std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& fores
   if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*first, WindowSettings::surely_driven * from)))
     return std::nullopt;
   foreseen.event = {at, first->ratio_at(at), first->load_factor, {}};
-  for (const int bond : first->bonds)
+  for (const int bond : first->way.bonds)
     foreseen.event.changes.push_back({bond, system_.terms().law_of(static_cast<std::size_t>(bond)).gone()});
   // Another bond may come before all steps: where that might count, none is spared.
   for (const LineStep& step : steps)
