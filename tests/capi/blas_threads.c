@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include <dlfcn.h>
 
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 typedef int (*get_function)(void);

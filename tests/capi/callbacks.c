@@ -1,4 +1,5 @@
 /* Callbacks: progress that cancels, boundary functions, the log; a cancelled step returns to its start. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 typedef struct listener {

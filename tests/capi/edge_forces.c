@@ -1,4 +1,5 @@
 /* Nodes of an edge with their weights, and the forces on them: supports and neighbours of every kind of region. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 #define MOST 200

@@ -1,4 +1,5 @@
 /* Values at places and at nodes of an edge, forces on nodes, and states with the values of loads and supports. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 #define MOST 100

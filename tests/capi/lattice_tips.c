@@ -1,6 +1,7 @@
 /* Tips of cracks in peridynamic regions, and tips that are recorded. */
 #include <stddef.h>
 
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 /** A square of 41 spacings around the origin, so that y = 0 lies between rows and whole x between columns. */

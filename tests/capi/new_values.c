@@ -1,4 +1,5 @@
 /* New values of loads and supports: on a straight line to them, at once, and what results show in between. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 #define GOAL 1.2 /* load factor of the coupled plate at which its crack has grown a good way */

@@ -1,4 +1,5 @@
 /* Pieces of a body, and when it counts as separated. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 static bempd_step_report new_report(void) {

@@ -1,4 +1,5 @@
 /* Load programs: tables of factors by time, with cycles, and what the books of energy say of them. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 #define GOAL 1.2 /* factor at which the crack of the coupled plate has grown a good way */

@@ -1,4 +1,5 @@
 /* Reactions, values in the body, history and reports say the same. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 /** A block of both kinds, held on the left on rollers, under a traction on the right edge. */

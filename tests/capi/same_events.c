@@ -4,6 +4,7 @@
  * Bonds are chosen by comparing stretches, so counts would differ where rounding decided between two of them. Rounding
  * is some 1e-13 of a stretch here; the numbers may differ by that and what follows from it.
  */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 /* The last one is the README's first program before boundary elements became smaller towards the ends of supports. */

@@ -1,4 +1,5 @@
 /* A step that is asked to stop keeps what it has done; long parts of calls say how far they are. */
+#define CRACK_RULE "bond"
 #include "scenes.h"
 
 typedef struct listener {

@@ -32,7 +32,7 @@ void build(Model& model, const Block& block, const char* criterion) {
 
 // Pressure over E' s_c, the strength under tension.
 double strength(const Block& block, const char* criterion, double limit) {
-  Model model;
+  BondModel model;
   build(model, block, criterion);
   const bempd_step_report step = model.next_event(limit * 20 * critical);
   return step.stop_reason == BEMPD_STOP_EVENT ? step.load_factor / (20 * critical)
@@ -55,7 +55,7 @@ TEST(Compression, without_it_a_sound_block_bears_any_pressure) {
 // With points on the outline, whatever the direction of the lattice's rows.
 TEST(Compression, without_it_blocks_on_any_lattice_bear_any_pressure) {
   for (const double angle : {0.0, 0.4}) {
-    Model model;
+    BondModel model;
     model.set_text("pd.outline_points", "always");
     model.set("pd.lattice_angle", angle);
     build(model, {}, "opening");
@@ -71,7 +71,7 @@ TEST(Compression, between_rough_plates_more_is_borne) {
 }
 
 std::vector<bempd_history_entry> pulled(const char* criterion, const char* solver) {
-  Model model;
+  BondModel model;
   model.set_text("pd.criterion", criterion);
   model.set_text("stepping.solver", solver);
   build(model, CentreCrack::small());
@@ -115,7 +115,7 @@ void build_slot(Model& model, const char* solver) {
 TEST(Compression, windows_break_a_pressed_plate_as_the_whole_body_does) {
   std::vector<Event> seen[2];
   for (const bool window : {false, true}) {
-    Model model;
+    BondModel model;
     build_slot(model, window ? "window" : "plain");
     for (int k = 0; k < 40; ++k) model.next_event(1e3);
     seen[window ? 1 : 0] = events(model);
@@ -130,7 +130,7 @@ TEST(Compression, windows_break_a_pressed_plate_as_the_whole_body_does) {
 }
 
 TEST(Compression, a_state_goes_on_as_the_run_did) {
-  Model model;
+  BondModel model;
   build_slot(model, "plain");
   for (int k = 0; k < 5; ++k) model.next_event(1e3);
   const auto state = model.save();

@@ -230,6 +230,7 @@ TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
   const int cells = 90;
   const double half = 20.5, middle_x = 45, level = 45.5;
   const auto model = plate({cells, 3}, {{{middle_x - half, level}, {middle_x + half, level}}}, "faces", 1e-3);
+  model->options().set_text("pd.crack_rule", "bond");
   // Moved as under a pressure of 1e-3 at 45 degrees.
   for (int edge = 1; edge <= 4; ++edge) {
     model->editable_scene().add_support(
@@ -272,6 +273,7 @@ TEST(Contact, windows_and_whole_bodies_break_the_same_bonds) {
   const auto run = [](const char* solver) {
     auto model = plate({30, 3}, {{{8.3, 12.3}, {21.7, 17.6}}}, "faces", 1e-3);
     model->options().set_text("stepping.solver", solver);
+    model->options().set_text("pd.crack_rule", "bond");
     move_ends(*model, 0, -30e-3, 1.1);
     for (int k = 0; k < 60; ++k) model->advance(10, fracture::Goal::next_event);
     return model;
@@ -294,6 +296,7 @@ TEST(Contact, windows_switch_places_as_whole_bodies_do) {
   const auto run = [](const char* solver) {
     auto model = plate({39, 4}, {{{15.4, 19.5}, {23.6, 19.5}}}, "faces", 1e-3);
     model->options().set_text("stepping.solver", solver);
+    model->options().set_text("pd.crack_rule", "bond");
     move_ends(*model, 0, 1);
     model->advance(1e9, fracture::Goal::separation);
     return model;

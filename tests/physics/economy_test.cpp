@@ -17,7 +17,7 @@ void expect_no_new_matrix_work(const bempd_statistics& before, const bempd_stati
 }
 
 struct Strip {
-  Model model;
+  BondModel model;
   int32_t left, middle, right, load;
 };
 
@@ -103,7 +103,7 @@ TEST(Economy, kernels_are_evaluated_for_operators_once_and_for_places_when_asked
 }
 
 TEST(Economy, scenes_without_cracks_or_without_a_method_do_not_pay_for_it) {
-  Model boundary, lattice;
+  BondModel boundary, lattice;
   boundary.bem(boundary.add(material(3e9, 0.2)), rectangle(0, 0, 1, 0.5), 0.25);
   lattice.pd(lattice.add(material(3e9, nu)), rectangle(0, 0, 1, 0.5), 0.1, 3);
   for (Model* model : {&boundary, &lattice}) {
@@ -121,7 +121,7 @@ TEST(Economy, scenes_without_cracks_or_without_a_method_do_not_pay_for_it) {
 }
 
 TEST(Economy, a_crack_run_leaves_boundary_regions_alone_and_factorizes_much_less_often_than_it_breaks) {
-  Model model;
+  BondModel model;
   build(model, CentreCrack::small());
   model.prepare();
   const bempd_statistics before = model.statistics();
@@ -144,7 +144,7 @@ struct Row {
 // corner: the same body in another numbering.
 Row row_of_blocks(int count, const char* scheme, bool turned) {
   constexpr double young = 3e9, height = 0.6;
-  Model model;
+  BondModel model;
   model.set_text("scheme", scheme);
   const int32_t id = model.add(material(young, nu));
   int32_t strip = model.pd(id, rectangle(0, 0, 0.3, height), 0.05, 3);
@@ -184,7 +184,7 @@ TEST(Economy, equal_regions_share_one_boundary_operator) {
 
 // Kernel evaluations of two blocks side by side, the second with a property that differs or not.
 int64_t evaluations_of_two(double young, double poisson, double length, double height, bool loaded) {
-  Model model;
+  BondModel model;
   const int32_t first = model.add(material(3e9, 0.2)), second = model.add(material(young, poisson));
   model.bem(first, rectangle(0.1, 0.3, 0.5, 0.9), 0.15);
   model.bem(second, rectangle(0.6, 0.3, 1.0, 0.3 + height), length);
@@ -196,7 +196,7 @@ int64_t evaluations_of_two(double young, double poisson, double length, double h
 }
 
 TEST(Economy, operators_are_shared_by_equal_shape_material_and_mesh_only) {
-  Model single;
+  BondModel single;
   single.bem(single.add(material(3e9, 0.2)), rectangle(0.1, 0.3, 0.5, 0.9), 0.15);
   single.fix(1, 4, BEMPD_BOTH);
   single.traction(1, 2, 0, 1, BEMPD_X, 0, 1e3);
@@ -213,7 +213,7 @@ TEST(Economy, operators_are_shared_by_equal_shape_material_and_mesh_only) {
 // Between clamps, whose ends are nearly as hot as the crack where Poisson's ratio is high: the window at the crack
 // stays.
 int64_t factorizations_of_a_run(double ratio, const bempd_plane plane) {
-  Model model;
+  BondModel model;
   model.set_text("stepping.control", "path");
   const int32_t id = model.add(material(1, ratio, plane, 1, 1e-3));
   const int32_t strip = model.pd(id, rectangle(0, 0, 80, 31), 1, 3);

@@ -12,7 +12,7 @@ namespace {
 using namespace host;
 
 double first_break(const CentreCrack& scene) {
-  Model model;
+  BondModel model;
   build(model, scene);
   const bempd_step_report report = model.next_event(1000);
   EXPECT_EQ(report.stop_reason, BEMPD_STOP_EVENT);
@@ -21,7 +21,7 @@ double first_break(const CentreCrack& scene) {
 }
 
 TEST(CentreCrack, the_initial_crack_cuts_the_bonds_that_meet_the_closed_line) {
-  Model model;
+  BondModel model;
   build(model, {});
   model.prepare();
   report("cut bonds", static_cast<double>(model.statistics().cut_bonds), 730, "independent prototype");

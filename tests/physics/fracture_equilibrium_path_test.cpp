@@ -20,7 +20,7 @@ std::vector<bempd_history_entry> events_of(const Model& model) {
 }
 
 struct Run {
-  Model model;
+  BondModel model;
   CentreCrackIds ids{};
   bempd_step_report end{};
   std::vector<bempd_history_entry> events;
@@ -77,7 +77,7 @@ TEST_P(Path, snaps_back_and_ends_at_the_load_factor_asked_for) {
   }
   EXPECT_GT(fall, 0.05);
 
-  Model model;
+  BondModel model;
   model.set_text("stepping.control", "path");
   model.set_text("stepping.solver", GetParam());
   build(model, CentreCrack::small());
@@ -115,7 +115,7 @@ TEST_P(Path, with_constant_loads_is_the_same_path_shifted) {
 
 // A strip held at both ends: pulled by a constant load across that no load factor along it relieves.
 TEST_P(Path, ends_where_constant_loads_leave_no_load_factor) {
-  Model model;
+  BondModel model;
   model.set_text("stepping.control", "path");
   model.set_text("stepping.solver", GetParam());
   const int32_t lattice =
@@ -136,7 +136,7 @@ TEST_P(Path, goes_down_as_it_goes_up) {
   CentreCrack scene = CentreCrack::small();
   const auto up = torn("path", GetParam(), scene);
   scene.opening = -scene.opening;
-  Model model;
+  BondModel model;
   model.set_text("stepping.control", "path");
   model.set_text("stepping.solver", GetParam());
   build(model, scene);
@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(solvers, Path, testing::Values("window", "plain"),
 
 // With the faces closed the constant loads ask for a larger load factor, with the faces open for a smaller one.
 TEST_P(Path, ends_where_faces_meet_that_turn_it_back_from_both_sides) {
-  Model model;
+  BondModel model;
   model.set_text("stepping.control", "path");
   model.set_text("stepping.solver", GetParam());
   const int32_t plate =
@@ -180,7 +180,7 @@ TEST_P(Path, ends_where_faces_meet_that_turn_it_back_from_both_sides) {
 }
 
 TEST(PathOptions, exclude_increments) {
-  Model model;
+  BondModel model;
   build(model, CentreCrack::small());
   model.set_text("stepping.control", "path");
   model.set_text("stepping.mode", "paper");
@@ -191,7 +191,7 @@ TEST(PathOptions, exclude_increments) {
 }
 
 TEST(PathOptions, an_uncracked_body_bears_everything) {
-  Model model;
+  BondModel model;
   const int32_t plate = model.bem(model.add(material(1, 0.3)), rectangle(0, 0, 2, 1), 0.5);
   model.fix(plate, 4, BEMPD_BOTH);
   double lowest = 0, highest = 0;

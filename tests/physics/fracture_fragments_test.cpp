@@ -31,7 +31,7 @@ struct FramedSquare {
       EXPECT_TRUE(all_finite(model.field(plate, field))) << "field " << field;
     EXPECT_TRUE(std::isfinite(model.reaction(right_end)[0]));
   }
-  Model model;
+  BondModel model;
   int32_t plate = 0, right_end = 0;
 };
 

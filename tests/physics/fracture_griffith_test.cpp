@@ -32,7 +32,7 @@ double growth(Model& model, int32_t lattice, const std::vector<Vector>& places) 
 Strength strength(int horizon_ratio) {
   const double pi = 3.14159265358979323846;
   const double griffith = std::sqrt(CrackedPlane::young * toughness / (pi * half_crack));
-  Model model;
+  BondModel model;
   const int32_t lattice = build_griffith_plate(model, horizon_ratio);
   const auto places = model.vectors(lattice, BEMPD_POSITION);
   Strength found{0, 0};
@@ -76,7 +76,7 @@ TEST(Griffith, with_running_cracks_of_G0_the_first_break_is_earlier_by_the_root_
   for (int horizon_ratio = 3; horizon_ratio <= 5; ++horizon_ratio) {
     double load[2], critical[2];
     for (int k = 0; k < 2; ++k) {
-      Model model;
+      BondModel model;
       if (k == 1) model.set_text("critical_stretch", "running");
       build_griffith_plate(model, horizon_ratio);
       load[k] = model.next_event(1e6).load_factor;
@@ -93,7 +93,7 @@ TEST(Griffith, with_running_cracks_of_G0_the_first_break_is_earlier_by_the_root_
 TEST(Griffith, a_critical_stretch_that_is_given_stays) {
   double load[2];
   for (int k = 0; k < 2; ++k) {
-    Model model;
+    BondModel model;
     if (k == 1) model.set_text("critical_stretch", "running");
     bempd_material solid = material(1, 1.0 / 3);
     solid.critical_stretch = 1e-3;

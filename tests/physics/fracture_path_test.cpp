@@ -10,7 +10,7 @@ using namespace host;
 // One run serves several questions.
 struct WholeRun {
   CentreCrack scene;
-  Model model;
+  BondModel model;
   CentreCrackIds ids = build(model, scene);
   bempd_step_report end = model.run(1000);
 };
@@ -89,7 +89,7 @@ TEST_F(CrackPath, forces_balance_after_the_last_event) {
 TEST_F(CrackPath, updated_factors_answer_as_fresh_ones) {
   if (std::string(bempd_build_info()).find("eigen") != std::string::npos)
     GTEST_SKIP() << "this backend updates no factor, and its fresh ones take minutes here";
-  Model updated, first, second, third;
+  BondModel updated, first, second, third;
   for (Model* model : {&updated, &first, &second, &third}) build(*model, run->scene);
   int64_t done = 0;
   const auto go = [](Model& model, int64_t events) {
@@ -122,7 +122,7 @@ TEST_F(CrackPath, updated_factors_answer_as_fresh_ones) {
 // A crack that runs at a body which cannot break has to turn, and the host is told.
 TEST(Interface, breaks_that_reach_a_boundary_element_region_are_warned_of) {
   for (bool runs_at_it : {true, false}) {
-    Model model;
+    BondModel model;
     const int32_t id = model.add(material(30e9, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 8e-4));
     const int32_t lattice = model.pd(id, rectangle(0, 0, 12, 20), 1, 3);
     const int32_t block = model.bem(id, rectangle(12, 0, 24, 20), 4);

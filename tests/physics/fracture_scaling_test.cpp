@@ -16,7 +16,7 @@ struct Plate {
   explicit Plate(const CentreCrack& s) : scene(s), ids(build(model, scene)) {}
   std::set<BondKey> parted() { return bond_sets(model, scene, ids).parted; }
   CentreCrack scene;
-  Model model;
+  BondModel model;
   CentreCrackIds ids;
 };
 

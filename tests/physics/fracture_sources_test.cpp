@@ -83,7 +83,7 @@ constexpr int until_separation = 0;  // in one call
 enum class Looks { never, always };
 
 Lines run(void (*build)(Model&), const char* solver, Looks looks, int events) {
-  Model model;
+  BondModel model;
   build(model);
   model.set_text("stepping.solver", solver);
   if (events == until_separation) model.run(1e9);

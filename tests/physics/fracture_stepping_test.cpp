@@ -12,7 +12,7 @@ struct Plate {
   explicit Plate(CentreCrack s = CentreCrack::small()) : scene(s), ids(build(model, scene)) {}
   std::set<BondKey> parted() { return bond_sets(model, scene, ids).parted; }
   CentreCrack scene;
-  Model model;
+  BondModel model;
   CentreCrackIds ids;
 };
 

@@ -162,7 +162,7 @@ struct Case {
 };
 
 Run run(const Case& c, const char* solver) {
-  Model model;
+  BondModel model;
   ratio_of_plates = c.poisson_ratio;
   state_of_plates = c.plane_state;
   c.build(model);

@@ -314,6 +314,12 @@ class Model {
   std::unique_ptr<bempd_model, void (*)(bempd_model*)> model_{nullptr, &bempd_model_free};
 };
 
+// Whose cracks grow bond by bond.
+class BondModel : public Model {
+ public:
+  BondModel() { set_text("pd.crack_rule", "bond"); }
+};
+
 inline double largest(const std::vector<double>& values) {
   double result = 0;
   for (double v : values) result = std::isnan(v) ? v : (std::isnan(result) ? result : std::max(result, std::abs(v)));

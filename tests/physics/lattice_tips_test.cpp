@@ -28,7 +28,7 @@ struct Plate {
   std::array<double, 3> stress{0, 1, 0};  // xx, yy, xy
 
   std::vector<bempd_crack_tip> tips_of(const Outline& crack) const {
-    Model model;
+    BondModel model;
     model.set_text("pd.crack_tip", crack_tip);
     const int32_t id = model.add(material(1, bond_poisson(plane), plane));
     const Outline box = rectangle(-2, -3, 2, 3);
@@ -143,7 +143,7 @@ int32_t build_plate(Model& model, int horizon_ratio, double half_length) {
 }
 
 bempd_crack_tip tip_in_elements(double half_length, double load_factor) {
-  Model model;
+  BondModel model;
   build_plate(model, 0, half_length);
   model.step(load_factor);
   return tips(model)[1];
@@ -151,7 +151,7 @@ bempd_crack_tip tip_in_elements(double half_length, double load_factor) {
 
 TEST(LatticeTips, of_a_patch_in_boundary_elements_have_their_factors) {
   for (const int m : {3, 4, 5}) {
-    Model model;
+    BondModel model;
     build_plate(model, m, 1);
     model.step(0.01);
     const auto found = tips(model);
@@ -169,11 +169,11 @@ TEST(LatticeTips, of_a_patch_in_boundary_elements_have_their_factors) {
 // At constant load the stored energy grows by what is released, at both tips.
 TEST(LatticeTips, have_the_energy_release_rate_that_longer_cracks_tell) {
   const auto stored = [](double half_length) {
-    Model model;
+    BondModel model;
     build_plate(model, 4, half_length);
     return model.step(0.01).stored_energy;
   };
-  Model model;
+  BondModel model;
   build_plate(model, 4, 1);
   model.step(0.01);
   const double rate = (stored(1 + dx) - stored(1 - dx)) / (4 * dx), told = tips(model)[1].energy_release_rate;
@@ -181,7 +181,7 @@ TEST(LatticeTips, have_the_energy_release_rate_that_longer_cracks_tell) {
 }
 
 TEST(LatticeTips, move_on_with_the_broken_bonds) {
-  Model model;
+  BondModel model;
   build_plate(model, 4, 1);
   for (int event = 0; event < 60; ++event) model.next_event(1e6);
   const auto found = tips(model);
@@ -201,7 +201,7 @@ TEST(LatticeTips, move_on_with_the_broken_bonds) {
 // Rings reach into the stiffer half, where their fields do not belong.
 TEST(LatticeTips, beside_another_material_have_their_factors) {
   const auto tip = [](double spacing, double longer) {
-    Model model;
+    BondModel model;
     const int32_t soft = model.add(material(1, 1.0 / 3)), stiff = model.add(material(4, 1.0 / 3));
     const Outline left = rectangle(-2, -2.025, 0, 2.025), right = rectangle(0, -2.025, 1, 2.025);
     const int32_t a = spacing > 0 ? model.pd(soft, left, spacing, 3) : model.bem(soft, left, 0.25);
@@ -224,7 +224,7 @@ TEST(LatticeTips, beside_another_material_have_their_factors) {
 }
 
 TEST(LatticeTips, are_gone_when_the_body_is_in_two) {
-  Model model;
+  BondModel model;
   bempd_material solid = material(1, 1.0 / 3);
   solid.fracture_energy = 1;
   const int32_t body = model.pd(model.add(solid), rectangle(0, -8.5, 16, 8.5), 1, 3);

@@ -18,7 +18,7 @@ Vector turned(Vector p, double angle) {
 
 // A strip with an edge crack that points at a hole below the middle; top and bottom are pulled apart.
 struct Strip {
-  Model model;
+  BondModel model;
   int32_t region = 0;
 
   Strip(const char* solver, double angle, double ratio = 1.0 / 3) {
@@ -55,7 +55,7 @@ TEST(OutlinedFracture, windows_break_the_same_bonds_as_the_plain_loop) {
 TEST(OutlinedFracture, mouths_anywhere_on_long_outlines_have_networks) {
   std::vector<double> pulls;
   for (const double mouth : {0.0, 0.237, 0.513}) {
-    Model model;
+    BondModel model;
     model.set("pd.lattice_angle", 20 * std::numbers::pi / 180);
     const int32_t plate = model.pd(model.add(material(1, 1.0 / 3)), rectangle(0, -80, 160, 80), 1, 3);
     model.crack({{0, mouth}, {40, mouth}});
@@ -89,7 +89,7 @@ TEST(OutlinedFracture, crack_runs_into_the_hole_and_out_again) {
 // The largest load factor until a crack has gone most of its way through a plate of one region, or of two with a common
 // edge that leans.
 double load_across(bool divided) {
-  Model model;
+  BondModel model;
   model.set_text("pd.outline_points", "always");
   const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-4));
   std::vector<Outline> parts{rectangle(0, 0, 22, 14)};
@@ -138,7 +138,7 @@ TEST(OutlinedFracture, state_is_returned_to) {
 // A crack along a row of the lattice, or through its points aslant, moves the lattice.
 TEST(OutlinedFracture, cracks_may_lie_where_points_would_be) {
   for (const Outline& crack : {Outline{{0, 10}, {6, 10}}, Outline{{4, 6}, {8, 10}}}) {
-    Model model;
+    BondModel model;
     const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
     const int32_t region = model.pd(id, rectangle(0, 0, 26, 20), 1, 3);
     model.circular_hole(region, {17, 10}, 3);
@@ -154,7 +154,7 @@ TEST(OutlinedFracture, cracks_may_lie_where_points_would_be) {
 // A crack from an edge, its tip far from it: what the tip carries does not depend on where the points of the edge lie.
 TEST(OutlinedFracture, tips_are_those_of_a_region_on_lattice_rows) {
   const auto tip_with = [](const char* points) {
-    Model model;
+    BondModel model;
     model.set_text("pd.outline_points", points);
     const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
     const int32_t region = model.pd(id, rectangle(0, 0, 30, 30), 1, 3);
@@ -190,7 +190,7 @@ struct Plate {
 };
 
 double largest_stress_by_elements() {
-  Model model;
+  BondModel model;
   const int32_t id = model.add(material(1, 1.0 / 3));
   Plate::finish(model, model.bem(id, Plate::corners(), 2));
   model.step(1);
@@ -204,7 +204,7 @@ TEST(OutlinedFracture, hole_breaks_where_and_when_its_edge_is_stressed_most) {
   constexpr double stretch = 1e-3;
   const double reference = stretch / largest_stress_by_elements();
   for (const double angle : {0.0, 0.35}) {
-    Model model;
+    BondModel model;
     model.set("pd.lattice_angle", angle);
     const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, stretch));
     const int32_t region = Plate::finish(model, model.pd(id, Plate::corners(), 1, 3));
@@ -229,7 +229,7 @@ TEST(OutlinedFracture, bonds_made_for_linear_stress_break_when_the_stress_says_a
   const double reference = stretch / largest_stress_by_elements();
   for (const int horizon_ratio : {3, 4, 5}) {
     for (const double angle : {0.0, 0.13, 0.39, 0.52}) {
-      Model model;
+      BondModel model;
       model.set("pd.lattice_angle", angle);
       model.set_text("pd.outline_balance", "linear");
       const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, stretch));

@@ -76,6 +76,7 @@ std::unique_ptr<Model> model_of(const Case& body, const coupling::TermLaw& law, 
   auto model = std::make_unique<Model>();
   body.build(model->editable_scene(), law);
   model->options().set_text("stepping.solver", windows ? "window" : "plain");
+  model->options().set_text("pd.crack_rule", "bond");
   return model;
 }
 

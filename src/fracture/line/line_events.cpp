@@ -28,7 +28,9 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   const Point middle = (body_.positions()[first] + body_.positions()[second]) / 2;
   for (const GrowingTip& tip : body_.state().tips)
     if ((tip.place - middle).norm() < reach_of_resting_tip * law.horizon) return std::nullopt;
-  return Birth{middle, steps_.stress().across_tension(bond, law, body_.state().displacement, load_factor), number};
+  const Point direction = steps_.stress().across_tension(bond, law, body_.state().displacement, load_factor);
+  if (!direction.allFinite()) return std::nullopt;  // stresses that no number holds
+  return Birth{middle, direction, number};
 }
 
 const Event* LineEvents::tell_birth(int bond, const Birth& birth, double load_factor) {

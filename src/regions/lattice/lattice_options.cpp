@@ -21,6 +21,17 @@ scene::OptionDescription outline_balance() {
       "constant | linear", "constant");
 }
 
+scene::OptionDescription crack_rule() {
+  return scene::shaping(scene::text_option(
+      "pd.crack_rule",
+      "How cracks in peridynamic regions grow: line, by a spacing at a time towards the largest hoop stress, all "
+      "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
+      "tips, the same from initial cracks only, and nothing else breaks; bond, bonds break one by one by their own "
+      "stretch and the way prefers rows of the lattice; auto, line in scheme symmetric and stepping.mode event, "
+      "else bond.",
+      "auto | bond | line | tips", "auto"));
+}
+
 const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
   return std::vector<scene::OptionDescription>{
       scene::number_option("pd.horizon_ratio", "Horizon over lattice spacing of regions that do not give their own.", 4,
@@ -56,14 +67,7 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
                              "but what compression "
                              "across the bond adds by Poisson's effect, so that pressure does not crush a sound body.",
                              "stretch | opening", "stretch")),
-      scene::shaping(scene::text_option(
-          "pd.crack_rule",
-          "How cracks in peridynamic regions grow: line, by a spacing at a time towards the largest hoop stress, all "
-          "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
-          "tips, the same from initial cracks only, and nothing else breaks; bond, bonds break one by one by their own "
-          "stretch and the way prefers rows of the lattice; auto, line in scheme symmetric and stepping.mode event, "
-          "else bond.",
-          "auto | bond | line | tips", "auto")),
+      crack_rule(),
       scene::shaping(scene::text_option(
           "pd.contact",
           "What faces of cracks in peridynamic regions of scheme symmetric do where they meet: faces, they press on "

@@ -23,7 +23,7 @@ bempd_step_report tear_tall_strip(Model& model, int rows, double tie_band) {
 }
 
 TEST(LongRuns, ten_thousand_breaks_keep_forces_and_energy_in_balance) {
-  Model model;
+  BondModel model;
   const bempd_step_report end = tear_tall_strip(model, 300, 0.05);
   std::printf("%lld bonds in %lld events\n", static_cast<long long>(end.total_broken_bonds),
               static_cast<long long>(end.total_events));
@@ -35,7 +35,7 @@ TEST(LongRuns, ten_thousand_breaks_keep_forces_and_energy_in_balance) {
 
 TEST(LoadReversal, unloading_is_elastic_and_reloading_finds_the_same_state) {
   CentreCrack scene = CentreCrack::small();
-  Model model;
+  BondModel model;
   model.set_text("pd.contact", "none");  // faces that press are no linear body
   build(model, scene);
   const double first = model.next_event(1e4).load_factor;
@@ -67,7 +67,7 @@ TEST(LoadReversal, unloading_is_elastic_and_reloading_finds_the_same_state) {
 
 // Two cracks across a strip that is pulled apart: the piece between them comes free of all supports and is held.
 TEST(Fragments, a_piece_that_comes_free_is_held_and_reported) {
-  Model model;
+  BondModel model;
   const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
   model.pd(id, rectangle(0, 0, 24, 8), 1, 3);
   model.crack({{8.5, 0}, {8.5, 7.5}});
@@ -82,7 +82,7 @@ TEST(Fragments, a_piece_that_comes_free_is_held_and_reported) {
 }
 
 TEST(Mechanisms, are_refused_and_the_free_motion_is_named) {
-  Model model;
+  BondModel model;
   const int32_t id = model.add(material(1, 1.0 / 3));
   model.bem(id, rectangle(0, 0, 1, 1), 0.5);
   model.pd(id, rectangle(1, 0, 2, 1), 0.125, 3);
