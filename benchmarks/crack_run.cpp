@@ -1,5 +1,6 @@
-// A square plate of N x N material points with a central crack of 0.2 N rows, torn apart bond by bond by its gripped ends
-// until it carries a thousandth of its largest force: the whole run over one elastic solve, and where the time goes.
+// A square plate of N x N material points with a central crack of 0.2 N rows, torn apart bond by bond by its gripped
+// ends until it carries a thousandth of its largest force: the whole run over one elastic solve, and where the time
+// goes.
 //   bempd_crack_run N [solver] [tie band] [window length] [file for the sequence of events]
 #include <bempd.h>
 
