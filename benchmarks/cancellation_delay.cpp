@@ -47,6 +47,7 @@ bempd_model* empty_model() {
   material.critical_stretch = 1e-3;
   check(model, bempd_add_material(model, &material, nullptr));
   check(model, bempd_set_option(model, "threads", 1));
+  check(model, bempd_set_option_text(model, "pd.crack_rule", "bond"));
   check(model, bempd_set_log(model, &listen, nullptr));
   return model;
 }

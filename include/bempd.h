@@ -168,7 +168,7 @@ BEMPD_API bempd_status bempd_get_option_text(const bempd_model* model, const cha
 /** @brief Plane stress (thin plates) or plane strain (long bodies). @since 0.1 */
 typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bempd_plane;
 
-/** @brief An isotropic elastic material that breaks at a critical bond stretch. Fill it with bempd_material_init().
+/** @brief An isotropic elastic material, with what breaks it. Fill it with bempd_material_init().
  *
  * Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
  * preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
@@ -178,7 +178,9 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  * critical_stretch or fracture_energy, or neither for a material that does not break. From the fracture energy G0, the
  * horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E'
  * delta); where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with
- * Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. @since 0.1 */
+ * Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. At that stretch a bond breaks (option pd.crack_rule =
+ * "bond") or a crack begins; cracks that grow as lines, the default, take G0, or the one that belongs to the critical
+ * stretch given. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;      /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;     /**< Young's modulus E [Pa], > 0 */
@@ -771,25 +773,28 @@ BEMPD_API bempd_status bempd_step_report_init(bempd_step_report* report, int64_t
  * @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prepare(bempd_model* model);
 
-/** @brief Move the load factor, breaking every bond that reaches its critical stretch on the way.
+/** @brief Move the load factor, breaking what reaches its critical load on the way.
  *
- * Between two events the response is linear in the load factor: a step without an event costs no solution. At an event
- * the most stretched bonds break first (those within the option stepping.tie_band of the largest stretch ratio), and
- * equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With the option
- * stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end
- * of each every bond that exceeds its critical stretch breaks.
+ * Between two events the response is linear in the load factor: a step without an event costs no solution. In
+ * peridynamic regions cracks grow as lines by default: at an event the tip that reaches its toughness first goes on by
+ * a lattice spacing towards the largest hoop stress, and all bonds across that way break; or a bond away from all tips
+ * reaches its critical stretch, and a crack begins there. With the option pd.crack_rule = "bond" the most stretched
+ * bonds break (those within the option stepping.tie_band of the largest stretch ratio). Then equilibrium is found again
+ * at the same load factor, until nothing exceeds what it bears. With the option stepping.mode = "paper" the load factor
+ * goes in fixed increments instead (option stepping.increment), and at the end of each every bond that exceeds its
+ * critical stretch breaks.
  *
  * Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that the
  * body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the load factor
- * falls there instead: each event lies where the most stretched bonds just reach their critical stretch, and the body
- * follows its path of equilibrium through snap-back until it bears the load factor asked for, or more. Under
- * proportional loads the same bonds break in the same order.
+ * falls there instead: each event lies where the tip just reaches its toughness, or the most stretched bonds their
+ * critical stretch, and the body follows its path of equilibrium through snap-back until it bears the load factor asked
+ * for, or more. Under proportional loads the same bonds break in the same order.
  * @param[in] model the model @param[in] load_factor where to go, up or down [-]
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);
 
-/** @brief Go to the next event and perform it: one batch of bonds. While bonds exceed their critical stretch at the
- * present load factor the next event is there.
+/** @brief Go to the next event and perform it: one batch of bonds. While something exceeds what it bears at the present
+ * load factor the next event is there.
  * @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step_to_next_event(bempd_model* model, double load_factor_limit,
@@ -811,7 +816,7 @@ typedef enum bempd_until {
 } bempd_until;
 
 /** @brief Go from the values with which the last step ended to those that loads and supports have now, on a straight
- * line, breaking every bond that reaches its critical stretch on the way.
+ * line, breaking what reaches its critical load on the way.
  *
  * All loads and supports move together, with those that were not given new values, while the load factor goes from
  * where it is to the one given: it measures the way, in the history and in reports, and may be the time of the host.
@@ -837,7 +842,7 @@ typedef enum bempd_program_column {
   BEMPD_COLUMN_LOAD = 2
 } bempd_program_column;
 
-/** @brief Go through a table of factors by time, breaking every bond that reaches its critical stretch on the way:
+/** @brief Go through a table of factors by time, breaking what reaches its critical load on the way:
  * loads that rise, rest, turn round, change their sign or go in cycles.
  *
  * At the time of a row the value of each support and load with a column is its constant part and the factor there times
@@ -1376,8 +1381,9 @@ typedef struct bempd_history_entry {
   int64_t event;               /**< number of the event, or 0 for the end of a step */
   int64_t total_broken_bonds;  /**< bonds broken so far */
   double load_factor;          /**< load factor [-] */
-  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break [-];
-                                    1 where cracks have grown */
+  double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break, or of a
+                                    tip in a lattice its intensity over its toughness [-]; 1 where
+                                    bempd_grow_cracks() was called */
   double stored_energy;        /**< elastic energy [J] */
   double released_energy;      /**< energy released by breaking bonds and growing cracks so far [J] */
   double work;                 /**< work of loads and supports so far [J] */
@@ -1385,7 +1391,8 @@ typedef struct bempd_history_entry {
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
   /* Since 0.3: the equilibrium path, whatever the option stepping.control. */
   double critical_load_factor;   /**< at which the most stretched bond of the event just reaches its critical
-                                    stretch; at the end of a step the load factor [-] */
+                                    stretch, or its tip its toughness; at the end of a step the load factor
+                                    [-] */
   double critical_stored_energy; /**< elastic energy at that load factor, after the event [J] */
   double bond_energy;            /**< energy that bonds broken so far take where they just reach their critical
                                     stretch [J] */

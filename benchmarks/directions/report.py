@@ -14,7 +14,7 @@ _SOURCE = (ROOT / "src/pd/critical_stretch.cpp").read_text(encoding="utf-8")
 RUNNING = dict(enumerate(map(float, re.search(r"from_2 = \{([^}]*)\}", _SOURCE).group(1).split(",")), 2))
 FIELDS = ("direction", "end", "first", "largest", "energy", "own", "events", "seconds")
 NAMES = {
-    ("lattice", "quartic", "stretch"): "today: the most stretched bond",
+    ("lattice", "quartic", "stretch"): "bond by bond: the most stretched bond",
     ("lattice", "quartic", "scatter-10"): "critical stretch scatters by 10 %",
     ("lattice", "quartic", "scatter-20"): "critical stretch scatters by 20 %",
     ("lattice", "quartic", "softening-4"): "bonds soften to 4 times the stretch of their peak, 6 teeth",
@@ -111,7 +111,7 @@ def straight_and_cuts(out: pathlib.Path) -> dict[str, list[str]]:
 
 def over_angle(rows: list[dict]) -> list[str]:
     """Toughness over the direction of the lattice, before and after."""
-    lines = ["| m | rows at | today: direction | first | largest G | energy | line: direction | first | largest G | energy |",
+    lines = ["| m | rows at | bond by bond: direction | first | largest G | energy | line: direction | first | largest G | energy |",
              "|---|---|---|---|---|---|---|---|---|---|"]
     for m in (3, 4, 5, 6):
         for angle in (0, 7.5, 10, 15, 20, 22.5, 30, 45):
@@ -153,7 +153,7 @@ def hoop(mode: float) -> float:
 def mixed(rows: list[dict]) -> list[str]:
     """Kinks: directions less that of the largest hoop stress."""
     names = ("stretch", "line-field-learn", "line-release-6")
-    lines = ["| m | arctan(K_II/K_I) [deg] | hoop stress | today | spread | recommended line | spread | by energy over 6 | spread |",
+    lines = ["| m | arctan(K_II/K_I) [deg] | hoop stress | bond by bond | spread | recommended line | spread | by energy over 6 | spread |",
              "|---|---|---|---|---|---|---|---|---|"]
     for m in (3, 4):
         for mode in (15, 30, 45, 60, 75):
@@ -199,7 +199,7 @@ def off(points: list[tuple[float, float]], is_line: bool, reference: list[tuple[
 
 
 def inclined(drawn: list[dict], reference: dict[float, list[tuple[float, float]]]) -> list[str]:
-    lines = ["| incline | lattice | m | today | recommended line |", "|---|---|---|---|---|"]
+    lines = ["| incline | lattice | m | bond by bond | recommended line |", "|---|---|---|---|---|"]
     for incline, path in sorted(reference.items()):
         for angle in (0, 20):
             for m in (3, 4):
@@ -219,7 +219,7 @@ def picture(drawn: list[dict], reference: dict[float, list[tuple[float, float]]]
     from matplotlib import pyplot
     figure, axes = pyplot.subplots(1, 2, figsize=(11, 5.2), layout="constrained")
     colours = {"stretch": "tab:red", "scatter-10": "tab:orange", "softening-4": "tab:purple", "line-field-learn": "tab:blue"}
-    labels = {"stretch": "today", "scatter-10": "scatter of 10 %", "softening-4": "softening", "line-field-learn": "crack as a line"}
+    labels = {"stretch": "bond by bond", "scatter-10": "scatter of 10 %", "softening-4": "softening", "line-field-learn": "crack as a line"}
     for p in drawn:
         if p["name"] not in colours or p["kind"][:2] != ("lattice", "quartic") or p["m"] != 3:
             continue

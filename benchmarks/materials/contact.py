@@ -13,6 +13,7 @@ import numpy as np
 from timing import least_in_turns
 
 RULES = ("none", "faces", "rough")
+BONDS = {"pd.crack_rule": "bond"}
 
 
 def squeezed(rule: str, m: int, stress: tuple[float, float, float], crack: list[tuple[float, float]], cells: int = 60,
@@ -21,7 +22,7 @@ def squeezed(rule: str, m: int, stress: tuple[float, float, float], crack: list[
     """A square whose outline moves as under a stress (xx, yy, xy) of plane stress, the load factor being the share of it."""
     xx, yy, xy = stress
     exx, eyy, exy = xx - ratio * yy, yy - ratio * xx, (1 + ratio) * xy
-    model = bempd.Model(options={"pd.contact": rule, **(options or {})})
+    model = bempd.Model(options={"pd.contact": rule, **BONDS, **(options or {})})
     solid = model.add_material(young_modulus=1, poisson_ratio=ratio, **({"fracture_energy": energy} if energy else {}))
     region = model.add_pd_region(solid, bempd.rectangle(0, 0, cells, cells), 1, m)
     if crack:
@@ -166,7 +167,7 @@ def torn_strip(model: bempd.Model) -> float:
 
 def seconds_of_run(build: Callable[[bempd.Model], float], rule: str, torn: bool) -> float:
     """Processor seconds from an empty model to its elastic answer, or until it is in two."""
-    model = bempd.Model(options={"pd.contact": rule, "threads": 1})
+    model = bempd.Model(options={"pd.contact": rule, "threads": 1, **BONDS})
     began = time.process_time()
     load_factor = build(model)
     if torn:
@@ -183,7 +184,7 @@ def cost_rows() -> list[list[str]]:
         least = least_in_turns({(rule, torn): partial(seconds_of_run, build, rule, torn)
                                 for rule in ("none", "faces") for torn in (False, True)})
         for rule in ("none", "faces"):
-            model = bempd.Model(options={"pd.contact": rule, "threads": 1})
+            model = bempd.Model(options={"pd.contact": rule, "threads": 1, **BONDS})
             build(model)
             report, s = model.run_to_separation(1e9), model.statistics()
             found.append([name, rule, f"{report.total_events}", f"{report.face_switches}",

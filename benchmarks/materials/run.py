@@ -18,6 +18,7 @@ import contact
 from timing import least_in_turns
 
 RATIOS = {"stress": (-0.2, 0.0, 0.2, 1 / 3, 0.45, 0.49), "strain": (0.0, 0.25, 0.4, 0.45, 0.49)}
+BONDS = {"pd.crack_rule": "bond"}
 Field = Callable[[float, float], tuple[float, float]]
 
 
@@ -177,7 +178,7 @@ def first_break(plane: str, ratio: float, m: int, slanted: bool) -> float:
     n, turn = 60, math.pi / 4 if slanted else 0.0
     shear = 1 / (2 * (1 + ratio))
     kappa = (3 - ratio) / (1 + ratio) if plane == "stress" else 3 - 4 * ratio
-    model = bempd.Model()
+    model = bempd.Model(options=BONDS)
     solid = model.add_material(young_modulus=1, poisson_ratio=ratio, plane=plane, fracture_energy=1e-6)
     region = model.add_pd_region(solid, bempd.rectangle(0, 0, n, n), 1, m)
     tip = (n / 2, n / 2 + 0.5)
@@ -204,7 +205,7 @@ def strip_model(plane: str, ratio: float, m: int, height: int, length: int, star
     """A strip between clamps that move apart, a crack along its middle, so that the load factor is the root of G over G0,
     G being that of the strip ahead; the model, its region and G0."""
     energy = 1e-6
-    model = bempd.Model(options=options)
+    model = bempd.Model(options={**BONDS, **options})
     solid = model.add_material(young_modulus=1, poisson_ratio=ratio, plane=plane, fracture_energy=energy)
     region = model.add_pd_region(solid, bempd.rectangle(0, 0, length, height), 1, m)
     model.add_crack([(0, height / 2), (start, height / 2)])
@@ -258,7 +259,7 @@ def factor_entries(plane: str, ratio: float, m: int) -> int:
 
 def cracked_plate(plane: str, ratio: float) -> bempd.Model:
     """60 by 60 spacings between columns that are pulled apart, a crack of 12 in the middle."""
-    model = bempd.Model(options={"threads": 1})
+    model = bempd.Model(options={"threads": 1, **BONDS})
     solid = model.add_material(young_modulus=1, poisson_ratio=ratio, plane=plane, critical_stretch=1e-3)
     region = model.add_pd_region(solid, bempd.rectangle(0, 0, 59, 59), 1, 4)
     model.add_crack([(29.5, 23.500001), (29.5, 35.499999)])
@@ -270,7 +271,7 @@ def cracked_plate(plane: str, ratio: float) -> bempd.Model:
 
 def cracked_layers(plane: str, ratio: float) -> bempd.Model:
     """The same crack in a lattice of 17 by 99 spacings between boundary elements 41 spacings wide."""
-    model = bempd.Model(options={"threads": 1})
+    model = bempd.Model(options={"threads": 1, **BONDS})
     solid = model.add_material(young_modulus=1, poisson_ratio=ratio, plane=plane, critical_stretch=1e-3)
     left = model.add_bem_region(solid, bempd.rectangle(0, 0, 41, 99), 10)
     model.add_pd_region(solid, bempd.rectangle(41, 0, 58, 99), 1, 4)

@@ -13,11 +13,12 @@ from bempd import Model, rectangle
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "separation.md"
 LAST_BOND, SHARE = 0.0, 0.02  # of the option stepping.separation_share
+BONDS = {"pd.crack_rule": "bond"}
 
 
 def strip(crack: float) -> Model:
     """README's first program with a crack of another length [mm]."""
-    model = Model()
+    model = Model(options=BONDS)
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     model.add_bem_region(acrylic, rectangle(0, 0, 0.02, 0.02), 0.005)
     model.add_pd_region(acrylic, rectangle(0.02, 0, 0.04, 0.02), 0.001, 4)
@@ -31,7 +32,7 @@ def strip(crack: float) -> Model:
 def plate(half_crack: float = 5, slant: float = 0, horizon_ratio: int = 4) -> Model:
     """The paper's centre-cracked plate [mm]; `slant`: how far the tips lie beside the middle."""
     width, height, half_strip = 50, 49.5, 4.25
-    model = Model()
+    model = Model(options=BONDS)
     stone = model.add_material(young_modulus=30e9, poisson_ratio=1 / 3, critical_stretch=8e-4)
     ends = [0, width / 2 - half_strip, width / 2 + half_strip, width]
     left, middle, right = (rectangle(a * 1e-3, 0, b * 1e-3, height * 1e-3) for a, b in zip(ends, ends[1:]))

@@ -25,7 +25,8 @@ FORCE_LEFT = 1e-3
 
 
 def new_model(task: dict[str, Any]) -> bempd.Model:
-    model = bempd.Model(options=task["options"])
+    """Cracks grow bond by bond unless the task says otherwise."""
+    model = bempd.Model(options={"pd.crack_rule": "bond"} | task["options"])
     SCENES[task["scene"]](model, **task["arguments"])
     return model
 

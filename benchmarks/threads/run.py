@@ -1,7 +1,7 @@
 """A model for each of eight threads: wall seconds with the environment as it is, with a thread of the BLAS for each core that
 a larger machine would have, and with one.
 
-    benchmarks/run.sh threads [models] [N]     N x N points each, torn apart; 8 and 60"""
+    benchmarks/run.sh threads [models] [N]     N x N points each, torn apart bond by bond; 8 and 60"""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def together(models: int, n: int) -> float:
     from scenes import SCENES
 
     def run() -> None:
-        model = bempd.Model()
+        model = bempd.Model(options={"pd.crack_rule": "bond"})
         SCENES["plate"](model, n)
         model.run_to_separation(1e9)
 

@@ -1,7 +1,7 @@
 """Runs scenes of the speed benchmark to separation, each so often, and prints processor seconds and digests of what broke.
 
     worker.py SCENES REPEATS    SCENES as JSON: [[scene, arguments, options], ...], the
-    options may be left out"""
+    options may be left out; bond by bond unless they say otherwise"""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def digest(model: bempd.Model) -> str:
 
 def run(scene: str, arguments: dict[str, Any], options: dict[str, Any] = {}) -> tuple[float, str]:
     start = time.process_time()
-    model = bempd.Model(options={"threads": 1, **options})
+    model = bempd.Model(options={"threads": 1, "pd.crack_rule": "bond", **options})
     SCENES[scene](model, **arguments)
     model.run_to_separation(1e9)
     return time.process_time() - start, digest(model)

@@ -233,7 +233,7 @@ module bempd_c
     real(c_double) :: maximum
   end type bempd_option_info
 
-  !> An isotropic elastic material that breaks at a critical bond stretch. Fill it with bempd_material_init().
+  !> An isotropic elastic material, with what breaks it. Fill it with bempd_material_init().
   !>
   !> Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme "paper");
   !> preparing fails as unsolvable where supports hold its whole boundary, which leaves the pressure undetermined.
@@ -243,7 +243,9 @@ module bempd_c
   !> critical_stretch or fracture_energy, or neither for a material that does not break. From the fracture energy G0,
   !> the horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105
   !> E' delta); where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with
-  !> Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress.
+  !> Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. At that stretch a bond breaks (option pd.crack_rule
+  !> = "bond") or a crack begins; cracks that grow as lines, the default, take G0, or the one that belongs to the
+  !> critical stretch given.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_material
@@ -585,7 +587,8 @@ module bempd_c
     integer(c_int64_t) :: total_broken_bonds
     !> load factor [-]
     real(c_double) :: load_factor
-    !> largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown
+    !> largest bond stretch over its critical stretch just before the break, or of a tip in a lattice its intensity over
+    !> its toughness [-]; 1 where bempd_grow_cracks() was called
     real(c_double) :: stretch_ratio
     !> elastic energy [J]
     real(c_double) :: stored_energy
@@ -597,8 +600,8 @@ module bempd_c
     real(c_double) :: energy_balance_error
     !> largest unbalanced force over the largest internal nodal force so far [-]
     real(c_double) :: residual
-    !> at which the most stretched bond of the event just reaches its critical stretch; at the end of a step the load
-    !> factor [-]
+    !> at which the most stretched bond of the event just reaches its critical stretch, or its tip its toughness; at the
+    !> end of a step the load factor [-]
     real(c_double) :: critical_load_factor
     !> elastic energy at that load factor, after the event [J]
     real(c_double) :: critical_stored_energy
@@ -1948,19 +1951,22 @@ module bempd_c
       integer(c_int) :: bempd_prepare
     end function bempd_prepare
 
-    !> Move the load factor, breaking every bond that reaches its critical stretch on the way.
+    !> Move the load factor, breaking what reaches its critical load on the way.
     !>
-    !> Between two events the response is linear in the load factor: a step without an event costs no solution. At an
-    !> event the most stretched bonds break first (those within the option stepping.tie_band of the largest stretch
-    !> ratio), and equilibrium is found again at the same load factor, until no bond exceeds its critical stretch. With
-    !> the option stepping.mode = "paper" the load factor goes in fixed increments instead (option stepping.increment),
-    !> and at the end of each every bond that exceeds its critical stretch breaks.
+    !> Between two events the response is linear in the load factor: a step without an event costs no solution. In
+    !> peridynamic regions cracks grow as lines by default: at an event the tip that reaches its toughness first goes on
+    !> by a lattice spacing towards the largest hoop stress, and all bonds across that way break; or a bond away from
+    !> all tips reaches its critical stretch, and a crack begins there. With the option pd.crack_rule = "bond" the most
+    !> stretched bonds break (those within the option stepping.tie_band of the largest stretch ratio). Then equilibrium
+    !> is found again at the same load factor, until nothing exceeds what it bears. With the option stepping.mode =
+    !> "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end of each
+    !> every bond that exceeds its critical stretch breaks.
     !>
     !> Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that
     !> the body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the
-    !> load factor falls there instead: each event lies where the most stretched bonds just reach their critical
-    !> stretch, and the body follows its path of equilibrium through snap-back until it bears the load factor asked for,
-    !> or more. Under proportional loads the same bonds break in the same order.
+    !> load factor falls there instead: each event lies where the tip just reaches its toughness, or the most stretched
+    !> bonds their critical stretch, and the body follows its path of equilibrium through snap-back until it bears the
+    !> load factor asked for, or more. Under proportional loads the same bonds break in the same order.
     !>
     !> model [in]: the model
     !> load_factor [in]: where to go, up or down [-]
@@ -1975,7 +1981,7 @@ module bempd_c
       integer(c_int) :: bempd_step
     end function bempd_step
 
-    !> Go to the next event and perform it: one batch of bonds. While bonds exceed their critical stretch at the present
+    !> Go to the next event and perform it: one batch of bonds. While something exceeds what it bears at the present
     !> load factor the next event is there.
     !>
     !> model [in]: the model
@@ -2007,7 +2013,7 @@ module bempd_c
     end function bempd_run_to_separation
 
     !> Go from the values with which the last step ended to those that loads and supports have now, on a straight line,
-    !> breaking every bond that reaches its critical stretch on the way.
+    !> breaking what reaches its critical load on the way.
     !>
     !> All loads and supports move together, with those that were not given new values, while the load factor goes from
     !> where it is to the one given: it measures the way, in the history and in reports, and may be the time of the
@@ -2035,8 +2041,8 @@ module bempd_c
       integer(c_int) :: bempd_step_to_values
     end function bempd_step_to_values
 
-    !> Go through a table of factors by time, breaking every bond that reaches its critical stretch on the way: loads
-    !> that rise, rest, turn round, change their sign or go in cycles.
+    !> Go through a table of factors by time, breaking what reaches its critical load on the way: loads that rise, rest,
+    !> turn round, change their sign or go in cycles.
     !>
     !> At the time of a row the value of each support and load with a column is its constant part and the factor there
     !> times its proportional part; between two rows it goes on a straight line. What has no column takes the time as

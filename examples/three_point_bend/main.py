@@ -21,7 +21,7 @@ END = 650  # load factor: then the crack is under the stamp, which holds on to b
 
 
 def build(spacing: float, control: str) -> tuple[bempd.Model, int, int]:
-    model = bempd.Model(options={"stepping.control": control})
+    model = bempd.Model(options={"pd.crack_rule": "bond", "stepping.control": control})
     resin = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, fracture_energy=ENERGY)
     half, end = (round(8e-3 / spacing) + 0.5) * spacing, SPAN / 2 + 4e-3
     left = model.add_bem_region(resin, bempd.rectangle(-end, 0, -half, HEIGHT), 2e-3)

@@ -24,7 +24,7 @@ DISTANCES = (1, 3), (3, 6), (6, 9), (9, 14)  # from the tip, in spacings
 
 
 def build(spacing: float, contact: str) -> tuple[bempd.Model, int]:
-    model = bempd.Model(options={"pd.contact": contact, "pd.criterion": "opening"})
+    model = bempd.Model(options={"pd.crack_rule": "bond", "pd.contact": contact, "pd.criterion": "opening"})
     pmma = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, fracture_energy=FRACTURE_ENERGY)
     corners = SIDE / math.sqrt(2) * np.array([(math.cos(a), math.sin(a)) for a in ANGLE + np.pi / 4 * np.array([-3, -1, 1, 3])])
     plate = model.add_bem_region(pmma, corners, 15e-3)

@@ -594,8 +594,7 @@ since: 0.1""",
 
 since: 0.1""",
     "bempd_material": """\
-An isotropic elastic material that breaks at a critical bond stretch. Fill it with
-bempd_material_init().
+An isotropic elastic material, with what breaks it. Fill it with bempd_material_init().
 
 Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in scheme
 "paper"); preparing fails as unsolvable where supports hold its whole boundary, which leaves the
@@ -606,7 +605,9 @@ edges and diagonals are whole (not in scheme "paper"). Give critical_stretch or 
 neither for a material that does not break. From the fracture energy G0, the horizon delta and E' =
 E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E' delta);
 where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2
-with Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress.
+with Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. At that stretch a bond breaks
+(option pd.crack_rule = "bond") or a crack begins; cracks that grow as lines, the default, take G0,
+or the one that belongs to the critical stretch given.
 
 since: 0.1""",
     "bempd_material.struct_size": """sizeof(bempd_material), set by bempd_material_init()""",
@@ -1390,21 +1391,24 @@ model [in]: the model
 return: status
 since: 0.1""",
     "bempd_step": """\
-Move the load factor, breaking every bond that reaches its critical stretch on the way.
+Move the load factor, breaking what reaches its critical load on the way.
 
 Between two events the response is linear in the load factor: a step without an event costs no
-solution. At an event the most stretched bonds break first (those within the option
-stepping.tie_band of the largest stretch ratio), and equilibrium is found again at the same load
-factor, until no bond exceeds its critical stretch. With the option stepping.mode = "paper" the load
+solution. In peridynamic regions cracks grow as lines by default: at an event the tip that reaches
+its toughness first goes on by a lattice spacing towards the largest hoop stress, and all bonds
+across that way break; or a bond away from all tips reaches its critical stretch, and a crack begins
+there. With the option pd.crack_rule = "bond" the most stretched bonds break (those within the
+option stepping.tie_band of the largest stretch ratio). Then equilibrium is found again at the same
+load factor, until nothing exceeds what it bears. With the option stepping.mode = "paper" the load
 factor goes in fixed increments instead (option stepping.increment), and at the end of each every
 bond that exceeds its critical stretch breaks.
 
 Where growth is unstable no equilibrium is left at the present load factor while bonds break, and
 the energy that the body gives away is more than what bonds take (bond_energy). With the option
-stepping.control = "path" the load factor falls there instead: each event lies where the most
-stretched bonds just reach their critical stretch, and the body follows its path of equilibrium
-through snap-back until it bears the load factor asked for, or more. Under proportional loads the
-same bonds break in the same order.
+stepping.control = "path" the load factor falls there instead: each event lies where the tip just
+reaches its toughness, or the most stretched bonds their critical stretch, and the body follows its
+path of equilibrium through snap-back until it bears the load factor asked for, or more. Under
+proportional loads the same bonds break in the same order.
 
 model [in]: the model
 load_factor [in]: where to go, up or down [-]
@@ -1412,8 +1416,8 @@ report [in,out]: struct_size in, the rest out; may be NULL
 return: status
 since: 0.1""",
     "bempd_step_to_next_event": """\
-Go to the next event and perform it: one batch of bonds. While bonds exceed their critical stretch
-at the present load factor the next event is there.
+Go to the next event and perform it: one batch of bonds. While something exceeds what it bears at
+the present load factor the next event is there.
 
 model [in]: the model
 load_factor_limit [in]: go no further than this, up or down [-]
@@ -1436,7 +1440,7 @@ since: 0.3""",
     "BEMPD_UNTIL_SEPARATED": """Until the body is separated, or to the values.""",
     "bempd_step_to_values": """\
 Go from the values with which the last step ended to those that loads and supports have now, on a
-straight line, breaking every bond that reaches its critical stretch on the way.
+straight line, breaking what reaches its critical load on the way.
 
 All loads and supports move together, with those that were not given new values, while the load
 factor goes from where it is to the one given: it measures the way, in the history and in reports,
@@ -1463,8 +1467,8 @@ since: 0.3""",
     "BEMPD_COLUMN_SUPPORT": """Those of a support.""",
     "BEMPD_COLUMN_LOAD": """Those of a load.""",
     "bempd_run_program": """\
-Go through a table of factors by time, breaking every bond that reaches its critical stretch on the
-way: loads that rise, rest, turn round, change their sign or go in cycles.
+Go through a table of factors by time, breaking what reaches its critical load on the way: loads
+that rise, rest, turn round, change their sign or go in cycles.
 
 At the time of a row the value of each support and load with a column is its constant part and the
 factor there times its proportional part; between two rows it goes on a straight line. What has no
@@ -2159,7 +2163,8 @@ since: 0.1""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\
-largest bond stretch over its critical stretch just before the break [-]; 1 where cracks have grown""",
+largest bond stretch over its critical stretch just before the break, or of a tip in a lattice its
+intensity over its toughness [-]; 1 where bempd_grow_cracks() was called""",
     "bempd_history_entry.stored_energy": """elastic energy [J]""",
     "bempd_history_entry.released_energy": """energy released by breaking bonds and growing cracks so far [J]""",
     "bempd_history_entry.work": """work of loads and supports so far [J]""",
@@ -2167,8 +2172,8 @@ largest bond stretch over its critical stretch just before the break [-]; 1 wher
     "bempd_history_entry.residual": """\
 largest unbalanced force over the largest internal nodal force so far [-]""",
     "bempd_history_entry.critical_load_factor": """\
-at which the most stretched bond of the event just reaches its critical stretch; at the end of a
-step the load factor [-]""",
+at which the most stretched bond of the event just reaches its critical stretch, or its tip its
+toughness; at the end of a step the load factor [-]""",
     "bempd_history_entry.critical_stored_energy": """elastic energy at that load factor, after the event [J]""",
     "bempd_history_entry.bond_energy": """\
 energy that bonds broken so far take where they just reach their critical stretch [J]""",

@@ -164,7 +164,7 @@ class Model(Scene, Edges, Results):
         self._open().call("bempd_prepare")
 
     def step(self, load_factor: float) -> StepReport:
-        """Move the load factor, breaking every bond that reaches its critical stretch on the way."""
+        """Move the load factor, breaking what reaches its critical load on the way."""
         return self._run("bempd_step", load_factor, goal=load_factor)
 
     def step_to_next_event(self, load_factor_limit: float) -> StepReport:

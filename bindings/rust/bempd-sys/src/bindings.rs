@@ -219,8 +219,7 @@ pub const BEMPD_PLANE_STRAIN: bempd_plane = 2;
 ///
 /// * since: 0.1
 pub type bempd_plane = ::std::os::raw::c_uint;
-/// An isotropic elastic material that breaks at a critical bond stretch. Fill it with
-/// bempd_material_init().
+/// An isotropic elastic material, with what breaks it. Fill it with bempd_material_init().
 ///
 /// Poisson's ratio 1/2 in plane strain is an incompressible solid, solved to some 1e-7 (not in
 /// scheme "paper"); preparing fails as unsolvable where supports hold its whole boundary, which
@@ -232,7 +231,8 @@ pub type bempd_plane = ::std::os::raw::c_uint;
 /// horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is
 /// 64 pi G0 / (105 E' delta); where nu is below the ratio that bonds make alone, times 3 E' / (8
 /// beta), beta = (lambda + mu) / 2 with Lame's constants in the plane: 3 (1 - nu) / 2 in plane
-/// stress.
+/// stress. At that stretch a bond breaks (option pd.crack_rule = "bond") or a crack begins; cracks
+/// that grow as lines, the default, take G0, or the one that belongs to the critical stretch given.
 ///
 /// * since: 0.1
 #[repr(C)]
@@ -1495,21 +1495,26 @@ extern "C" {
     pub fn bempd_prepare(model: *mut bempd_model) -> bempd_status;
 }
 extern "C" {
-    /// Move the load factor, breaking every bond that reaches its critical stretch on the way.
+    /// Move the load factor, breaking what reaches its critical load on the way.
     ///
     /// Between two events the response is linear in the load factor: a step without an event costs
-    /// no solution. At an event the most stretched bonds break first (those within the option
-    /// stepping.tie_band of the largest stretch ratio), and equilibrium is found again at the same
-    /// load factor, until no bond exceeds its critical stretch. With the option stepping.mode =
-    /// "paper" the load factor goes in fixed increments instead (option stepping.increment), and at
-    /// the end of each every bond that exceeds its critical stretch breaks.
+    /// no solution. In peridynamic regions cracks grow as lines by default: at an event the tip
+    /// that reaches its toughness first goes on by a lattice spacing towards the largest hoop
+    /// stress, and all bonds across that way break; or a bond away from all tips reaches its
+    /// critical stretch, and a crack begins there. With the option pd.crack_rule = "bond" the most
+    /// stretched bonds break (those within the option stepping.tie_band of the largest stretch
+    /// ratio). Then equilibrium is found again at the same load factor, until nothing exceeds what
+    /// it bears. With the option stepping.mode = "paper" the load factor goes in fixed increments
+    /// instead (option stepping.increment), and at the end of each every bond that exceeds its
+    /// critical stretch breaks.
     ///
     /// Where growth is unstable no equilibrium is left at the present load factor while bonds
     /// break, and the energy that the body gives away is more than what bonds take (bond_energy).
     /// With the option stepping.control = "path" the load factor falls there instead: each event
-    /// lies where the most stretched bonds just reach their critical stretch, and the body follows
-    /// its path of equilibrium through snap-back until it bears the load factor asked for, or more.
-    /// Under proportional loads the same bonds break in the same order.
+    /// lies where the tip just reaches its toughness, or the most stretched bonds their critical
+    /// stretch, and the body follows its path of equilibrium through snap-back until it bears the
+    /// load factor asked for, or more. Under proportional loads the same bonds break in the same
+    /// order.
     ///
     /// * model \[in\]: the model
     /// * load_factor \[in\]: where to go, up or down \[-\]
@@ -1523,8 +1528,8 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Go to the next event and perform it: one batch of bonds. While bonds exceed their critical
-    /// stretch at the present load factor the next event is there.
+    /// Go to the next event and perform it: one batch of bonds. While something exceeds what it
+    /// bears at the present load factor the next event is there.
     ///
     /// * model \[in\]: the model
     /// * load_factor_limit \[in\]: go no further than this, up or down \[-\]
@@ -1563,7 +1568,7 @@ pub const BEMPD_UNTIL_SEPARATED: bempd_until = 3;
 pub type bempd_until = ::std::os::raw::c_uint;
 extern "C" {
     /// Go from the values with which the last step ended to those that loads and supports have now,
-    /// on a straight line, breaking every bond that reaches its critical stretch on the way.
+    /// on a straight line, breaking what reaches its critical load on the way.
     ///
     /// All loads and supports move together, with those that were not given new values, while the
     /// load factor goes from where it is to the one given: it measures the way, in the history and
@@ -1600,8 +1605,8 @@ pub const BEMPD_COLUMN_LOAD: bempd_program_column = 2;
 /// * since: 0.3
 pub type bempd_program_column = ::std::os::raw::c_uint;
 extern "C" {
-    /// Go through a table of factors by time, breaking every bond that reaches its critical stretch
-    /// on the way: loads that rise, rest, turn round, change their sign or go in cycles.
+    /// Go through a table of factors by time, breaking what reaches its critical load on the way:
+    /// loads that rise, rest, turn round, change their sign or go in cycles.
     ///
     /// At the time of a row the value of each support and load with a column is its constant part
     /// and the factor there times its proportional part; between two rows it goes on a straight
@@ -2685,8 +2690,8 @@ pub struct bempd_history_entry {
     pub total_broken_bonds: i64,
     /// load factor \[-\]
     pub load_factor: f64,
-    /// largest bond stretch over its critical stretch just before the break \[-\]; 1 where cracks
-    /// have grown
+    /// largest bond stretch over its critical stretch just before the break, or of a tip in a
+    /// lattice its intensity over its toughness \[-\]; 1 where bempd_grow_cracks() was called
     pub stretch_ratio: f64,
     /// elastic energy \[J\]
     pub stored_energy: f64,
@@ -2698,8 +2703,8 @@ pub struct bempd_history_entry {
     pub energy_balance_error: f64,
     /// largest unbalanced force over the largest internal nodal force so far \[-\]
     pub residual: f64,
-    /// at which the most stretched bond of the event just reaches its critical stretch; at the end
-    /// of a step the load factor \[-\]
+    /// at which the most stretched bond of the event just reaches its critical stretch, or its tip
+    /// its toughness; at the end of a step the load factor \[-\]
     pub critical_load_factor: f64,
     /// elastic energy at that load factor, after the event \[J\]
     pub critical_stored_energy: f64,

@@ -258,7 +258,7 @@ impl Model {
         self.handle.prepare()
     }
 
-    /// Moves the load factor up or down, breaking every bond that reaches its critical stretch on the way.
+    /// Moves the load factor up or down, breaking what reaches its critical load on the way.
     pub fn step(&mut self, load_factor: f64) -> Result<StepReport> {
         Ok(StepReport::from_raw(&self.handle.step(load_factor)?))
     }

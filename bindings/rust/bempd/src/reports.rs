@@ -311,7 +311,8 @@ mirror! {
         total_broken_bonds: i64,
         /// Load factor [-].
         load_factor: f64,
-        /// Largest bond stretch over its critical stretch just before the break [-].
+        /// Largest bond stretch over its critical stretch just before the break, or of a tip its intensity over its
+        /// toughness [-].
         stretch_ratio: f64,
         /// Elastic energy [J].
         stored_energy: f64,
@@ -323,8 +324,8 @@ mirror! {
         energy_balance_error: f64,
         /// Largest unbalanced force over the largest internal nodal force so far [-].
         residual: f64,
-        /// On the equilibrium path: where the most stretched bond just reaches its critical stretch; at the end of a
-        /// step the load factor [-].
+        /// On the equilibrium path: where the most stretched bond just reaches its critical stretch, or a tip its
+        /// toughness; at the end of a step the load factor [-].
         critical_load_factor: f64,
         /// Elastic energy there, after the event [J].
         critical_stored_energy: f64,
