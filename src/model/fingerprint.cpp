@@ -50,7 +50,7 @@ bool add_values(Hash& hash, const scene::Condition& condition) {
 void add_option(Hash& hash, const scene::OptionDescription& option, const scene::Options& options) {
   hash.add(std::string_view(option.name));
   if (option.is_text) {
-    hash.add(std::string_view(options.text_value(option.name)));
+    hash.add(std::string_view(options.text_in_effect(option.name)));
   } else {
     hash.add(options.number(option.name));
   }

@@ -62,16 +62,10 @@ void Model::check_mechanism(const PreparedScene& p) const {
   }
 }
 
-bool Model::cracks_are_lines() const {
-  const std::string rule = options_.text_value("pd.crack_rule");
-  const bool can_be = options_.text_value("scheme") == "symmetric" && options_.text_value("stepping.mode") == "event";
-  require(can_be || rule == "auto" || rule == "bond",
-          "pd.crack_rule is line or tips, by which cracks grow in scheme symmetric and stepping.mode event; choose "
-          "these, or pd.crack_rule = bond");
-  return can_be && rule != "bond";
-}
-
+// None where they grow bond by bond.
 void Model::grow_lines(PreparedScene& p) const {
+  const std::string rule = options_.text_in_effect("pd.crack_rule");
+  if (rule == "bond") return;
   pd::TipLaws laws;
   std::vector<fracture::GrowingTip> tips;
   for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_)) {
@@ -79,7 +73,7 @@ void Model::grow_lines(PreparedScene& p) const {
     laws.laws.push_back(tip.law);
   }
   // Without any of these nothing but the tips that there are grows.
-  const bool more_begin = options_.text_value("pd.crack_rule") != "tips";
+  const bool more_begin = rule != "tips";
   if (more_begin) laws.of_node.assign(p.discretization.positions.size(), -1);
   for (const auto& region : p.discretization.regions) {
     if (!more_begin) break;
@@ -135,7 +129,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   check_mechanism(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
-  if (cracks_are_lines()) grow_lines(*p);
+  grow_lines(*p);
   let_fluid_in(*p);
   p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,

@@ -224,7 +224,6 @@ class Model {
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
-  bool cracks_are_lines() const;
   void grow_lines(PreparedScene& prepared) const;
   fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;
   void let_fluid_in(PreparedScene& prepared) const;

@@ -147,4 +147,9 @@ std::string Options::text_value(std::string_view name) const {
   return own != texts_.end() ? own->second : option.default_text;
 }
 
+std::string Options::text_in_effect(std::string_view name) const {
+  const OptionDescription& option = describe(name);
+  return option.in_effect ? option.in_effect(*this) : text_value(name);
+}
+
 }  // namespace bempd::scene

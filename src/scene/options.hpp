@@ -7,6 +7,8 @@
 
 namespace bempd::scene {
 
+class Options;
+
 struct OptionDescription {
   const char* name;
   const char* summary;
@@ -17,6 +19,8 @@ struct OptionDescription {
   const char* choices;  // of a text option, separated by " | "
   const char* default_text;
   bool shapes_operators = false;  // a state only fits scenes that agree in it
+  // What the word comes to beside the other options, where it leaves that to them; null where it never does.
+  std::string (*in_effect)(const Options& options) = nullptr;
 };
 
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
@@ -47,6 +51,7 @@ class Options {
   double number(std::string_view name) const;
   int whole_number(std::string_view name) const { return static_cast<int>(number(name)); }
   std::string text_value(std::string_view name) const;
+  std::string text_in_effect(std::string_view name) const;
 
  private:
   // Only what was set.

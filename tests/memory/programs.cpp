@@ -42,6 +42,7 @@ namespace {
 // A boundary element block | a lattice with a crack | another block, pulled apart at the ends, every kind of condition.
 std::vector<Call> coupled_plate() {
   return {create(),
+          text_option("pd.crack_rule", "bond"),
           add_material(bempd_material{}),
           bem(0, {0, 0, 6, 0, 6, 8, 0, 8}, 2),
           pd(1, {6, 0, 15, 0, 15, 8, 6, 8}, 1, 3),

@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "error.hpp"
 #include "scene/options.hpp"
 
 namespace bempd::regions {
@@ -21,8 +22,18 @@ scene::OptionDescription outline_balance() {
       "constant | linear", "constant");
 }
 
+std::string crack_rule_in_effect(const scene::Options& options) {
+  const std::string rule = options.text_value("pd.crack_rule");
+  const bool has_lines = options.text_value("scheme") == "symmetric" && options.text_value("stepping.mode") == "event";
+  if (rule == "auto") return has_lines ? "line" : "bond";
+  require(has_lines || rule == "bond",
+          "pd.crack_rule is line or tips, by which cracks grow in scheme symmetric and stepping.mode event; choose "
+          "these, or pd.crack_rule = auto");
+  return rule;
+}
+
 scene::OptionDescription crack_rule() {
-  return scene::shaping(scene::text_option(
+  scene::OptionDescription option = scene::shaping(scene::text_option(
       "pd.crack_rule",
       "How cracks in peridynamic regions grow: line, by a spacing at a time towards the largest hoop stress, all "
       "bonds across it at once, from initial cracks and from places where a bond reaches its critical stretch; "
@@ -30,6 +41,8 @@ scene::OptionDescription crack_rule() {
       "stretch and the way prefers rows of the lattice; auto, line in scheme symmetric and stepping.mode event, "
       "else bond.",
       "auto | bond | line | tips", "auto"));
+  option.in_effect = crack_rule_in_effect;
+  return option;
 }
 
 const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
