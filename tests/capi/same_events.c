@@ -7,7 +7,8 @@
 #define CRACK_RULE "bond"
 #include "scenes.h"
 
-/* Bond by bond, the first one is the README's first program; the last one the same before boundary elements became smaller towards the ends of supports. */
+/* Bond by bond, the first one is the README's first program; the last one the same before boundary elements became
+ * smaller towards the ends of supports. */
 #define RUNS 4
 static const double lengths[RUNS] = {0.0045, 0.0065, 0.0045, 0.0045};
 static const char* const accuracies[RUNS] = {"standard", "standard", "fine", "standard"};

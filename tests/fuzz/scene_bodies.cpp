@@ -27,7 +27,7 @@ void Scene::set_option() {
                                        Word{"growth.criterion", "energy"},
                                        Word{"growth.direction", "chord"},
                                        Word{"stepping.control", "path"},
-                                       Word{"pd.crack_rule", "line"},
+                                       Word{"pd.crack_rule", "bond"},
                                        Word{"pd.outline_points", "always"},
                                        Word{"scheme", "nothing"},
                                        Word{"", ""}};

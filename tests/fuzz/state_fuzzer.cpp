@@ -1,6 +1,6 @@
 // Saved states with edits that follow from bytes, their checksum repaired: they are refused, or the model goes on from
-// them. The first byte chooses a state of one run, then each edit is 11 bytes: what to do, where, and a number. Inputs
-// stay of use when the format of states changes.
+// them. The first byte chooses a state of one of two runs, bond by bond and as a line; then each edit is 11 bytes: what
+// to do, where, and a number. Inputs stay of use when the format of states changes.
 #include <bempd.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace fuzz {
 namespace {
 
 // A torn block: a piece that an initial crack cut off is held by springs, the other one has lost bonds.
-bempd_model* torn_block() {
+bempd_model* torn_block(const char* crack_rule) {
   bempd_model* model = nullptr;
   bempd_material material;
   good("bempd_model_create", nullptr, bempd_model_create(&model));
@@ -29,6 +29,7 @@ bempd_model* torn_block() {
   const std::array cut = {3.5, 0.0, 3.5, 4.0}, notch = {1.5, 0.0, 1.5, 1.5};
   const double pull = 1;
   const bool built = FUZZ_CALL(bempd_set_option, model, "threads", 1.0) &&
+                     FUZZ_CALL(bempd_set_option_text, model, "pd.crack_rule", crack_rule) &&
                      FUZZ_CALL(bempd_set_option, model, "stepping.max_events", 100.0) &&
                      FUZZ_CALL(bempd_add_material, model, &material, nullptr) &&
                      FUZZ_CALL(bempd_add_pd_region, model, 1, 4, vertices.data(), 1, 2, nullptr) &&
@@ -136,14 +137,22 @@ void edit(Bytes& bytes, const std::uint8_t* edit) {
   }
 }
 
+struct Torn {
+  explicit Torn(const char* crack_rule) : model(torn_block(crack_rule)), states(states_of(model)) {}
+  bempd_model* model;
+  std::array<Bytes, 3> states;
+};
+
 void check(const std::uint8_t* data, std::size_t size) {
-  static bempd_model* const model = torn_block();
-  static const std::array<Bytes, 3> states = states_of(model);
+  static const std::array torn = {Torn("bond"), Torn("line")};
   if (size == 0) return;
-  Bytes bytes = states[data[0] % states.size()];
+  const Torn& from = torn[data[0] / 3 % torn.size()];
+  bempd_model* const model = from.model;
+  const Bytes& said = from.states[data[0] % from.states.size()];
+  Bytes bytes = said;
   for (std::size_t at = 1; at + edit_size <= size; at += edit_size) edit(bytes, data + at);
   repair_checksum(bytes);
-  const bool unchanged = bytes == states[data[0] % states.size()];
+  const bool unchanged = bytes == said;
   bempd_state* state = nullptr;
   const bool is_read = good("bempd_state_from_bytes", nullptr,
                             bempd_state_from_bytes(static_cast<std::int64_t>(bytes.size()), bytes.data(), &state));
