@@ -1,4 +1,4 @@
-bempd_add_engine_test(regions_cell_splits_test regions_cell_splits_test.cpp)
-bempd_add_engine_test(regions_second_kind_test regions_second_kind_test.cpp)
-bempd_add_engine_test(regions_body_force_test regions_body_force_test.cpp)
-bempd_add_engine_test(second_bond_law_test second_bond_law_test.cpp)
+set(files regions_cell_splits_test.cpp regions_second_kind_test.cpp regions_body_force_test.cpp second_bond_law_test.cpp)
+bempd_add_engine_program(regions_tests ${files})
+bempd_add_tests_of_files(regions_tests ${files} LABEL unit)
+add_dependencies(unit_tests regions_tests)
