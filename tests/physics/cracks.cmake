@@ -4,3 +4,4 @@ set(files crack_operator_test.cpp crack_factors_test.cpp crack_extremes_test.cpp
 bempd_add_engine_program(cracks_tests ${files} contact_bodies.cpp closing_cracks.cpp)
 target_link_libraries(cracks_tests PRIVATE bempd_claims)
 bempd_add_tests_of_files(cracks_tests ${files} LABEL physics)
+bempd_split_test(contact_test cracks_tests long "*quadratic_programme*:*windows_switch*:*wings*")

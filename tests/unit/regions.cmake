@@ -2,3 +2,4 @@ set(files regions_cell_splits_test.cpp regions_second_kind_test.cpp regions_body
 bempd_add_engine_program(regions_tests ${files})
 bempd_add_tests_of_files(regions_tests ${files} LABEL unit)
 add_dependencies(unit_tests regions_tests)
+bempd_split_test(second_bond_law_test regions_tests long "*events*:*separation*")
