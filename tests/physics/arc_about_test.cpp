@@ -4,6 +4,7 @@
 
 #include "host.hpp"
 
+namespace arc_about_test {
 namespace {
 
 using namespace host;
@@ -145,3 +146,4 @@ TEST(Disc, needs_a_radius_and_a_material) {
 }
 
 }  // namespace
+}  // namespace arc_about_test

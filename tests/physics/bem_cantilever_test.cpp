@@ -7,6 +7,7 @@
 #include "bem/galerkin_operator.hpp"
 #include "physics/bem_bodies.hpp"
 
+namespace bem_cantilever_test {
 namespace {
 
 using namespace bempd;
@@ -42,3 +43,4 @@ TEST(Cantilever, displacement_converges_with_at_least_order_three_and_a_half) {
 }
 
 }  // namespace
+}  // namespace bem_cantilever_test

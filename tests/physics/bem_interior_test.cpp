@@ -7,6 +7,7 @@
 #include "physics/bem_cantilever.hpp"
 #include "physics/circular_inclusion.hpp"
 
+namespace bem_interior_test {
 namespace {
 
 using namespace bempd;
@@ -147,3 +148,4 @@ TEST(InteriorEvaluator, stress_on_the_boundary_is_of_higher_order_than_the_eleme
 }
 
 }  // namespace
+}  // namespace bem_interior_test

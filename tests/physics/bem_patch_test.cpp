@@ -8,6 +8,7 @@
 #include "bem/galerkin_operator.hpp"
 #include "physics/bem_bodies.hpp"
 
+namespace bem_patch_test {
 namespace {
 
 using namespace bempd;
@@ -99,3 +100,4 @@ TEST(PatchTest, quadrature_tolerance_controls_the_error) {
 }
 
 }  // namespace
+}  // namespace bem_patch_test

@@ -9,6 +9,7 @@
 #include "bem/galerkin_operator.hpp"
 #include "physics/curved_bodies.hpp"
 
+namespace bem_thin_patch_test {
 namespace {
 
 using namespace bempd;
@@ -64,3 +65,4 @@ TEST(ThinPatch, work_grows_with_a_logarithm_and_constant_strain_stays_exact) {
 }
 
 }  // namespace
+}  // namespace bem_thin_patch_test

@@ -10,6 +10,7 @@
 
 #include "host.hpp"
 
+namespace cancellation_test {
 namespace {
 
 // Of the process, so that other programs on the machine do not count.
@@ -205,3 +206,4 @@ TEST_P(CancellationOfRuns, takes_nothing_away) {
 INSTANTIATE_TEST_SUITE_P(Rules, CancellationOfRuns, testing::Values("bond", "line"));
 
 }  // namespace
+}  // namespace cancellation_test

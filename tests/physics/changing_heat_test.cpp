@@ -4,6 +4,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace changing_heat_test {
 namespace {
 
 using namespace host;
@@ -204,3 +205,4 @@ TEST(ChangingHeat, trials_from_a_state_do_the_work_of_their_own_temperature) {
 }
 
 }  // namespace
+}  // namespace changing_heat_test

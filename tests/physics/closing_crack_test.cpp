@@ -16,6 +16,7 @@
 #include "regions/places/edge_part.hpp"
 #include "regions/places/single_point.hpp"
 
+namespace closing_crack_test {
 namespace {
 
 using namespace bempd;
@@ -297,3 +298,4 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
 }
 
 }  // namespace
+}  // namespace closing_crack_test

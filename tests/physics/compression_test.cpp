@@ -5,6 +5,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace compression_test {
 namespace {
 
 using namespace host;
@@ -145,3 +146,4 @@ TEST(Compression, a_state_goes_on_as_the_run_did) {
 }
 
 }  // namespace
+}  // namespace compression_test

@@ -14,6 +14,7 @@
 #include "regions/lattice/lattice_description.hpp"
 #include "regions/places/edge_part.hpp"
 
+namespace contact_test {
 namespace {
 
 using namespace bempd;
@@ -344,3 +345,4 @@ TEST(Contact, rough_is_of_symmetric_systems) {
 }
 
 }  // namespace
+}  // namespace contact_test

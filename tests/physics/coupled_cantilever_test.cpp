@@ -7,6 +7,7 @@
 
 #include "cantilever.hpp"
 
+namespace coupled_cantilever_test {
 namespace {
 
 using namespace host;
@@ -43,3 +44,4 @@ TEST(Cantilever, boundary_elements_and_peridynamics_converge_at_second_order) {
 }
 
 }  // namespace
+}  // namespace coupled_cantilever_test

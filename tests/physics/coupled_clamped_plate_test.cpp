@@ -7,6 +7,7 @@
 
 #include "host.hpp"
 
+namespace coupled_clamped_plate_test {
 namespace {
 
 using namespace host;
@@ -76,3 +77,4 @@ TEST(ClampedPlate, the_clamp_carries_the_load) {
 }
 
 }  // namespace
+}  // namespace coupled_clamped_plate_test

@@ -5,6 +5,7 @@
 
 #include "cantilever.hpp"
 
+namespace coupled_interface_test {
 namespace {
 
 using namespace host;
@@ -64,3 +65,4 @@ TEST(InterfaceThatDoesNotMatch, any_ratio_of_element_and_spacing_is_as_good_as_m
 }
 
 }  // namespace
+}  // namespace coupled_interface_test

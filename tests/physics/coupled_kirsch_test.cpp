@@ -8,6 +8,7 @@
 
 #include "coupled_scene.hpp"
 
+namespace coupled_kirsch_test {
 namespace {
 
 using namespace host;
@@ -110,3 +111,4 @@ TEST(Kirsch, errors_of_a_lattice_inside_a_boundary_element_plate_fall) {
 }
 
 }  // namespace
+}  // namespace coupled_kirsch_test

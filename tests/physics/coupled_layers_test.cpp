@@ -4,6 +4,7 @@
 
 #include "coupled_scene.hpp"
 
+namespace coupled_layers_test {
 namespace {
 
 using namespace host;
@@ -170,3 +171,4 @@ TEST(Layers, bending_tractions_of_two_boundary_element_regions_are_opposite) {
 }
 
 }  // namespace
+}  // namespace coupled_layers_test

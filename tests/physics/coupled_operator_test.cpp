@@ -8,6 +8,7 @@
 #include "regions/discretization.hpp"
 #include "regions/lattice/lattice_description.hpp"
 
+namespace coupled_operator_test {
 namespace {
 
 using namespace bempd;
@@ -93,3 +94,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CoupledOperator,
                                          Case{PlaneState::stress, 3, true}, Case{PlaneState::strain, 4, true}));
 
 }  // namespace
+}  // namespace coupled_operator_test

@@ -7,6 +7,7 @@
 
 #include "coupled_scene.hpp"
 
+namespace coupled_patch_test {
 namespace {
 
 using namespace host;
@@ -276,3 +277,4 @@ INSTANTIATE_TEST_SUITE_P(InterfacesThatDoNotMatch, Patch, testing::ValuesIn(case
                          [](const auto& test) { return name_of(test.param); });
 
 }  // namespace
+}  // namespace coupled_patch_test

@@ -7,6 +7,7 @@
 #include "physics/cracked_bodies.hpp"
 
 // Cracks that are small, close to each other or to edges, many, and in any units.
+namespace crack_extremes_test {
 namespace {
 
 using namespace bempd;
@@ -86,3 +87,4 @@ TEST(CrackExtremes, a_hundred_cracks) {
 }
 
 }  // namespace
+}  // namespace crack_extremes_test

@@ -8,6 +8,7 @@
 #include "physics/cracked_bodies.hpp"
 
 // Stress intensity factors against closed forms and published values.
+namespace crack_factors_test {
 namespace {
 
 using namespace bempd;
@@ -164,3 +165,4 @@ TEST(Kink, angles_of_the_largest_hoop_stress) {
 }
 
 }  // namespace
+}  // namespace crack_factors_test

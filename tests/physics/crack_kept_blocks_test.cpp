@@ -4,6 +4,7 @@
 #include "physics/cracked_bodies.hpp"
 
 namespace bempd::crack_test {
+namespace crack_kept_blocks_test {
 namespace {
 
 const PlaneElasticity steel{210e9, 0.3, PlaneState::stress, 0.01};
@@ -71,4 +72,5 @@ TEST(KeptBlocks, are_not_taken_from_a_body_of_another_material_or_size) {
 }
 
 }  // namespace
+}  // namespace crack_kept_blocks_test
 }  // namespace bempd::crack_test

@@ -7,6 +7,7 @@
 #include "physics/cracked_bodies.hpp"
 
 namespace bempd::crack_test {
+namespace crack_kinks_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -101,4 +102,5 @@ TEST(Kink, that_nearly_closes_keeps_its_digits) {
 }
 
 }  // namespace
+}  // namespace crack_kinks_test
 }  // namespace bempd::crack_test

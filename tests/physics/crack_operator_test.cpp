@@ -9,6 +9,7 @@
 #include "physics/cracked_bodies.hpp"
 
 // Operators of bodies with cracks: rigid motions, signs, linear fields, and what lies beside cracks.
+namespace crack_operator_test {
 namespace {
 
 using namespace bempd;
@@ -167,3 +168,4 @@ TEST_F(BesideACrack, stress_at_a_tip_is_refused) {
 }
 
 }  // namespace
+}  // namespace crack_operator_test

@@ -6,6 +6,7 @@
 
 #include "westergaard.hpp"
 
+namespace crack_pressure_test {
 namespace {
 
 using namespace host;
@@ -226,3 +227,4 @@ TEST(CrackPressure, lets_go_of_a_sliver_that_it_no_longer_balances) {
 }
 
 }  // namespace
+}  // namespace crack_pressure_test

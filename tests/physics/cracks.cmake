@@ -1,10 +1,7 @@
-bempd_add_engine_test(crack_operator_test crack_operator_test.cpp)
-bempd_add_engine_test(crack_factors_test crack_factors_test.cpp)
-target_link_libraries(crack_factors_test PRIVATE bempd_claims)
-bempd_add_engine_test(crack_extremes_test crack_extremes_test.cpp)
-bempd_add_engine_test(crack_kept_blocks_test crack_kept_blocks_test.cpp)
-bempd_add_engine_test(crack_kinks_test crack_kinks_test.cpp)
-bempd_add_engine_test(closing_crack_test closing_crack_test.cpp)
-target_link_libraries(closing_crack_test PRIVATE bempd_closing_cracks)
-bempd_add_engine_test(turning_and_cracked_test turning_and_cracked_test.cpp)
-target_link_libraries(turning_and_cracked_test PRIVATE bempd_closing_cracks)
+# Cracks and contact against the engine's layers; bodies with cracks and their equilibrium by other means.
+set(files crack_operator_test.cpp crack_factors_test.cpp crack_extremes_test.cpp crack_kept_blocks_test.cpp
+  crack_kinks_test.cpp closing_crack_test.cpp turning_and_cracked_test.cpp contact_test.cpp)
+bempd_add_engine_program(cracks_tests ${files} contact_bodies.cpp closing_cracks.cpp)
+target_link_libraries(cracks_tests PRIVATE bempd_claims)
+bempd_add_tests_of_files(cracks_tests ${files} LABEL physics)
+bempd_split_test(contact_test cracks_tests long "*quadratic_programme*:*windows_switch*:*wings*")

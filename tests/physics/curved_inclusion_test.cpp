@@ -7,6 +7,7 @@
 #include "circular_inclusion.hpp"
 #include "host.hpp"
 
+namespace curved_inclusion_test {
 namespace {
 
 using namespace host;
@@ -119,3 +120,4 @@ TEST(Goodier, bonded_disks_stiff_and_soft_are_of_third_order) {
 }
 
 }  // namespace
+}  // namespace curved_inclusion_test

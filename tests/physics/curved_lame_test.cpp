@@ -7,6 +7,7 @@
 
 #include "host.hpp"
 
+namespace curved_lame_test {
 namespace {
 
 using namespace host;
@@ -265,3 +266,4 @@ TEST(SmoothRow, through_points_of_a_circle_is_the_circle) {
 }
 
 }  // namespace
+}  // namespace curved_lame_test

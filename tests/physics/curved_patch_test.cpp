@@ -10,6 +10,7 @@
 #include "bem/galerkin_operator.hpp"
 #include "bem/interior.hpp"
 
+namespace curved_patch_test {
 namespace {
 
 using namespace bempd;
@@ -70,3 +71,4 @@ TEST(CurvedPatch, inside_values_are_exact_up_to_the_boundary) {
 }
 
 }  // namespace
+}  // namespace curved_patch_test

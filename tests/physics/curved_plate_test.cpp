@@ -7,6 +7,7 @@
 
 #include "host.hpp"
 
+namespace curved_plate_test {
 namespace {
 
 using namespace host;
@@ -49,3 +50,4 @@ TEST(ClampedPlate, graded_elements_remove_the_error_of_the_singular_corners) {
 }
 
 }  // namespace
+}  // namespace curved_plate_test

@@ -1,8 +1,8 @@
-bempd_add_engine_test(economy_sharing_test economy_sharing_test.cpp)
 if(TARGET bempd)
-  bempd_add_host_test(economy_test economy_test.cpp)
-  bempd_add_host_test(economy_threads_test economy_threads_test.cpp)
-  bempd_add_host_test(cancellation_test cancellation_test.cpp)
-  bempd_add_host_test(economy_condition_test economy_condition_test.cpp)
-  bempd_add_host_test(lattice_stress_test lattice_stress_test.cpp)
+  bempd_add_host_tests(economy_tests economy_test.cpp cancellation_test.cpp economy_condition_test.cpp
+    lattice_stress_test.cpp extremes/extremes_units_test.cpp extremes/extremes_shapes_test.cpp
+    extremes/extremes_fracture_test.cpp)
+  # By itself: the thread sanitizer sees nothing else.
+  bempd_add_host_tests(economy_threads_test economy_threads_test.cpp)
+  bempd_shorten_test(extremes_fracture_test "-LongRuns.*")
 endif()

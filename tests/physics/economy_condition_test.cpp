@@ -5,6 +5,7 @@
 
 #include "host.hpp"
 
+namespace economy_condition_test {
 namespace {
 
 using namespace host;
@@ -77,3 +78,4 @@ TEST(Condition, of_a_coupled_body_is_one_before_it_is_solved_and_does_not_depend
 }
 
 }  // namespace
+}  // namespace economy_condition_test

@@ -6,6 +6,7 @@
 #include "regions/lattice/lattice_region.hpp"
 #include "regions/scheme.hpp"
 
+namespace economy_sharing_test {
 namespace {
 
 using namespace bempd;
@@ -68,3 +69,4 @@ TEST(Sharing, boundaries_of_equal_mesh_and_material_have_one_operator) {
 }
 
 }  // namespace
+}  // namespace economy_sharing_test

@@ -3,6 +3,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace economy_test {
 namespace {
 
 using namespace host;
@@ -233,3 +234,4 @@ TEST(Economy, a_growing_crack_takes_one_factorization_at_any_ratio) {
 }
 
 }  // namespace
+}  // namespace economy_test

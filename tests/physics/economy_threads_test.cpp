@@ -5,6 +5,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace economy_threads_test {
 namespace {
 
 using namespace host;
@@ -94,3 +95,4 @@ TEST(Threads, do_not_change_a_bit_of_round_bodies) {
 }
 
 }  // namespace
+}  // namespace economy_threads_test

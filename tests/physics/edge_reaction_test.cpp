@@ -6,6 +6,7 @@
 
 #include "host.hpp"
 
+namespace edge_reaction_test {
 namespace {
 
 using namespace host;
@@ -115,3 +116,4 @@ TEST(EdgeReaction, of_an_edge_alone_is_that_of_its_support) {
 }
 
 }  // namespace
+}  // namespace edge_reaction_test

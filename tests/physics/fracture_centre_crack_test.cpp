@@ -7,6 +7,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_centre_crack_test {
 namespace {
 
 using namespace host;
@@ -65,3 +66,4 @@ TEST(CentreCrack, a_constant_load_brings_the_first_break_forward) {
 }
 
 }  // namespace
+}  // namespace fracture_centre_crack_test

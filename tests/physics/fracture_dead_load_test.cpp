@@ -4,6 +4,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_dead_load_test {
 namespace {
 
 using namespace host;
@@ -96,3 +97,4 @@ TEST(DeadLoadOnTab, a_torn_off_tab_separates_cleanly) {
 }
 
 }  // namespace
+}  // namespace fracture_dead_load_test

@@ -7,6 +7,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_equilibrium_path_test {
 namespace {
 
 using namespace host;
@@ -202,3 +203,4 @@ TEST(PathOptions, an_uncracked_body_bears_everything) {
 }
 
 }  // namespace
+}  // namespace fracture_equilibrium_path_test

@@ -4,6 +4,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_fragments_test {
 namespace {
 
 using namespace host;
@@ -72,3 +73,4 @@ TEST(Fragments, a_square_that_tears_off_both_ligaments_comes_free_and_the_run_go
 }
 
 }  // namespace
+}  // namespace fracture_fragments_test

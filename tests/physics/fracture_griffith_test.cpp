@@ -8,6 +8,7 @@
 
 #include "griffith_plate.hpp"
 
+namespace fracture_griffith_test {
 namespace {
 
 using namespace host;
@@ -106,3 +107,4 @@ TEST(Griffith, a_critical_stretch_that_is_given_stays) {
 }
 
 }  // namespace
+}  // namespace fracture_griffith_test

@@ -3,6 +3,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_increments_test {
 namespace {
 
 using namespace host;
@@ -119,3 +120,4 @@ TEST(Increments, centre_crack_needs_the_increments_of_the_prototype) {
 }
 
 }  // namespace
+}  // namespace fracture_increments_test

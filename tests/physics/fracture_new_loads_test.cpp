@@ -3,6 +3,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_new_loads_test {
 namespace {
 
 using namespace host;
@@ -66,3 +67,4 @@ TEST(NewLoads, a_step_that_is_cancelled_while_it_prepares_the_model_stops) {
 }
 
 }  // namespace
+}  // namespace fracture_new_loads_test

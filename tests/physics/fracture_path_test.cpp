@@ -3,6 +3,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_path_test {
 namespace {
 
 using namespace host;
@@ -155,3 +156,4 @@ TEST(Interface, breaks_that_reach_a_boundary_element_region_are_warned_of) {
 }
 
 }  // namespace
+}  // namespace fracture_path_test

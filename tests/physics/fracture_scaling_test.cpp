@@ -4,6 +4,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_scaling_test {
 namespace {
 
 using namespace host;
@@ -62,3 +63,4 @@ TEST(Scaling, fields_forces_and_energies_scale) {
 }
 
 }  // namespace
+}  // namespace fracture_scaling_test

@@ -9,6 +9,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_sources_test {
 namespace {
 
 using namespace host;
@@ -149,3 +150,4 @@ TEST(Sources, supports_that_move_tied_points_feel_the_same_with_windows) {
 }
 
 }  // namespace
+}  // namespace fracture_sources_test

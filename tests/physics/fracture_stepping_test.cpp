@@ -4,6 +4,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_stepping_test {
 namespace {
 
 using namespace host;
@@ -153,3 +154,4 @@ TEST(Stepping, a_tie_band_keeps_a_symmetric_scene_symmetric) {
 }
 
 }  // namespace
+}  // namespace fracture_stepping_test

@@ -7,6 +7,7 @@
 
 #include "griffith_plate.hpp"
 
+namespace fracture_tip_test {
 namespace {
 
 using namespace host;
@@ -77,3 +78,4 @@ TEST(CrackTip, is_felt_half_a_spacing_ahead_of_the_stated_place) {
 }
 
 }  // namespace
+}  // namespace fracture_tip_test

@@ -6,6 +6,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace fracture_window_test {
 namespace {
 
 using namespace host;
@@ -276,3 +277,4 @@ INSTANTIATE_TEST_SUITE_P(AnyRatio, SameSequence, testing::ValuesIn(of_any_ratio(
                          [](const testing::TestParamInfo<Case>& tested) { return tested.param.name; });
 
 }  // namespace
+}  // namespace fracture_window_test

@@ -12,6 +12,7 @@
 #include "regions/discretization.hpp"
 #include "regions/lattice/lattice_description.hpp"
 
+namespace free_expansion_test {
 namespace {
 
 using namespace bempd;
@@ -286,3 +287,4 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Shrinking,
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
+}  // namespace free_expansion_test

@@ -3,6 +3,7 @@
 
 #include "coupled_scene.hpp"
 
+namespace heat_test {
 namespace {
 
 using namespace host;
@@ -218,3 +219,4 @@ TEST(Heat, of_boundary_elements_has_to_be_linear) {
 }
 
 }  // namespace
+}  // namespace heat_test

@@ -6,6 +6,7 @@
 
 #include "coupled_scene.hpp"
 
+namespace joined_lattices_test {
 namespace {
 
 using namespace host;
@@ -185,3 +186,4 @@ TEST(JoinedLattices, a_strip_of_another_material_keeps_its_neighbours_apart) {
 }
 
 }  // namespace
+}  // namespace joined_lattices_test

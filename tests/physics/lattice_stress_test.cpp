@@ -8,6 +8,7 @@
 #include "cantilever.hpp"
 #include "westergaard.hpp"
 
+namespace lattice_stress_test {
 namespace {
 
 using namespace host;
@@ -124,3 +125,4 @@ TEST(LatticeStress, beside_a_crack_lacks_a_part_of_the_stress_along_it_in_the_fi
 }
 
 }  // namespace
+}  // namespace lattice_stress_test

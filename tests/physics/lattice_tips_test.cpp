@@ -4,6 +4,7 @@
 
 #include "host.hpp"
 
+namespace lattice_tips_test {
 namespace {
 
 using namespace host;
@@ -239,3 +240,4 @@ TEST(LatticeTips, are_gone_when_the_body_is_in_two) {
 }
 
 }  // namespace
+}  // namespace lattice_tips_test

@@ -7,6 +7,7 @@
 
 #include "host.hpp"
 
+namespace many_cracks_test {
 namespace {
 
 using namespace host;
@@ -53,3 +54,4 @@ TEST(ManyCracks, leave_parts_on_hinges_that_are_held) {
 }
 
 }  // namespace
+}  // namespace many_cracks_test

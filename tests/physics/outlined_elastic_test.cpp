@@ -7,6 +7,7 @@
 
 #include "cantilever.hpp"
 
+namespace outlined_elastic_test {
 namespace {
 
 using namespace host;
@@ -252,3 +253,4 @@ TEST(OutlinedRegion, turned_cantilever_is_as_good_as_one_on_lattice_rows) {
 }
 
 }  // namespace
+}  // namespace outlined_elastic_test

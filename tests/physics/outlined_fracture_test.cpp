@@ -8,6 +8,7 @@
 
 #include "host.hpp"
 
+namespace outlined_fracture_test {
 namespace {
 
 using namespace host;
@@ -242,3 +243,4 @@ TEST(OutlinedFracture, bonds_made_for_linear_stress_break_when_the_stress_says_a
 }
 
 }  // namespace
+}  // namespace outlined_fracture_test

@@ -7,6 +7,7 @@
 
 #include "host.hpp"
 
+namespace outlined_interface_test {
 namespace {
 
 using namespace host;
@@ -196,3 +197,4 @@ TEST(PatchAtAHole, tells_the_largest_stress) {
 }
 
 }  // namespace
+}  // namespace outlined_interface_test

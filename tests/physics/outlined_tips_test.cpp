@@ -5,6 +5,7 @@
 
 #include "host.hpp"
 
+namespace outlined_tips_test {
 namespace {
 
 using namespace host;
@@ -93,3 +94,4 @@ TEST(OutlinedTips, of_a_crack_from_a_corner) {
 }
 
 }  // namespace
+}  // namespace outlined_tips_test

@@ -7,6 +7,7 @@
 #include "physics/bem_cantilever.hpp"
 #include "physics/paper_collocation_bodies.hpp"
 
+namespace paper_collocation_cantilever_test {
 namespace {
 
 using namespace bempd;
@@ -93,3 +94,4 @@ TEST(CollocationCantilever, stiffness_is_unsymmetric_at_every_mesh) {
 }
 
 }  // namespace
+}  // namespace paper_collocation_cantilever_test

@@ -9,6 +9,7 @@
 #include "paper/collocation_operator.hpp"
 #include "physics/paper_collocation_bodies.hpp"
 
+namespace paper_collocation_patch_test {
 namespace {
 
 using namespace bempd;
@@ -154,3 +155,4 @@ TEST(CollocationPatch, one_traction_at_corners_keeps_rigid_motions_but_not_const
 }
 
 }  // namespace
+}  // namespace paper_collocation_patch_test

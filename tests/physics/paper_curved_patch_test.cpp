@@ -3,6 +3,7 @@
 #include "paper/collocation_operator.hpp"
 #include "physics/curved_patch.hpp"
 
+namespace paper_curved_patch_test {
 namespace {
 
 using namespace bempd;
@@ -18,3 +19,4 @@ TEST(CollocationCurvedPatch, constant_strain_and_rigid_motions_are_exact) {
 }
 
 }  // namespace
+}  // namespace paper_curved_patch_test

@@ -4,6 +4,7 @@
 
 #include "fracture_scenes.hpp"
 
+namespace paper_fracture_test {
 namespace {
 
 using namespace host;
@@ -157,3 +158,4 @@ TEST(PaperFracture, increments_before_the_last_equilibrium_are_kept) {
 }
 
 }  // namespace
+}  // namespace paper_fracture_test

@@ -5,6 +5,7 @@
 
 #include "host.hpp"
 
+namespace paper_scheme_test {
 namespace {
 
 using namespace host;
@@ -208,3 +209,4 @@ TEST(PaperScheme, refuses_what_it_does_not_cover) {
 }
 
 }  // namespace
+}  // namespace paper_scheme_test

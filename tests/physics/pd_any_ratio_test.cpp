@@ -8,6 +8,7 @@
 #include "dense.hpp"
 #include "unit/pd_bodies.hpp"
 
+namespace pd_any_ratio_test {
 namespace {
 
 using namespace bempd;
@@ -71,3 +72,4 @@ TEST(AnyRatio, does_not_lock) {
 }
 
 }  // namespace
+}  // namespace pd_any_ratio_test

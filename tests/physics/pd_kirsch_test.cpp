@@ -6,6 +6,7 @@
 #include "dense.hpp"
 #include "unit/pd_bodies.hpp"
 
+namespace pd_kirsch_test {
 namespace {
 
 using namespace bempd;
@@ -77,3 +78,4 @@ TEST(KirschField, converges_with_second_order_for_any_poissons_ratio) {
 }
 
 }  // namespace
+}  // namespace pd_kirsch_test

@@ -6,6 +6,7 @@
 
 #include "unit/pd_bodies.hpp"
 
+namespace pd_patch_test {
 namespace {
 
 using namespace bempd;
@@ -77,3 +78,4 @@ TEST(PatchTest, rigid_motions_cause_no_forces) {
 }
 
 }  // namespace
+}  // namespace pd_patch_test

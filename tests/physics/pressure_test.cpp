@@ -4,6 +4,7 @@
 
 #include "host.hpp"
 
+namespace pressure_test {
 namespace {
 
 using namespace host;
@@ -132,3 +133,4 @@ TEST(Pressure, is_given_new_values_and_refused_where_tractions_are) {
 }
 
 }  // namespace
+}  // namespace pressure_test

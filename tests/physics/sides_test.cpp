@@ -4,6 +4,7 @@
 
 #include "host.hpp"
 
+namespace sides_test {
 namespace {
 
 using namespace host;
@@ -124,3 +125,4 @@ TEST(FacesOfACrack, differ_by_its_opening_and_are_free) {
 }
 
 }  // namespace
+}  // namespace sides_test

@@ -6,6 +6,7 @@
 
 #include "host.hpp"
 
+namespace singularities_test {
 namespace {
 
 using namespace host;
@@ -197,3 +198,4 @@ TEST(Singularities, tell_how_stress_grows) {
 }
 
 }  // namespace
+}  // namespace singularities_test

@@ -18,6 +18,7 @@
 #include "regions/places/turning_region.hpp"
 #include "regions/places/whole_region.hpp"
 
+namespace turning_and_cracked_test {
 namespace {
 
 using namespace bempd;
@@ -352,3 +353,4 @@ TEST(Rotation, about_another_axis_is_a_uniform_force_more) {
 }
 
 }  // namespace
+}  // namespace turning_and_cracked_test

@@ -1,1 +1,1 @@
-bempd_add_engine_test(elasticity_test elasticity_crack_tip_field_test.cpp elasticity_wedge_test.cpp)
+bempd_add_unit_test(elasticity_test elasticity_crack_tip_field_test.cpp elasticity_wedge_test.cpp)

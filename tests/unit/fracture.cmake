@@ -1,2 +1,1 @@
-bempd_add_engine_test(fracture_test fracture_test.cpp)
-bempd_add_engine_test(fracture_window_unit_test fracture_window_test.cpp)
+bempd_add_unit_test(fracture_test fracture_test.cpp fracture_window_test.cpp)

@@ -6,6 +6,7 @@
 #include "fracture/critical_events.hpp"
 #include "fracture/freed_parts.hpp"
 
+namespace fracture_test {
 namespace {
 
 using namespace bempd;
@@ -115,3 +116,4 @@ TEST(FreedParts, an_isolated_point_is_a_fragment_and_loses_its_load) {
 }
 
 }  // namespace
+}  // namespace fracture_test

@@ -5,6 +5,7 @@
 #include "fracture/window/active_window.hpp"
 #include "fracture/window/window_certificate.hpp"
 
+namespace fracture_window_test {
 namespace {
 
 using namespace bempd;
@@ -236,3 +237,4 @@ TEST_P(Window, forces_are_in_balance_and_are_put_back_to_it) {
 INSTANTIATE_TEST_SUITE_P(Loads, Window, testing::Values(0.0, 0.4));
 
 }  // namespace
+}  // namespace fracture_window_test

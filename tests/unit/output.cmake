@@ -1,4 +1,4 @@
-bempd_add_engine_test(output_test output_test.cpp output_places_test.cpp)
+bempd_add_unit_test(output_test output_test.cpp output_places_test.cpp)
 
 # An independent reader: Debian's meshio. The interpreter is named, as others on the PATH may lack it.
 find_program(BEMPD_MESHIO_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)

@@ -15,6 +15,7 @@
 #include "regions/places/whole_region.hpp"
 #include "regions/scheme.hpp"
 
+namespace regions_body_force_test {
 namespace {
 
 using namespace bempd;
@@ -234,3 +235,4 @@ TEST(BodyForce, supports_cannot_hold_a_whole_region) {
 }
 
 }  // namespace
+}  // namespace regions_body_force_test

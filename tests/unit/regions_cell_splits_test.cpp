@@ -5,6 +5,7 @@
 #include "linalg/disjoint_sets.hpp"
 #include "regions/cell_splits.hpp"
 
+namespace regions_cell_splits_test {
 namespace {
 
 using namespace bempd;
@@ -137,3 +138,4 @@ TEST(CellSplits, node_without_bonds_comes_loose) {
 }
 
 }  // namespace
+}  // namespace regions_cell_splits_test

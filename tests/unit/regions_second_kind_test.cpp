@@ -12,6 +12,7 @@
 #include "regions/places/edge_part.hpp"
 #include "regions/places/single_point.hpp"
 
+namespace regions_second_kind_test {
 namespace {
 
 using namespace bempd;
@@ -123,3 +124,4 @@ TEST(SecondLatticeKind, is_named_in_sentences) {
 }
 
 }  // namespace
+}  // namespace regions_second_kind_test

@@ -10,6 +10,7 @@
 #include "regions/lattice/lattice_description.hpp"
 #include "regions/places/edge_part.hpp"
 
+namespace second_bond_law_test {
 namespace {
 
 using namespace bempd;
@@ -155,3 +156,4 @@ INSTANTIATE_TEST_SUITE_P(Bodies, SecondBondLaw,
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
+}  // namespace second_bond_law_test

@@ -3,6 +3,7 @@
 
 #include "../fracture_scenes.hpp"
 
+namespace extremes_fracture_test {
 namespace {
 
 using namespace host;
@@ -94,3 +95,4 @@ TEST(Mechanisms, are_refused_and_the_free_motion_is_named) {
 }
 
 }  // namespace
+}  // namespace extremes_fracture_test

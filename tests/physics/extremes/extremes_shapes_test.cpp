@@ -4,6 +4,7 @@
 
 #include "../coupled_scene.hpp"
 
+namespace extremes_shapes_test {
 namespace {
 
 using namespace host;
@@ -196,3 +197,4 @@ TEST(ExtremeShapes, bodies_a_million_sizes_from_the_origin) {
 }
 
 }  // namespace
+}  // namespace extremes_shapes_test

@@ -4,6 +4,7 @@
 #include "../fracture_scenes.hpp"
 #include "scaled_plate.hpp"
 
+namespace extremes_units_test {
 namespace {
 
 using namespace host;
@@ -155,3 +156,4 @@ TEST(ExtremeUnits, cracks_run_the_same_way) {
 }
 
 }  // namespace
+}  // namespace extremes_units_test

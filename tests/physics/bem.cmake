@@ -1,4 +1,0 @@
-bempd_add_engine_test(bem_patch_test bem_patch_test.cpp)
-bempd_add_engine_test(bem_thin_patch_test bem_thin_patch_test.cpp)
-bempd_add_engine_test(bem_cantilever_test bem_cantilever_test.cpp)
-bempd_add_engine_test(bem_interior_test bem_interior_test.cpp)

@@ -1,2 +1,0 @@
-bempd_add_engine_test(coupled_operator_test coupled_operator_test.cpp)
-bempd_add_engine_test(free_expansion_test free_expansion_test.cpp)

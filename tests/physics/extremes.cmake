@@ -1,6 +1,0 @@
-if(TARGET bempd)
-  bempd_add_host_test(extremes_units_test extremes/extremes_units_test.cpp)
-  bempd_add_host_test(extremes_shapes_test extremes/extremes_shapes_test.cpp)
-  bempd_add_host_test(extremes_fracture_test extremes/extremes_fracture_test.cpp)
-  bempd_shorten_host_test(extremes_fracture_test "-LongRuns.*")
-endif()

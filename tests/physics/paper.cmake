@@ -1,7 +1,0 @@
-bempd_add_engine_test(paper_collocation_patch_test paper_collocation_patch_test.cpp)
-bempd_add_engine_test(paper_curved_patch_test paper_curved_patch_test.cpp)
-bempd_add_engine_test(paper_collocation_cantilever_test paper_collocation_cantilever_test.cpp)
-if(TARGET bempd)
-  bempd_add_host_test(paper_scheme_test paper_scheme_test.cpp)
-  bempd_add_host_test(paper_fracture_test paper_fracture_test.cpp)
-endif()

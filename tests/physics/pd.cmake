@@ -1,5 +1,0 @@
-bempd_add_engine_test(pd_patch_test pd_patch_test.cpp)
-bempd_add_engine_test(pd_kirsch_test pd_kirsch_test.cpp)
-bempd_add_engine_test(pd_any_ratio_test pd_any_ratio_test.cpp)
-bempd_add_engine_test(contact_test contact_test.cpp)
-target_link_libraries(contact_test PRIVATE bempd_closing_cracks)
