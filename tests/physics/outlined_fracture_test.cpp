@@ -58,10 +58,10 @@ TEST(OutlinedFracture, mouths_anywhere_on_long_outlines_have_networks) {
   for (const double mouth : {0.0, 0.237, 0.513}) {
     Model model;
     model.set("pd.lattice_angle", 20 * std::numbers::pi / 180);
-    const int32_t plate = model.pd(model.add(material(1, 1.0 / 3)), rectangle(0, -80, 40, 80), 1, 3);
-    model.crack({{0, mouth}, {15, mouth}});
+    const int32_t plate = model.pd(model.add(material(1, 1.0 / 3)), rectangle(0, -80, 160, 80), 1, 3);
+    model.crack({{0, mouth}, {40, mouth}});
     const int32_t low = model.prescribe(plate, 1, BEMPD_Y, 0, -1), high = model.prescribe(plate, 3, BEMPD_Y, 0, 1);
-    model.fix_point({40, -80}, BEMPD_X);
+    model.fix_point({160, -80}, BEMPD_X);
     model.step(1);
     pulls.push_back(model.reaction(high)[1]);
     std::printf("mouth at %g: pull %.6f\n", mouth, pulls.back());
