@@ -35,27 +35,27 @@ struct Plate {
 };
 
 void centre_crack(Model& model) {
-  Plate plate(model, 40);
-  model.crack({{19.5, 15.5001}, {19.5, 23.4999}});
+  Plate plate(model, 30);
+  model.crack({{14.5, 11.5001}, {14.5, 17.4999}});
   plate.grip();
 }
 
 void offset_edge_cracks(Model& model) {
-  Plate plate(model, 36);
-  model.crack({{13.5, 0}, {13.5, 10.4}});
-  model.crack({{21.5, 35}, {21.5, 24.6}});
+  Plate plate(model, 28);
+  model.crack({{10.5, 0}, {10.5, 8.4}});
+  model.crack({{16.5, 27}, {16.5, 18.6}});
   plate.grip();
 }
 
 void inclined_crack(Model& model) {
-  Plate plate(model, 36);
-  model.crack({{12.75, 13.25}, {21.75, 22.25}});
+  Plate plate(model, 28);
+  model.crack({{9.75, 10.25}, {16.75, 17.25}});
   plate.grip();
 }
 
 void edge_crack(Model& model) {
-  Plate plate(model, 32);
-  model.crack({{15.5, 0}, {15.5, 11.4}});
+  Plate plate(model, 26);
+  model.crack({{12.5, 0}, {12.5, 8.4}});
   plate.grip();
 }
 
@@ -73,16 +73,16 @@ void square_hole(Model& model) {
 
 // Under forces the plate is torn at one load factor, and what comes free takes its loads along.
 void dead_load(Model& model) {
-  Plate plate(model, 28);
-  model.crack({{13.5, 0}, {13.5, 7.4}});
+  Plate plate(model, 24);
+  model.crack({{11.5, 0}, {11.5, 6.4}});
   model.fix(plate.region, 4, BEMPD_BOTH);
   model.traction(plate.region, 2, 0, 1, BEMPD_X, 0, 1e-5);
 }
 
 // A constant squeeze along the crack; the ends are pulled in proportion.
 void constant_and_proportional(Model& model) {
-  Plate plate(model, 32);
-  model.crack({{15.5, 11.5001}, {15.5, 19.4999}});
+  Plate plate(model, 26);
+  model.crack({{12.5, 9.5001}, {12.5, 15.4999}});
   model.traction(plate.region, 1, 0, 1, BEMPD_Y, 2e-4, 0);
   model.traction(plate.region, 3, 0, 1, BEMPD_Y, -2e-4, 0);
   plate.grip(0.01);
@@ -97,7 +97,6 @@ void coupled_with_ties(Model& model) {
   model.mesh(ids.right, 4, 2e-3, 1);
 }
 
-// Two cracks that run into a third one, so that a piece falls out.
 // Two lattices of one material, which act as one, beside a third of another.
 void joined_lattices(Model& model) {
   const int32_t id = model.add(material(1, ratio_of_plates, BEMPD_PLANE_STRESS, 1, 1e-3));
@@ -112,11 +111,12 @@ void joined_lattices(Model& model) {
   }
 }
 
+// Two cracks that run into a third one, so that a piece falls out.
 void falling_piece(Model& model) {
-  Plate plate(model, 32);
-  model.crack({{11.5, 0}, {11.5, 12.4}});
-  model.crack({{19.5, 0}, {19.5, 12.4}});
-  model.crack({{9.6, 16.5}, {21.4, 16.5}});
+  Plate plate(model, 26);
+  model.crack({{9.5, 0}, {9.5, 10.4}});
+  model.crack({{15.5, 0}, {15.5, 10.4}});
+  model.crack({{7.6, 13.5}, {17.4, 13.5}});
   plate.grip();
 }
 
