@@ -1180,14 +1180,15 @@ module bempd_c
 
     !> Add an initial crack, a polyline.
     !>
-    !> In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep off the material
-    !> points. The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there;
-    !> the load at which it grows depends on where the tip lies between points: best half way between two columns or
-    !> rows. It may end on a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are
-    !> divided by themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may
-    !> start or end at a free edge, a hole or another crack, and cracks may cross. One crack lies in peridynamic regions
-    !> or in one BEM region, and ends before interfaces of BEM regions. A crack beside all regions there are is refused
-    !> at once, everything else when the model is prepared.
+    !> In peridynamic regions bonds that meet it are cut (touching its tip counts). Material points on it belong to its
+    !> left side, on the way from its first point to its last: it passes them by, which is logged. The bonds cut ahead
+    !> of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there; the load at which it grows
+    !> depends on where the tip lies between points: best half way between two columns or rows. It may end on a region's
+    !> boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by themselves around
+    !> its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end at a free edge,
+    !> a hole or another crack, and cracks may cross. One crack lies in peridynamic regions or in one BEM region, and
+    !> ends before interfaces of BEM regions. A crack beside all regions there are is refused at once, everything else
+    !> when the model is prepared.
     !>
     !> model [in]: the model
     !> point_count [in]: number of points, >= 2

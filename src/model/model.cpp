@@ -122,6 +122,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   regions::LatticeCracks in_lattices = regions::cracks_in_lattices(scene_, d, options_);
   for (const auto& [bond, share] : in_lattices.weakened) d.bonds.stiffness[static_cast<std::size_t>(bond)] *= share;
   p->cracks = std::move(in_lattices.cracks);
+  d.warnings.insert(d.warnings.end(), in_lattices.warnings.begin(), in_lattices.warnings.end());
   p->cut_bonds = regions::bonds_cut_by_cracks(p->cracks, d, d.warnings);
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);

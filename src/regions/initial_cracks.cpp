@@ -1,6 +1,10 @@
 #include "regions/initial_cracks.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -69,6 +73,75 @@ int region_of_crack(const Preparation& p, int crack, const std::vector<Point>& p
   return found < 0 ? region_of_piece(p, crack, 0.5 * (points[0] + points[1])) : found;
 }
 
+// How far a crack passes material points by, in spacings: next to nothing, as any place between the same rows cuts the
+// same bonds.
+constexpr double aside = 1e-3;
+constexpr int ways_aside = 8;
+
+// A crack moved to its right, or turned from there by an angle; a mouth reaches a little farther, so that it stays one.
+scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack crack, double distance, double angle) {
+  std::vector<Point>& points = crack.points;
+  const Point first = (points[1] - points[0]).normalized(), last = (points.end()[-1] - points.end()[-2]).normalized();
+  const auto farther = [&](const Point& end) {
+    const bool is_inside = std::any_of(d.regions.begin(), d.regions.end(), [&](const auto& region) {
+      return locate(scene.region(region->id()).outline(), end, d.tolerance) == Location::inside;
+    });
+    return is_inside ? 0 : 2 * distance;
+  };
+  const double at_start = farther(points.front()), at_end = farther(points.back());
+  const Point shift = distance * (Eigen::Rotation2Dd(angle) * Point(first.y(), -first.x()));
+  for (Point& p : points) p += shift;
+  points.front() -= at_start * first, points.back() += at_end * last;
+  return crack;
+}
+
+std::vector<Point> points_met(const scene::Crack& crack, const Discretization& d) {
+  std::vector<Point> met;
+  for (const auto& region : d.regions) {
+    const std::vector<Point> some = region->points_met_by(crack);
+    met.insert(met.end(), some.begin(), some.end());
+  }
+  return met;
+}
+
+// Whether a crack runs along a boundary behind which there is no lattice: it has no other side there.
+bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Discretization& d,
+                         const std::vector<Point>& met) {
+  return std::any_of(met.begin(), met.end(), [&](const Point& p) {
+    const auto near_end = [&](const Point& end) { return (p - end).norm() <= 10 * d.tolerance; };
+    if (near_end(crack.points.front()) || near_end(crack.points.back())) return false;
+    int inside = 0, beside = 0;
+    for (const auto& region : d.regions) {
+      if (!region->takes_cracks()) continue;
+      const Location at = locate(scene.region(region->id()).outline(), p, d.tolerance);
+      inside += at == Location::inside, beside += at == Location::on_boundary;
+    }
+    return inside == 0 && beside < 2;
+  });
+}
+
+// Of the first way aside by which it meets no point; as it was if there is none.
+void pass_points_by(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
+  scene::Crack& crack = found.cracks[static_cast<std::size_t>(number) - 1];
+  const std::vector<Point> met = points_met(crack, d);
+  if (met.empty() || runs_along_boundary(scene, crack, d, met)) return;
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const auto& region : d.regions)
+    if (const std::optional<LatticeGrid> grid = region->lattice_grid()) spacing = std::min(spacing, grid->spacing);
+  if (std::isinf(spacing)) return;  // scheme paper
+  for (int way = 0; way < ways_aside; ++way) {
+    // To the right, to the left, and between.
+    const double angle = way < 2 ? way * std::numbers::pi : way * std::numbers::phi;
+    const scene::Crack beside = moved(scene, d, crack, aside * spacing, angle);
+    if (!points_met(beside, d).empty()) continue;
+    crack = beside;
+    found.warnings.push_back(text("crack ", number, " passes through ", met.size(), " material points, the first at (",
+                                  met.front().x(), ", ", met.front().y(), "); it passes them by on its ",
+                                  way == 0 ? "right" : "left", ", where its faces lie up to half a spacing beside it"));
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<int> regions_of_cracks(const Preparation& preparation) {
@@ -79,7 +152,10 @@ std::vector<int> regions_of_cracks(const Preparation& preparation) {
 }
 
 LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, const scene::Options& options) {
-  LatticeCracks found{scene.cracks(), {}};
+  LatticeCracks found{scene.cracks(), {}, {}};
+  for (std::size_t c = 0; c < found.cracks.size(); ++c)
+    if (d.crack_regions[c] == 0 && found.cracks[c].points.size() > 1)
+      pass_points_by(scene, d, static_cast<int>(c) + 1, found);
   if (options.text_value("pd.crack_tip") == "ahead") return found;
   for (std::size_t c = 0; c < found.cracks.size(); ++c) {
     const std::vector<Point> points = found.cracks[c].points;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,17 +12,19 @@ namespace bempd::regions {
 // for a crack that leaves the body, runs along an interface, or goes from one region to another.
 std::vector<int> regions_of_cracks(const Preparation& preparation);
 
-// The scene's cracks as they are in lattices: as described, or, with pd.crack_tip = stated, ending so that their tips
-// are felt at the described places. There some bonds have a share of their stiffness only.
+// The scene's cracks as they are in lattices: as described, but for those through material points, which pass them by;
+// with pd.crack_tip = stated, they end so that their tips are felt at the described places. There some bonds have a
+// share of their stiffness only.
 struct LatticeCracks {
   std::vector<scene::Crack> cracks;
   std::vector<std::pair<int, double>> weakened;  // of the whole scene, and their shares
+  std::vector<std::string> warnings;
 };
 LatticeCracks cracks_in_lattices(const scene::Scene& scene, const Discretization& discretization,
                                  const scene::Options& options);
 
-// Bonds (of the whole scene) cut by them, ascending. Throws Error (argument) for one that passes through
-// material points, but for cell-centred points, which a crack at 45 degrees cannot miss: there the points stay bonded
+// Bonds (of the whole scene) cut by them, ascending. Throws Error (argument) for one that runs along a boundary through
+// its points, but for cell-centred points, which a crack at 45 degrees cannot miss: there the points stay bonded
 // to both faces, with a warning.
 std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, const Discretization& discretization,
                                      std::vector<std::string>& warnings);

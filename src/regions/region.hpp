@@ -231,6 +231,8 @@ class Region {
   virtual pd::FeltEnd end_felt_at(const Point& tip, const Point& /*direction*/, double /*backward*/) const {
     return {tip, {}};
   }
+  // Points that a crack may not pass through, as they would belong to neither of its faces, on a crack.
+  virtual std::vector<Point> points_met_by(const scene::Crack& /*crack*/) const { return {}; }
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}

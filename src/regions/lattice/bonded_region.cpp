@@ -108,10 +108,22 @@ pd::FeltEnd BondedRegion::end_felt_at(const Point& tip, const Point& direction, 
   return found;
 }
 
-void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
-                       std::vector<std::string>& warnings) const {
+std::vector<Point> BondedRegion::on_grid(const scene::Crack& crack) const {
   std::vector<Point> polyline;
   for (const Point& p : crack.points) polyline.push_back(to_grid(p));
+  return polyline;
+}
+
+std::vector<Point> BondedRegion::points_met_by(const scene::Crack& crack) const {
+  std::vector<Point> met;
+  if (cracks_may_meet_points()) return met;
+  for (const int point : pd::points_on(points_, on_grid(crack))) met.push_back(position(point));
+  return met;
+}
+
+void BondedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
+                       std::vector<std::string>& warnings) const {
+  const std::vector<Point> polyline = on_grid(crack);
   const std::vector<int> touched = pd::points_on(points_, polyline);
   if (!touched.empty()) {
     const Point where = position(touched.front());

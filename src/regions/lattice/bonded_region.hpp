@@ -39,6 +39,7 @@ class BondedRegion : public Region {
   bool takes_cracks() const override { return true; }
   std::optional<pd::TipLaw> tip_law(const scene::Options& options) const override;
   pd::FeltEnd end_felt_at(const Point& tip, const Point& direction, double backward) const override;
+  std::vector<Point> points_met_by(const scene::Crack& crack) const override;
   void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
            std::vector<std::string>& warnings) const override;
   std::optional<std::span<const pd::Bond>> bonds() const override {
@@ -73,6 +74,7 @@ class BondedRegion : public Region {
   // 1 - intact bonds / bonds before any crack.
   virtual FieldValues damage(const std::vector<char>& intact) const;
   // Whether a crack may pass through points, which then stay bonded to both of its faces.
+  std::vector<Point> on_grid(const scene::Crack& crack) const;
   virtual bool cracks_may_meet_points() const { return false; }
 
   // Stresses of points where more than bonds is gone.

@@ -587,10 +587,11 @@ extern "C" {
 extern "C" {
     /// Add an initial crack, a polyline.
     ///
-    /// In peridynamic regions bonds that meet it are cut (touching its tip counts); it must keep
-    /// off the material points. The bonds cut ahead of a tip make the crack open like a slit that
-    /// is 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the tip
-    /// lies between points: best half way between two columns or rows. It may end on a region's
+    /// In peridynamic regions bonds that meet it are cut (touching its tip counts). Material points
+    /// on it belong to its left side, on the way from its first point to its last: it passes them
+    /// by, which is logged. The bonds cut ahead of a tip make the crack open like a slit that is
+    /// 0.3 to 0.55 spacings longer there; the load at which it grows depends on where the tip lies
+    /// between points: best half way between two columns or rows. It may end on a region's
     /// boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by
     /// themselves around its tips: it stands still, and bempd_tip() tells how much it is loaded.
     /// There it may start or end at a free edge, a hole or another crack, and cracks may cross. One
