@@ -134,7 +134,7 @@ def record(seed: int) -> tuple[Recorder, int]:
     original = random_scenes.bempd.Model
     random_scenes.bempd.Model = Recorder
     try:
-        recorder, supports, _ = random_scenes.build(seed, ("window", "plain")[seed % 2])
+        recorder, supports, _ = random_scenes.build(seed, ("window", "plain")[seed // 2 % 2])
     finally:
         random_scenes.bempd.Model = original
     return recorder, supports
@@ -151,21 +151,24 @@ def small_force(report: bempd.StepReport) -> float:
     return SMALL_FORCE * max(1.0, abs(report.load_factor))
 
 
-def difference(one: Outcome, other: Outcome, saying: Saying) -> Optional[str]:
+def difference(one: Outcome, other: Outcome, saying: Saying, lines: bool) -> Optional[str]:
+    """Of two lines that are alike by symmetry the one that grows first is left to rounding: at the load at which something else
+    breaks the comparison ends."""
     first = min(one.reports[0].load_factor, random_scenes.FIRST) if one.reports else 0
     size = max((max(np.abs(r).max(), small_force(report)) for r, report in zip(one.reactions, one.reports)), default=0)
     for event, (a, b) in enumerate(zip(one.reports, other.reports), 1):
         if a.load_factor > random_scenes.MOST_GROWTH * first:
             return None  # what breaks there hardly feels the load
+        same_load = abs(a.load_factor - b.load_factor) <= LOADS * abs(a.load_factor)
         if a.total_broken_bonds != b.total_broken_bonds:
-            return f"event {event}: {a.total_broken_bonds} bonds; otherwise {b.total_broken_bonds}"
-        if abs(a.load_factor - b.load_factor) > LOADS * abs(a.load_factor):
+            return None if lines and same_load else f"event {event}: {a.total_broken_bonds} bonds; otherwise {b.total_broken_bonds}"
+        if not same_load:
             return f"event {event}: load factor {a.load_factor}; otherwise {b.load_factor}"
         expected = saying.vector(one.reactions[event - 1])
         found = other.reactions[event - 1] / (saying.length * saying.modulus)
         off = np.abs(expected - found).max() / size
         if off > REACTIONS:
-            return f"event {event}: reactions differ by {off:.2g}"
+            return None if lines else f"event {event}: reactions differ by {off:.2g}"
     if one.error != other.error or len(one.reports) != len(other.reports):
         return f"{one.error}, {len(one.reports)} events; otherwise {other.error}, {len(other.reports)}"
     return None
@@ -234,7 +237,8 @@ def main() -> int:
             continue
         findings = {"balance": imbalance(recorder, one), "restart": restarted(recorder)}
         for name, saying in SAYINGS.items():
-            findings[name] = difference(one, run(say(recorder, saying), supports), saying)
+            lines = recorder.options["pd.crack_rule"] != "bond"
+            findings[name] = difference(one, run(say(recorder, saying), supports), saying, lines)
         events, compared = events + len(one.reports), compared + 1
         failed += any(findings.values())
         for name, finding in findings.items():
