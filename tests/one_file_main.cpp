@@ -34,7 +34,8 @@ std::string filter_of_file(const std::string& file, const std::string& filter) {
     for (int t = 0; t < suite.total_test_count(); ++t) {
       const testing::TestInfo& test = *suite.GetTestInfo(t);
       const std::string name = std::string(suite.name()) + "." + test.name();
-      if (stem(test.file()) == file && one_matches(wanted, name) && !one_matches(unwanted, name)) left += (left.empty() ? "" : ":") + name;
+      if (stem(test.file()) == file && one_matches(wanted, name) && !one_matches(unwanted, name))
+        left += (left.empty() ? "" : ":") + name;
     }
   }
   return left;
