@@ -163,7 +163,7 @@ impl Model {
     }
 
     /// Adds an initial crack: bonds that meet the closed polyline are cut (touching its tip counts). It must lie in
-    /// peridynamic regions (ending on their boundary is fine) and keep off the material points.
+    /// peridynamic regions (ending on their boundary is fine); material points on it it passes by on its right.
     pub fn add_crack(&mut self, line: &[[f64; 2]]) -> Result<CrackId> {
         self.handle.add_crack(line).map(CrackId)
     }
