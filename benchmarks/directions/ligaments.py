@@ -11,11 +11,12 @@ import numpy as np
 LENGTH, HEIGHT, DEPTH, YOUNG, TOUGHNESS = 0.06, 0.02, 0.0045, 3e9, 300.0
 # Boundary elements come this near to the other side; the last ligaments of lattices are asked from three horizons on.
 NEAREST, ASKED = 2e-4, 3
+TIPS_SPACING, TIP_PARTS = 5e-4, (0, 0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9)
 
 
-def strip(rule: str, spacing: float = 0.001, m: int = 4, control: str = "load") -> bempd.Model:
-    """`rule`: "bem" or a crack rule."""
-    model = bempd.Model() if rule == "bem" else bempd.Model(options={"pd.crack_rule": rule, "stepping.control": control})
+def strip(rule: str, spacing: float = 0.001, m: int = 4, control: str = "load", beyond: float = 0, tip: str = "ahead") -> bempd.Model:
+    """`rule`: "bem" or a crack rule; `beyond`: so many spacings deeper; `tip`: the option pd.crack_tip."""
+    model = bempd.Model() if rule == "bem" else bempd.Model(options={"pd.crack_rule": rule, "stepping.control": control, "pd.crack_tip": tip})
     material = model.add_material(young_modulus=YOUNG, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=TOUGHNESS)
     if rule == "bem":
         left = right = model.add_bem_region(material, bempd.rectangle(0, 0, LENGTH, HEIGHT), 0.002)
@@ -24,7 +25,7 @@ def strip(rule: str, spacing: float = 0.001, m: int = 4, control: str = "load") 
         model.add_pd_region(material, bempd.rectangle(0.02, 0, 0.04, HEIGHT), spacing, m)
         right = model.add_bem_region(material, bempd.rectangle(0.04, 0, LENGTH, HEIGHT), 0.005)
     x = LENGTH / 2 - spacing / 2
-    model.add_crack([(x, 0), (x, DEPTH)])
+    model.add_crack([(x, 0), (x, DEPTH + beyond * spacing)])
     model.fix_edge(left, 4)
     model.prescribe_edge(right, 2, "x", 1e-6)
     return model
@@ -57,6 +58,25 @@ def compared(spacing: float, m: int) -> dict[str, Any]:
     torn = {rule: strip(rule, spacing, m).run_to_separation(1e6) for rule in ("line", "bond")}
     return {"last": ratios, "events": {rule: int(report.total_events) for rule, report in torn.items()},
             "torn": {rule: report.load_factor for rule, report in torn.items()}, "known": float(loads.max())}
+
+
+def tip_at(m: int, part: float) -> dict[str, float]:
+    """Load factors at which the crack first grows, its tip at a part of the way between two rows, over boundary elements'."""
+    elements = strip("bem", TIPS_SPACING, beyond=part)
+    elements.step(1)
+    known = elements.tips()[0].critical_load_factor
+    return {f"{rule}, {tip}": strip(rule, TIPS_SPACING, m, beyond=part, tip=tip).step_to_next_event(1e6).load_factor / known
+            for rule in ("line", "bond") for tip in ("ahead", "stated")}
+
+
+def tip_rows(found: dict[tuple, dict[str, float]]) -> list[str]:
+    table = ["| m | `pd.crack_rule`, `pd.crack_tip` | first load over boundary elements', tip at " + ", ".join(f"{part:g}" for part in TIP_PARTS) +
+             " of the way between rows |", "|---|---|---|"]
+    for m in (3, 4):
+        some = {job[2]: result for job, result in found.items() if job[:2] == ("tip", m)}
+        for kind in next(iter(some.values()), {}):
+            table.append(f"| {m} | {kind} | " + ", ".join(f"{some[part][kind]:.2f}" for part in TIP_PARTS if part in some) + " |")
+    return table
 
 
 def rows(found: dict[tuple, dict[str, Any]]) -> list[str]:

@@ -163,6 +163,7 @@ def jobs() -> list[list]:
     for spacing in (1e-3, 5e-4, 2.5e-4):
         for m in (3, 4):
             found.append(["ligament", spacing, m])
+    found += [["tip", m, part] for m in (3, 4) for part in ligaments.TIP_PARTS]
     for m in (3, 4):
         for angle in (0.0, 20.0):
             for hole in (True, False):
@@ -177,7 +178,7 @@ def jobs() -> list[list]:
 def one(job: list) -> tuple[list, dict[str, Any]]:
     try:
         return job, {"inclined": inclined, "begun": begun, "body": known_body, "face": faces.compared,
-                     "ligament": ligaments.compared}[job[0]](*job[1:])
+                     "ligament": ligaments.compared, "tip": ligaments.tip_at}[job[0]](*job[1:])
     except bempd.Error as failed:
         return job, {"failed": str(failed)}
 
@@ -241,5 +242,5 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
         if job[0] == "body":
             known.append(f"| {job[1]} | {job[2]} | {job[3]} | {r['compared']} | {r['spacings']:.1f} | {r['end'][0]:.2f}, {r['end'][1]:.2f} |")
     return {"lines-straight": straight, "lines-inclined": inclines, "lines-finer": finer_rows(found), "lines-faces": face_rows(found),
-            "lines-ligaments": ligaments.rows(found),
+            "lines-ligaments": ligaments.rows(found), "lines-tips": ligaments.tip_rows(found),
             "lines-begun": births, "lines-bodies": known}
