@@ -1,6 +1,8 @@
 // How long it takes until a request to stop is heard: a run is stopped at many moments, each in a fresh model, and the
 // processor time between request and return is measured.
 //   bempd_cancellation_delay lattice N [moments]    plate of N x N points with a crack, prepared and run to separation
+//   bempd_cancellation_delay plain N [moments]      the same without windows
+//   bempd_cancellation_delay first N [moments]      the same, to the first bonds that break
 //   bempd_cancellation_delay line N [moments]       the same with a crack that grows as a line
 //   bempd_cancellation_delay boundary N [moments]   square of N elements, prepared and one step
 //   bempd_cancellation_delay paper N [moments]      the same two side by side in scheme paper, N elements and N / 4
@@ -15,6 +17,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -58,13 +61,27 @@ void pull(bempd_model* model, int32_t right) {
   check(model, bempd_prescribe_edge(model, right, 2, 0, 1, BEMPD_X, 1, nullptr, &one, nullptr));
 }
 
-bempd_status lattice(bempd_model* model, int n) {
+void add_lattice(bempd_model* model, int n) {
   const double side = n, x = std::floor(0.5 * side) + 0.5, high = std::floor(0.2 * side) + 0.5;
   const double corners[] = {0, 0, side, 0, side, side, 0, side}, crack[] = {x, 0, x, high};
   check(model, bempd_add_pd_region(model, 1, 4, corners, 1, 3, nullptr));
   check(model, bempd_add_crack(model, 2, crack, nullptr));
   pull(model, 1);
+}
+
+bempd_status lattice(bempd_model* model, int n) {
+  add_lattice(model, n);
   return bempd_run_to_separation(model, 1e9, nullptr);
+}
+
+bempd_status plain(bempd_model* model, int n) {
+  check(model, bempd_set_option_text(model, "stepping.solver", "plain"));
+  return lattice(model, n);
+}
+
+bempd_status first(bempd_model* model, int n) {
+  add_lattice(model, n);
+  return bempd_step_to_next_event(model, 1e9, nullptr);
 }
 
 bempd_status line(bempd_model* model, int n) {
@@ -126,11 +143,12 @@ int main(int argc, char** argv) {
   if (argc < 3) return EXIT_FAILURE;
   const std::string kind = argv[1];
   const int size = std::atoi(argv[2]), moments = argc > 3 ? std::atoi(argv[3]) : 20;
-  const Run run = [&](bempd_model* model) {
-    if (kind == "boundary") return boundary(model, size);
-    if (kind == "paper") return paper(model, size);
-    return kind == "line" ? line(model, size) : lattice(model, size);
-  };
+  const std::map<std::string, bempd_status (*)(bempd_model*, int)> kinds = {{"lattice", &lattice},   {"plain", &plain},
+                                                                            {"first", &first},       {"line", &line},
+                                                                            {"boundary", &boundary}, {"paper", &paper}};
+  const auto found = kinds.find(kind);
+  if (found == kinds.end()) return EXIT_FAILURE;
+  const Run run = [&](bempd_model* model) { return found->second(model, size); };
   const double whole = measure(run, INFINITY);
   std::printf("%s %d: %.2f s\n", kind.c_str(), size, whole);
   std::vector<double> delays;

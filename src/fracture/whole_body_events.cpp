@@ -82,12 +82,15 @@ bool WholeBodyEvents::runs_away() {
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
   // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried
   // none of them.
-  double largest = elongation_rounding * body_.state().total_displacement.lpNorm<Eigen::Infinity>();
+  const double displacement = body_.state().total_displacement.lpNorm<Eigen::Infinity>();
+  double largest = elongation_rounding * displacement;
   for (const Changing& one : changing_) largest = std::max(largest, std::abs(one.elastic));
+  // A body that loses its loads goes back from a part that is held where it was, and no further.
+  const double most = std::max(runaway_elongation * largest, 2 * displacement);
   for (std::size_t i = 0; i < changing_.size(); ++i) {
     const auto term = static_cast<std::size_t>(event_.changes[i].term);
     const double now = std::abs(system_.terms().elastic_elongation(term, after.data(), f));
-    if (!(now < runaway_elongation * largest)) return true;
+    if (!(now <= most)) return true;
   }
   return false;
 }

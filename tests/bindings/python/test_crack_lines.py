@@ -215,6 +215,21 @@ def test_cracks_begin_at_a_hole_and_run_straight_to_the_edges() -> None:
         assert len(part) > 20 and abs(part[:, 0] - 16).max() < 4  # bonds reach over three spacings
 
 
+# Its bonds carry nothing more when the last of them go, and the body goes back from it by all of its displacement.
+@pytest.mark.parametrize("width, height, component", [(12, 7, "y"), (12, 4, "x")])
+def test_a_corner_torn_off_by_its_load_lets_the_body_go_back(width: int, height: int, component: str) -> None:
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    body = model.add_pd_region(material, bempd.rectangle(0, 0, width, height), 1, 2)
+    model.fix_edge(body, 1, "both")
+    model.add_point_force((width, height), component, -4e-3)
+    report = model.run_to_separation(1e4)
+    assert report.stop_reason == bempd.StopReason.SEPARATED and report.energy_balance_error < 1e-9
+    displacement = model.field(body, "displacement")
+    moved = np.linalg.norm(displacement, axis=1) > 1e-9
+    assert moved[-1] and moved.sum() <= 6 and model.piece_count > 1
+
+
 def test_a_state_remembers_cracks_that_have_begun() -> None:
     model, _ = holed_strip()
     for _ in range(4):
