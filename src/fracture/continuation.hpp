@@ -19,7 +19,7 @@ struct Continuation {
   PlaceMemory place;
   coupling::PlacesMet places_met;
   std::vector<char> barred;  // of the places of contact, once that is known
-  std::uint64_t springs_that_bar = 0;
+  std::uint64_t changes_that_bar = 0;
   std::optional<coupling::FactorOrigin> factor;
   std::optional<WindowOrigin> window;  // that is open
 };

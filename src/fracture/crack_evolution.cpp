@@ -232,8 +232,12 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
 void CrackEvolution::pass(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
   measure_work();
-  state_.fragments += outcome.fragments;
   state_.contact_switches += outcome.switches;
+  if (!outcome.comes_free) return;
+  state_.work = in_range(state_.work + outcome.work);
+  state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
+  state_.fragments += outcome.fragments;
+  if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
 }
 
 void CrackEvolution::end_step() {

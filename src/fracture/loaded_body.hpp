@@ -87,8 +87,8 @@ class LoadedBody {
     bar_contacts_of_held_parts();
   }
   void restore();  // system and ratios to the state, which the caller has changed
-  std::size_t springs_that_bar() const { return springs_that_bar_; }
-  void bar_contacts(std::vector<char> barred, std::size_t springs);
+  std::size_t changes_that_bar() const { return changes_that_bar_; }
+  void bar_contacts(std::vector<char> barred, std::size_t changes);
 
   // What terms and operators hold where nothing has moved yet; work that was done before.
   double energy_at_rest() const;
@@ -137,7 +137,7 @@ class LoadedBody {
   std::vector<int> loaded_nodes_;
   BodyState& state_;
   double seconds_search_ = 0;
-  std::size_t springs_that_bar_ = 0;  // as many as there were when places were barred
+  std::size_t changes_that_bar_ = 0;  // springs and broken terms when places were barred
 };
 
 }  // namespace bempd::fracture

@@ -38,6 +38,7 @@ void add_product(Matrix c, const Operand& a, const Operand& b, double factor) {
 }
 
 void add_square(Matrix c, const Operand& a, double factor) {
+  if (a.cols() == 0) return;  // Eigen divides by their number
   const auto n = static_cast<double>(c.rows());
   const bool in_parts = is_long(n * n * static_cast<double>(a.cols()));
   const Eigen::Index across = in_parts ? width : c.rows();

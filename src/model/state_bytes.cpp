@@ -107,7 +107,7 @@ requires std::is_same_v<std::remove_const_t<State>, fracture::Continuation>
 void visit_members(State& c, Visit& visit) {
   visit(c.whole_body_events), visit(c.patience), visit(c.most_events);
   visit(c.place.zones), visit(c.place.nodes), visit(c.place.are_last);
-  visit(c.places_met), visit(c.barred), visit(c.springs_that_bar), visit(c.factor), visit(c.window);
+  visit(c.places_met), visit(c.barred), visit(c.changes_that_bar), visit(c.factor), visit(c.window);
 }
 
 // How values are given. Functions are not written.

@@ -105,8 +105,11 @@ bool LoadedBody::unload_pushed_parts() {
 void LoadedBody::bar_contacts_of_held_parts() {
   const std::size_t count = system_.contacts().size(), springs = system_.springs().size();
   if (count == 0 || springs == 0) return system_.bar_contacts({});
-  if (system_.contacts().barred_count() == count && springs_that_bar_ == springs) return;
-  springs_that_bar_ = springs;
+  // Neither springs nor broken terms become fewer. What a spring holds grows with terms that break.
+  const auto broken = std::count(system_.intact().begin(), system_.intact().end(), 0);
+  const std::size_t changes = springs + static_cast<std::size_t>(broken);
+  if (system_.contacts().barred_count() == count && changes_that_bar_ == changes) return;
+  changes_that_bar_ = changes;
   const std::vector<char> held = nodes_of_held_parts();
   std::vector<char> barred;
   for (std::size_t i = 0; i < count; ++i) {
@@ -117,9 +120,9 @@ void LoadedBody::bar_contacts_of_held_parts() {
   system_.bar_contacts(std::move(barred));
 }
 
-void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t springs) {
+void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t changes) {
   system_.bar_contacts(std::move(barred));
-  springs_that_bar_ = springs;
+  changes_that_bar_ = changes;
 }
 
 LoadedBody::Settled LoadedBody::settle_contacts(double direction) {

@@ -34,10 +34,17 @@ const Event* ContactEvents::next(double target, const SteppingOptions& /*options
 Outcome ContactEvents::perform() {
   Outcome outcome;
   outcome.work_before = body_.move_to(event_.load_factor);
+  const double stored_before = body_.stored_energy();
   const LoadedBody::Settled settled = body_.settle_contacts(direction_);
   outcome.switches = settled.switched;
   outcome.fragments = settled.fragments;
   body_.update_ratios();
+  outcome.comes_free = !settled.held.empty();
+  if (!outcome.comes_free) return outcome;
+  // A part that nothing but closed faces held takes its loads along, and faces that press on it let go at once.
+  outcome.work = body_.absorb(event_.load_factor);
+  outcome.released_energy = outcome.work + stored_before - body_.stored_energy();
+  outcome.unit_energy = body_.unit_energy();
   return outcome;
 }
 

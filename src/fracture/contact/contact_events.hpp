@@ -8,8 +8,8 @@
 namespace bempd::fracture {
 
 // Faces of cracks that close or open between two breaks, where the displacements are those of the body's state: nothing
-// breaks and no energy is lost, but from there on the body follows the load factor in another way. Under loads that
-// grow in proportion from rest there is one such event, at the very beginning.
+// breaks and no energy is lost, unless a part comes free, but from there on the body follows the load factor in another
+// way. Under loads that grow in proportion from rest there is one such event, at the very beginning.
 class ContactEvents final : public EventSource {
  public:
   explicit ContactEvents(LoadedBody& body) : body_(body) {}
