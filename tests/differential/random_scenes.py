@@ -72,6 +72,7 @@ def build(seed: int, solver: str, rule: str = "line") -> tuple[bempd.Model, int,
     if OUTLINED:
         options |= {"pd.outline_points": "always", "pd.lattice_angle": choose.choice((0, 0.3, 0.7))}
     options |= {"pd.crack_rule": rule if LINES or seed % 2 == 0 else "bond"}
+    options |= {"pd.contact": "rough" if seed % 3 == 0 else "faces"}
     model = bempd.Model(options=options)
     glass = model.add_material(young_modulus=1, poisson_ratio=POISSON_RATIO, critical_stretch=1e-3)
     height, horizon = choose.randrange(4, 16), choose.choice((3, 4) if OUTLINED else (2, 3, 3, 4))
@@ -95,12 +96,12 @@ def build(seed: int, solver: str, rule: str = "line") -> tuple[bempd.Model, int,
     if OUTLINED:
         add_hole(model, regions, boxes, columns, height, choose)
     add_cracks(model, boxes, columns, height, choose)
-    supports = add_conditions(model, regions, columns, height, boxes, choose)
+    supports = add_conditions(model, regions, columns, height, boxes, choose, -1 if seed % 5 == 0 else 1)
     return model, supports, choose.choice((1.0, 1.0, 3.0))
 
 
 def add_conditions(model: bempd.Model, regions: list[int], columns: list[str], height: int,
-                   boxes: list[tuple[int, int]], choose: random.Random) -> int:
+                   boxes: list[tuple[int, int]], choose: random.Random, sign: int) -> int:
     model.fix_edge(regions[0], 4, choose.choice(("both", "both", "x")))
     if model_is_loose := choose.random() < 0.5:
         model.fix_point((0, 0), "y")
@@ -108,12 +109,12 @@ def add_conditions(model: bempd.Model, regions: list[int], columns: list[str], h
     end = regions[-1]
     way = choose.randrange(6)
     if way < 3:
-        model.prescribe_edge(end, 2, choose.choice("xxy"), 1e-3 * boxes[-1][1])
+        model.prescribe_edge(end, 2, choose.choice("xxy"), sign * 1e-3 * boxes[-1][1])
         supports += 1
     elif way == 3:
-        model.add_traction(end, 2, "x", 1e-3)
+        model.add_traction(end, 2, "x", sign * 1e-3)
     elif way == 4:
-        model.add_traction(end, 2, choose.choice("xy"), 1e-3, constant=choose.choice((0, 3e-4)))
+        model.add_traction(end, 2, choose.choice("xy"), sign * 1e-3, constant=choose.choice((0, 3e-4)))
     else:
         model.add_point_force((boxes[-1][1], height), choose.choice("xy"), 4e-3)
     middle = choose.randrange(len(regions))

@@ -176,14 +176,20 @@ std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) con
   return nodes;
 }
 
-bool LineSteps::is_spared(const Point& first, const GrowingTip& tip) const {
-  return (first - tip.place).norm() < guarded_reach * law_of(tip).horizon;
+// By its middle, so that it does not matter which of its ends is the first.
+bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
+  const coupling::Terms& terms = body_.system().terms();
+  const std::vector<Point>& positions = body_.positions();
+  const auto t = static_cast<std::size_t>(term);
+  const Point middle =
+      (positions[static_cast<std::size_t>(terms.first[t])] + positions[static_cast<std::size_t>(terms.second[t])]) / 2;
+  return (middle - tip.place).norm() < (1 - rounding_of_places) * guarded_reach * law_of(tip).horizon;
 }
 
 void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact) const {
-  for (const int node : stress_.near().about(tip.place, guarded_reach * law_of(tip).horizon)) {
-    if (!is_spared(body_.positions()[static_cast<std::size_t>(node)], tip)) continue;
-    for (const int term : way_.terms_from().of(node)) intact[static_cast<std::size_t>(term)] = 0;
+  for (const int node : stress_.near().about(tip.place, (guarded_reach + 1) * law_of(tip).horizon)) {
+    for (const int term : way_.terms_from().of(node))
+      if (is_spared(term, tip)) intact[static_cast<std::size_t>(term)] = 0;
   }
 }
 

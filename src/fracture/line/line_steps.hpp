@@ -49,8 +49,8 @@ class LineSteps {
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
   static bool has_ended(const GrowingTip& tip) { return tip.law < 0; }
 
-  // Where a bond does not break by itself, as near as it is to a tip that grows.
-  bool is_spared(const Point& first, const GrowingTip& tip) const;
+  // Whether a term is too near to a tip that grows to break by itself.
+  bool is_spared(int term, const GrowingTip& tip) const;
 
   std::vector<int> across(const Point& from, const Point& to, double horizon) const {
     return way_.across(from, to, horizon);

@@ -9,8 +9,8 @@
 namespace bempd::fracture {
 
 AwayFromTips::AwayFromTips(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
-                           const StretchRatios& ratios, const LineSteps& steps, const std::vector<Point>& positions)
-    : condensation_(condensation), steps_(steps), positions_(positions) {
+                           const StretchRatios& ratios, const LineSteps& steps)
+    : condensation_(condensation), steps_(steps) {
   const coupling::Terms& terms = system.terms();
   for (std::size_t b = 0; b < terms.size(); ++b) {
     if (!system.intact()[b] || terms.is_wide(b) || ratios.scales().per_elongation[b] == 0) continue;
@@ -23,9 +23,8 @@ AwayFromTips::AwayFromTips(const coupling::EquilibriumSystem& system, const coup
 }
 
 bool AwayFromTips::is_spared(std::size_t bond, const Step& step) const {
-  const Point& first = positions_[static_cast<std::size_t>(first_[bond] / 2)];
   return std::any_of(step.growing.begin(), step.growing.end(),
-                     [&](const GrowingTip& tip) { return steps_.is_spared(first, tip); });
+                     [&](const GrowingTip& tip) { return steps_.is_spared(bonds_[bond], tip); });
 }
 
 int AwayFromTips::first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const {

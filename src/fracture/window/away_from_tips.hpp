@@ -15,7 +15,7 @@ class AwayFromTips {
  public:
   // In its present stages the system has what breaks from here on.
   AwayFromTips(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
-               const StretchRatios& ratios, const LineSteps& steps, const std::vector<Point>& positions);
+               const StretchRatios& ratios, const LineSteps& steps);
 
   // What happens to a state of kept displacements.
   struct Step {
@@ -33,7 +33,6 @@ class AwayFromTips {
 
   const coupling::Condensation& condensation_;
   const LineSteps& steps_;
-  const std::vector<Point>& positions_;
   std::vector<int> bonds_, first_, second_;  // that can break; degrees of freedom of their ends
   std::vector<double> cosine_, sine_;        // scaled so that ratios come out
 };

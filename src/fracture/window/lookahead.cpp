@@ -23,7 +23,6 @@ Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder&
       freed_parts_(freed_parts),
       faces_(faces),
       whole_ratios_(ratios),
-      positions_(positions),
       place_(system, ratios, positions),
       functions_(system, reaction_dofs),
       narrowing_(system, place_, positions),

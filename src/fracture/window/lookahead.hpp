@@ -125,7 +125,6 @@ class Lookahead {
   CrackFaces& faces_;
   FacesAhead* ahead_ = nullptr;  // while events are computed, where faces can meet
   const StretchRatios& whole_ratios_;
-  const std::vector<Point>& positions_;
   WindowPlace place_;
   WindowFunctions functions_;
   Narrowing narrowing_;

@@ -28,7 +28,7 @@ bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor
 void Lookahead::begin_steps(const BodyState& state) {
   tips_ = state.tips;
   near_tips_ = displacement_near(tips_);
-  away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_, positions_);
+  away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_);
 }
 
 Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
