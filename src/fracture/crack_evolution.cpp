@@ -233,6 +233,8 @@ void CrackEvolution::pass(const Outcome& outcome) {
   state_.work = in_range(state_.work + outcome.work_before);
   measure_work();
   state_.contact_switches += outcome.switches;
+  // Where faces are all that holds the undamaged scene.
+  if (state_.events == 0) state_.first_unit_energy = std::max(state_.first_unit_energy, body_.unit_energy());
   if (!outcome.comes_free) return;
   state_.work = in_range(state_.work + outcome.work);
   state_.released_energy = in_range(state_.released_energy + outcome.released_energy);

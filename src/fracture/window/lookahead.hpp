@@ -108,6 +108,7 @@ class Lookahead {
   double largest_force_before(double load_factor, const BodyState& start) const;
   std::vector<int> choose(double load_factor) const;
   bool perform_in_window(ForeseenEvent& foreseen);
+  bool presses_on_held_parts() const;
   bool settle_faces(ForeseenEvent& foreseen);
   std::vector<std::size_t> wrong_places(double load_factor) const;
   double released_by_faces(const std::vector<std::size_t>& before, double load_factor) const;

@@ -1,4 +1,5 @@
 // Faces of cracks that close or open at the events of a window.
+#include <algorithm>
 #include <set>
 
 #include "fracture/window/lookahead.hpp"
@@ -17,13 +18,26 @@ std::vector<std::size_t> Lookahead::wrong_places(double f) const {
   return wrong;
 }
 
+// Whether places are closed that the whole body may find barred: what springs hold may grow as terms break.
+bool Lookahead::presses_on_held_parts() const {
+  std::vector<std::size_t> closed = ahead_->last();
+  std::erase_if(closed, [&](std::size_t i) { return !ahead_->places()[i].closed; });
+  if (closed.empty()) return false;
+  const FreedPartFinder::Held held = freed_parts_.held_parts();
+  if (!held.others.empty()) return true;
+  return std::any_of(closed.begin(), closed.end(), [&](std::size_t i) {
+    const std::vector<coupling::TermEntry>& pull = ahead_->places()[i].contact.pull;
+    return std::any_of(pull.begin(), pull.end(), [&](const coupling::TermEntry& e) { return held.nodes[e.node] != 0; });
+  });
+}
+
 // Newton's method, as in the whole body.
 bool Lookahead::settle_faces(ForeseenEvent& foreseen) {
   if (!ahead_) return true;
   const int state = static_cast<int>(events_.size()) + 1;
   const double f = foreseen.event.load_factor;
   ahead_->follow(coupling::terms_of(foreseen.event.changes), state);
-  if (!system_.springs().empty()) return true;  // which may bar places
+  if (!system_.springs().empty()) return !presses_on_held_parts();  // which may bar places
   const std::vector<std::size_t> before = ahead_->last();
   std::set<std::vector<char>> met;
   for (;;) {
