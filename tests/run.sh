@@ -62,6 +62,9 @@ run_stage() {
     site) BEMPD_LIBRARY="$root/build/ci/src/capi/libbempd.so" docs/build.sh look ;;
     scenes) with_library ci python3 tests/differential/random_scenes.py --count "$scenes" &&
       with_library ci python3 tests/differential/random_scenes.py --lines --count "$((scenes / 10))" &&
+      for contact in faces rough none; do
+        with_library ci python3 tests/differential/pressed_plates.py --contact "$contact" --count "$((scenes / 10))" || return 1
+      done &&
       with_library ci python3 tests/differential/properties.py --count "$((scenes / 20))" ;;
     backends) cmake --preset ci -B build/eigen -D BEMPD_LINALG=eigen && cmake --build build/eigen -j "$jobs" --target bempd &&
       python3 tests/differential/backends.py build/ci/src/capi/libbempd.so build/eigen/src/capi/libbempd.so \

@@ -48,7 +48,7 @@ struct Outcome {
   double residual = 0;
   double energy_scale = 0;  // what energies are measured by at least
   std::int64_t fragments = 0;
-  bool comes_free = false;  // of faces that close or open: a part does
+  bool comes_free = false;        // of faces that close or open: a part does
   std::vector<double> reactions;  // after it, x and y of every support
   double resistance_before = 0;   // at the same load factor
   double resistance = 0;

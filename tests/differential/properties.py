@@ -1,7 +1,7 @@
 """What does not depend on how a scene is said: random bodies of random_scenes.py in other units, shifted, turned by 90 degrees,
 with their regions added in another order; restarted from state bytes at every event; and reactions that balance the loads.
 
-    properties.py [--first SEED] [--count N] [--verbose]
+    properties.py [--first SEED] [--count N] [--also SEED ...] [--verbose]
 
 Prints one line for every property of a scene that fails and a summary; exits with 1 if any does."""
 
@@ -259,7 +259,7 @@ SAYINGS: dict[str, Saying] = {"lengths x 1e-6": Units(1e-6, 1), "lengths x 1e5, 
 def main() -> int:
     arguments = random_scenes.arguments_with(count=20)
     failed = events = compared = 0
-    for seed in range(arguments.first, arguments.first + arguments.count):
+    for seed in [*range(arguments.first, arguments.first + arguments.count), *arguments.also]:
         recorder, supports = record(seed)
         try:
             one = run(say(recorder, Saying()), supports)
@@ -273,7 +273,7 @@ def main() -> int:
         for name, finding in findings.items():
             if finding or arguments.verbose:
                 print(f"scene {seed}, {name}: {finding or 'holds'}", flush=True)
-    print(f"{arguments.count} scenes, {compared} of them run, {events} events, {len(SAYINGS) + 2} properties each, "
+    print(f"{arguments.count + len(arguments.also)} scenes, {compared} of them run, {events} events, {len(SAYINGS) + 2} properties each, "
           f"{failed} failed")
     return 1 if failed else 0
 
