@@ -11,6 +11,9 @@ namespace {
 // Bodies have at most this many grid steps along each axis, and so some hundred cells and elements.
 constexpr int most_steps = 12;
 
+// GB. Scenes that need more, by fine elements on an edge, take minutes under sanitizers.
+constexpr double most_memory = 0.1;
+
 }  // namespace
 
 Scene::Scene(Bytes& bytes) : bytes_(bytes) {
@@ -20,6 +23,13 @@ Scene::Scene(Bytes& bytes) : bytes_(bytes) {
   height_ = 2 + bytes_.pick(6);
   FUZZ_CALL(bempd_set_option, model_, "threads", 1.0 + bytes_.pick(2));
   FUZZ_CALL(bempd_set_option, model_, "stepping.max_events", 12.0);
+  limit_memory();
+}
+
+void Scene::limit_memory() {
+  double limit = 0;
+  if (FUZZ_CALL(bempd_get_option, model_, "memory.limit", &limit) && (limit == 0 || limit > most_memory))
+    FUZZ_CALL(bempd_set_option, model_, "memory.limit", most_memory);
 }
 
 Scene::~Scene() {

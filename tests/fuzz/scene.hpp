@@ -44,6 +44,7 @@ class Scene {
 
   // In scene_bodies.cpp.
   void set_option();
+  void limit_memory();
   void add_material(bool sound);
   void add_box(bool of_lattice);
   void add_polygon();

@@ -55,6 +55,7 @@ void Scene::set_option() {
   double stored = 0;
   if (FUZZ_CALL(bempd_set_option, model_, name, value)) {
     require_true(FUZZ_CALL(bempd_get_option, model_, name, &stored) && stored == value, name, "not what was set");
+    limit_memory();
   }
 }
 
