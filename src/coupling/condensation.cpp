@@ -31,6 +31,7 @@ std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& fun
   std::vector<CondensedFunction> result;
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(system_.dof_of.size()), functions.cols());
   for (Eigen::Index k = 0; k < functions.cols(); ++k) {
+    check_cancelled();
     Eigen::VectorXd weights = functions.col(k);
     Eigen::RowVector2d constant = weights.transpose() * system_.prescribed;
     for (const CondensedOperator& op : system_.operators) op.condense_function(weights, constant);

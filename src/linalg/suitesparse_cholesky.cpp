@@ -135,9 +135,17 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
-    Eigen::MatrixXd ordered = rhs(order_, Eigen::all);
+    // Column by column, as many long ones take a while to copy.
+    Eigen::MatrixXd ordered(rhs.rows(), rhs.cols());
+    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
+      check_cancelled();
+      ordered.col(c) = rhs.col(c)(order_);
+    }
     SupernodalFactor(*factor_.get()).solve_lower(ordered);
-    rhs = ordered;
+    for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
+      check_cancelled();
+      rhs.col(c) = ordered.col(c);
+    }
   }
 
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known) const override {

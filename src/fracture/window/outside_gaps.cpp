@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cancellation.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -26,6 +27,7 @@ OutsideGaps::OutsideGaps(const coupling::EquilibriumSystem& system, const coupli
     const Eigen::Index width = std::min(at_once, count - begin);
     Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(2 * system.node_count(), width);
     for (Eigen::Index k = 0; k < width; ++k) {
+      check_cancelled();
       Eigen::VectorXd weights = Eigen::VectorXd::Zero(2 * system.node_count());
       for (const coupling::TermEntry& e : places[places_[static_cast<std::size_t>(begin + k)]].pull)
         weights.segment<2>(2 * e.node) += Eigen::Vector2d(e.x, e.y);
