@@ -1,0 +1,61 @@
+#include "crack/growth_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bempd::crack {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The end of the range in a direction, from a load factor inside it. The equivalent factor lies above the load factor
+// times its slope far away less twice the constant part, which bounds the way to the end.
+double end_of_range(const AffineFactors& factors, double toughness, KinkCriterion criterion, double inside,
+                    double direction) {
+  const double slope = kink_of(direction * factors.proportional, criterion).equivalent_factor;
+  if (!(slope > 0)) return infinity * direction;
+  double low = inside, high = direction * 2 * (toughness + 2 * factors.constant.stableNorm()) / slope;
+  if (!std::isfinite(high)) return infinity * direction;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (growth_ratio(factors, middle, toughness, criterion) < 1 ? low : high) = middle;
+  }
+  return high;
+}
+
+// The load factor at which the tip is loaded least, by golden sections; known bounds are some times the constant part.
+// It is asked by the hoop stress, which is convex throughout: the energy release rate is not where kinks close.
+double least_loaded(const AffineFactors& factors, double toughness) {
+  const double size = factors.proportional.stableNorm();
+  double high = 4 * (toughness + factors.constant.stableNorm()) / size, low = -high;
+  const auto ratio = [&](double at) { return growth_ratio(factors, at, toughness, KinkCriterion::hoop_stress); };
+  constexpr double golden = 0.6180339887498949;
+  for (int i = 0; i < 100; ++i) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    const bool left = ratio(a) < ratio(b);
+    (left ? high : low) = left ? b : a;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double growth_ratio(const AffineFactors& factors, double load_factor, double toughness, KinkCriterion criterion) {
+  return kink_of(factors.at(load_factor), criterion).equivalent_factor / toughness;
+}
+
+GrowthRange growth_range(const AffineFactors& factors, double toughness, KinkCriterion criterion) {
+  if (!(toughness > 0) || std::isinf(toughness)) return {};
+  const auto stays = [&](double load_factor) { return growth_ratio(factors, load_factor, toughness, criterion) < 1; };
+  double inside = 0;
+  if (!stays(inside)) {
+    if (factors.proportional.isZero(0)) return {infinity, -infinity};
+    inside = least_loaded(factors, toughness);
+    if (!stays(inside)) return {infinity, -infinity};
+  }
+  return {end_of_range(factors, toughness, criterion, inside, -1),
+          end_of_range(factors, toughness, criterion, inside, 1)};
+}
+
+}  // namespace bempd::crack

@@ -1,0 +1,46 @@
+#include "crack/order.hpp"
+
+#include <cmath>
+
+namespace bempd::crack {
+
+namespace {
+
+// What is compared: overloaded tips come first, and then the smaller key.
+struct Rank {
+  bool waits;
+  double key;
+
+  bool is_before(const Rank& other) const { return waits != other.waits ? other.waits : key < other.key; }
+  bool ties_with(const Rank& other) const {
+    return waits == other.waits && (key == other.key || std::abs(key - other.key) <= tie_share * std::abs(other.key));
+  }
+};
+
+Rank rank_of(const Candidate& candidate, bool upwards) {
+  if (candidate.overloaded) return {false, -candidate.ratio};
+  return {true, upwards ? candidate.load_factor : -candidate.load_factor};
+}
+
+}  // namespace
+
+// Ties are those with the very first one, so that they do not depend on the order of the candidates.
+std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards) {
+  if (candidates.empty()) return std::nullopt;
+  Rank first = rank_of(candidates.front(), upwards);
+  for (const Candidate& candidate : candidates)
+    if (const Rank rank = rank_of(candidate, upwards); rank.is_before(first)) first = rank;
+  std::optional<FirstToGrow> found;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (!rank_of(candidates[k], upwards).ties_with(first)) continue;
+    if (!found) {
+      found = FirstToGrow{k, 0};
+      continue;
+    }
+    ++found->ties;
+    if (candidates[k].tip < candidates[found->index].tip) found->index = k;
+  }
+  return found;
+}
+
+}  // namespace bempd::crack

@@ -1,0 +1,110 @@
+// The load factors at which a tip grows, in both directions of the load.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "crack/growth_law.hpp"
+
+namespace {
+
+using namespace bempd;
+using crack::AffineFactors;
+using crack::growth_range;
+using crack::growth_ratio;
+using crack::GrowthRange;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr KinkCriterion both[] = {KinkCriterion::hoop_stress, KinkCriterion::energy_release_rate};
+
+TEST(CrackGrowthLaw, pure_opening_grows_upwards_alone) {
+  for (const KinkCriterion criterion : both) {
+    const GrowthRange range = growth_range({{0, 0}, {2, 0}}, 3, criterion);
+    EXPECT_DOUBLE_EQ(range.highest, 1.5);
+    EXPECT_EQ(range.lowest, -infinity);
+  }
+}
+
+TEST(CrackGrowthLaw, pure_shear_grows_in_both_directions_alike) {
+  // K_eq = 2/sqrt(3) K_II by the hoop stress (Erdogan and Sih, 1963).
+  const GrowthRange range = growth_range({{0, 0}, {0, 2}}, 3, KinkCriterion::hoop_stress);
+  EXPECT_NEAR(range.highest, 1.5 * std::sqrt(3.0) / 2, 1e-12);
+  EXPECT_NEAR(range.lowest, -range.highest, 1e-12);
+}
+
+TEST(CrackGrowthLaw, ends_of_ranges_of_random_tips_are_at_the_toughness) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int empty = 0;
+  for (int k = 0; k < 400; ++k) {
+    const KinkCriterion criterion = both[k % 2];
+    AffineFactors factors{{any(random), any(random)}, {any(random), any(random)}};
+    // By the energy release rate tips that are pressed shut may open suddenly, at a kink.
+    if (criterion == KinkCriterion::energy_release_rate) factors.constant *= 0.2, factors.proportional.x() += 2;
+    const double toughness = 0.5;
+    const GrowthRange range = growth_range(factors, toughness, criterion);
+    const auto ratio = [&](double at) { return growth_ratio(factors, at, toughness, criterion); };
+    if (range.is_empty()) {
+      ++empty;
+      for (double at = -10; at <= 10; at += 0.1) EXPECT_GE(ratio(at), 1 - 1e-9);
+      continue;
+    }
+    constexpr double beside = 1e-9;
+    if (std::isfinite(range.highest)) {
+      EXPECT_LT(ratio(range.highest - beside), 1);
+      EXPECT_GT(ratio(range.highest + beside), 1);
+    }
+    if (criterion == KinkCriterion::energy_release_rate) continue;
+    if (std::isfinite(range.lowest)) {
+      EXPECT_LT(ratio(range.lowest + beside), 1);
+      EXPECT_GT(ratio(range.lowest - beside), 1);
+    }
+    const double low = std::max(range.lowest, -1e3), high = std::min(range.highest, 1e3);
+    for (int i = 1; i < 20; ++i) EXPECT_LT(ratio(low + (high - low) * i / 20), 1 + 1e-9);
+  }
+  EXPECT_GT(empty, 0);
+}
+
+TEST(CrackGrowthLaw, mirrored_loads_mirror_the_range) {
+  const AffineFactors factors{{0.1, -0.2}, {0.7, 0.4}};
+  const AffineFactors mirrored{factors.constant, -factors.proportional};
+  for (const KinkCriterion criterion : both) {
+    const GrowthRange range = growth_range(factors, 1, criterion), other = growth_range(mirrored, 1, criterion);
+    EXPECT_DOUBLE_EQ(range.highest, -other.lowest);
+    EXPECT_DOUBLE_EQ(range.lowest, -other.highest);
+  }
+}
+
+TEST(CrackGrowthLaw, agrees_with_the_smallest_load_factor_of_growth) {
+  const AffineFactors factors{{0.1, -0.2}, {0.7, 0.4}};
+  for (const KinkCriterion criterion : both)
+    EXPECT_EQ(growth_range(factors, 1, criterion).highest,
+              growth_load_factor(factors.constant, factors.proportional, 1, criterion));
+}
+
+TEST(CrackGrowthLaw, material_that_does_not_break_never_grows) {
+  for (const double toughness : {0.0, infinity}) {
+    const GrowthRange range = growth_range({{1, 0}, {1, 1}}, toughness, KinkCriterion::hoop_stress);
+    EXPECT_EQ(range.highest, infinity);
+    EXPECT_EQ(range.next(5, true), infinity);
+    EXPECT_EQ(range.next(5, false), -infinity);
+  }
+}
+
+TEST(CrackGrowthLaw, overloaded_tip_grows_at_the_present_load_factor) {
+  const GrowthRange range{-2, 3};
+  EXPECT_EQ(range.next(1, true), 3);
+  EXPECT_EQ(range.next(1, false), -2);
+  EXPECT_EQ(range.next(4, true), 4);
+  EXPECT_EQ(range.next(4, false), 4);
+  EXPECT_EQ(range.next(-2.5, true), -2.5);
+}
+
+TEST(CrackGrowthLaw, constant_load_beyond_the_toughness_grows_at_every_load_factor) {
+  EXPECT_TRUE(growth_range({{2, 0}, {0, 0}}, 1, KinkCriterion::hoop_stress).is_empty());
+  EXPECT_TRUE(growth_range({{0, 2}, {0.1, 0}}, 1, KinkCriterion::hoop_stress).next(0, true) == 0);
+}
+
+}  // namespace
