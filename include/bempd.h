@@ -740,7 +740,8 @@ typedef struct bempd_step_report {
   double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events [-];
                                   not small in scheme paper, whose stiffness is unsymmetric */
   double residual; /**< largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5
-                      of the largest stiffness times the displacement of what holds the body if that is larger [-] */
+                      of the largest stiffness times the displacement of what holds the body, or over 1e-6 of what
+                      constant and proportional loads add up to where they cancel, whichever is largest [-] */
   double seconds_total;  /**< wall time of this step [s] */
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */

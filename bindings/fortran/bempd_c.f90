@@ -307,7 +307,8 @@ module bempd_c
     !> whose stiffness is unsymmetric
     real(c_double) :: energy_balance_error
     !> largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5 of the largest
-    !> stiffness times the displacement of what holds the body if that is larger [-]
+    !> stiffness times the displacement of what holds the body, or over 1e-6 of what constant and proportional loads add
+    !> up to where they cancel, whichever is largest [-]
     real(c_double) :: residual
     !> wall time of this step [s]
     real(c_double) :: seconds_total

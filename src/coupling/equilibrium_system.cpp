@@ -163,6 +163,7 @@ void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
     if (!is_prescribed(dof)) prescribed_.row(dof).setZero();
   }
   collect_support_motions();
+  for (int part = 0; part < 2; ++part) force_parts_[part] = force_.col(part).lpNorm<Eigen::Infinity>();
   ties_.collect(force_);
   if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
   // What presses on closed faces is a matter of loads.
@@ -190,6 +191,13 @@ double EquilibriumSystem::support_motion(double load_factor) const {
   double largest = 0;
   for (const auto& motion : support_motions_)
     largest = std::max(largest, std::abs(motion[0] + load_factor * motion[1]));
+  return largest;
+}
+
+double EquilibriumSystem::parts_of_support_motion(double load_factor) const {
+  double largest = 0;
+  for (const auto& motion : support_motions_)
+    largest = std::max(largest, std::abs(motion[0]) + std::abs(load_factor * motion[1]));
   return largest;
 }
 

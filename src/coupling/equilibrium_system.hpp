@@ -103,6 +103,9 @@ class EquilibriumSystem {
   // How far supports move at most: proportionally, and at a load factor [m]. Asked for at every event.
   double support_motion() const;
   double support_motion(double load_factor) const;
+  // The same of their constant and proportional parts, which may nearly cancel: sums of magnitudes; and of forces [N].
+  double parts_of_support_motion(double load_factor) const;
+  double parts_of_force(double load_factor) const { return force_parts_[0] + std::abs(load_factor) * force_parts_[1]; }
   // How far terms and operators want to be from where they are without heat at most, likewise [m].
   double rest_motion() const { return rest_motion_[1]; }
   double rest_motion(double load_factor) const { return rest_motion_[0] + std::abs(load_factor) * rest_motion_[1]; }
@@ -265,9 +268,9 @@ class EquilibriumSystem {
   int node_count_;
   double largest_stiffness_ = 0, stiffness_ratio_ = 1;  // of single degrees of freedom
   const SolutionMethod& method_;
-  bool operators_have_rest_[2] = {false, false};  // in its two parts
-  double rest_motion_[2] = {0, 0};
-  std::vector<DenseOperator> pending_;  // until condensed
+  bool operators_have_rest_[2] = {false, false};              // in its two parts
+  double rest_motion_[2] = {0, 0}, force_parts_[2] = {0, 0};  // largest in each part
+  std::vector<DenseOperator> pending_;                        // until condensed
   std::vector<CondensedOperator> operators_;
   std::vector<std::vector<int>> bodies_;
   std::vector<char> in_body_;  // per node

@@ -20,11 +20,21 @@ constexpr double energy_rounding = 1e-14;
 // above: a strip under tension at 1 / (number of elements along it).
 constexpr double scale_without_stress = 1e-5;
 
+// Constant and proportional parts of loads that cancel leave the rounding of both, of some 1e-14 of them. Forces are
+// not measured by less than this share of these parts, energies by less than its square of theirs: where a load program
+// rests at zero all forces are rounding. A way of loads has larger ones unless it is 1e6 times as short as its time.
+constexpr double scale_of_parts = 1e-6;
+
 // How far supports, and springs that hold what came free, have moved the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
   double largest = std::max(system.support_motion(load_factor), system.rest_motion(load_factor));
   for (const coupling::HoldingSpring& spring : system.springs()) largest = std::max(largest, std::abs(spring.anchor));
   return largest;
+}
+
+double force_of_parts(const coupling::EquilibriumSystem& system, double load_factor) {
+  const double by_supports = system.largest_stiffness() * system.parts_of_support_motion(load_factor);
+  return scale_of_parts * (system.parts_of_force(load_factor) + by_supports);
 }
 
 }  // namespace
@@ -51,13 +61,16 @@ double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd
   return largest_force > 0 ? unbalanced / largest_force : unbalanced;
 }
 
-double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  return scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
+double least_force_scale(const coupling::EquilibriumSystem& system, double load_factor) {
+  const double of_motion = scale_without_stress * system.largest_stiffness() * moved_by_holds(system, load_factor);
+  return std::max(of_motion, force_of_parts(system, load_factor));
 }
 
-double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor) {
-  const double moved = moved_by_holds(system, load_factor);
-  return scale_without_stress * system.largest_stiffness() * moved * moved;
+double least_energy_scale(const coupling::EquilibriumSystem& system, double load_factor) {
+  const double moved = moved_by_holds(system, load_factor), stiffness = system.largest_stiffness();
+  const double of_parts = force_of_parts(system, load_factor);
+  return std::max(scale_without_stress * stiffness * moved * moved,
+                  stiffness > 0 ? of_parts * of_parts / stiffness : 0);
 }
 
 void require_balance(double residual, double energy_balance_error) {

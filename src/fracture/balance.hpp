@@ -18,9 +18,9 @@ double residual(const coupling::EquilibriumSystem& system, const Eigen::VectorXd
 // No result is given out whose residual or energy balance is off by more (bempd.h says so).
 constexpr double most_residual = 1e-6, most_imbalance = 1e-6;
 
-// What forces, and energies, are measured by at least where supports move.
-double force_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
-double energy_scale_of_supports(const coupling::EquilibriumSystem& system, double load_factor);
+// What forces, and energies, are measured by at least: where supports move, or parts of loads cancel.
+double least_force_scale(const coupling::EquilibriumSystem& system, double load_factor);
+double least_energy_scale(const coupling::EquilibriumSystem& system, double load_factor);
 
 // Throws Error (unsolvable) for what is off by more.
 void require_balance(double residual, double energy_balance_error);

@@ -249,7 +249,7 @@ void CrackEvolution::end_step() {
   line.critical_load_factor = state_.load_factor;
   line.critical_stored_energy = in_range(line.stored_energy + within(state_.load_factor));
   line.residual = body_.residual();
-  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
+  write_line(line, least_energy_scale(system_, state_.load_factor), body_.reactions());
 }
 
 void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, const std::vector<double>& reactions) {

@@ -133,7 +133,7 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
   line.critical_stored_energy = in_range(line.stored_energy + within(f));
   line.critical_load_factor = state_.load_factor;
   line.residual = body_.residual();
-  write_line(line, energy_scale_of_supports(system_, state_.load_factor), body_.reactions());
+  write_line(line, least_energy_scale(system_, state_.load_factor), body_.reactions());
 }
 
 void CrackEvolution::book(const std::vector<CrackExtension>& extensions) {

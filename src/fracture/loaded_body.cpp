@@ -172,7 +172,7 @@ bool LoadedBody::is_balanced() const {
   const double f = state_.load_factor;
   const Eigen::VectorXd force = system_.internal_force(evaluate(state_.displacement, f), f);
   const double largest =
-      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, f)});
+      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, f)});
   const double residual = fracture::residual(system_, force, f, largest);
   if (residual <= suspicious_residual) return true;
   // Parts of loads that nearly cancel, as those of a short way at a late time, leave the rounding of both.
@@ -212,7 +212,7 @@ double LoadedBody::absorb(double load_factor) {
   state_.total_displacement = displacement;
   state_.total_force = force;
   state_.largest_force =
-      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, load_factor)});
+      std::max({state_.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, load_factor)});
   state_.load_factor = load_factor;
   return work;
 }

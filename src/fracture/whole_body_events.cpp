@@ -214,7 +214,7 @@ void WholeBodyEvents::tell_of_body(Outcome& outcome) {
   outcome.critical_stored_energy = body_.stored_energy_at(event_.critical_load_factor);
   outcome.unit_energy = body_.unit_energy();
   outcome.residual = body_.residual();
-  outcome.energy_scale = energy_scale_of_supports(system_, event_.load_factor);
+  outcome.energy_scale = least_energy_scale(system_, event_.load_factor);
   outcome.reactions = body_.reactions();
   outcome.resistance = body_.resistance(outcome.reactions);
 }

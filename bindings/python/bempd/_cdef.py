@@ -1351,7 +1351,8 @@ work of loads and supports since the beginning, without what then would have bec
 scheme paper, whose stiffness is unsymmetric""",
     "bempd_step_report.residual": """\
 largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5 of
-the largest stiffness times the displacement of what holds the body if that is larger [-]""",
+the largest stiffness times the displacement of what holds the body, or over 1e-6 of what constant
+and proportional loads add up to where they cancel, whichever is largest [-]""",
     "bempd_step_report.seconds_total": """wall time of this step [s]""",
     "bempd_step_report.seconds_solve": """of it: solutions [s]""",
     "bempd_step_report.seconds_update": """of it: changes of the factorization [s]""",

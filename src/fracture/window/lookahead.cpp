@@ -258,8 +258,7 @@ bool Lookahead::is_balanced() {
 // Just before the first of the events computed together.
 double Lookahead::largest_force_before(double load_factor, const BodyState& start) const {
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
-  return std::max(
-      {start.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, load_factor)});
+  return std::max({start.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, load_factor)});
 }
 
 bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {

@@ -52,7 +52,7 @@ void Lookahead::check_whole_body() {
   ForeseenEvent& last = events_.back();
   const Eigen::VectorXd force = internal_force_after_all(last.event.load_factor);
   last.largest_force = std::max(
-      {last.largest_force, force.lpNorm<Eigen::Infinity>(), force_scale_of_supports(system_, last.event.load_factor)});
+      {last.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, last.event.load_factor)});
   residual_ = std::max(unbalanced_, fracture::residual(system_, force, last.event.load_factor, last.largest_force));
   if (residual_ <= WindowSettings::acceptable_residual) return;
   keep_first(0);

@@ -170,7 +170,7 @@ Outcome WindowEvents::perform() {
   outcome.critical_stored_energy = foreseen.after.at(event.critical_load_factor);
   outcome.unit_energy = foreseen.after.unit();
   outcome.residual = lookahead_.residual();
-  outcome.energy_scale = energy_scale_of_supports(body_.system(), event.load_factor);
+  outcome.energy_scale = least_energy_scale(body_.system(), event.load_factor);
   outcome.reactions = foreseen.reactions;
   state.load_factor = event.load_factor;
   outcome.resistance_before = body_.resistance(foreseen.reactions_before);

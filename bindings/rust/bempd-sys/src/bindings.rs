@@ -1437,8 +1437,8 @@ pub struct bempd_step_report {
     /// in scheme paper, whose stiffness is unsymmetric
     pub energy_balance_error: f64,
     /// largest unbalanced force at the end over the largest internal nodal force so far, or over
-    /// 1e-5 of the largest stiffness times the displacement of what holds the body if that is
-    /// larger \[-\]
+    /// 1e-5 of the largest stiffness times the displacement of what holds the body, or over 1e-6 of
+    /// what constant and proportional loads add up to where they cancel, whichever is largest \[-\]
     pub residual: f64,
     /// wall time of this step \[s\]
     pub seconds_total: f64,
