@@ -1190,8 +1190,12 @@ typedef enum bempd_tip_method { BEMPD_TIP_ELEMENTS = 1, BEMPD_TIP_CONTOURS = 2 }
  * spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
  * factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two horizons
  * around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring fits:
- * `contours` is 0, and factors, G, T, their error, the kink angle and the critical load factor are 0, which says
- * nothing then.
+ * `contours` is 0, and all that follows from rings is NaN, not known.
+ *
+ * A tip stays where it is while the load factor lies between `critical_load_factor_down` and `critical_load_factor`,
+ * and grows at either: there it reaches its toughness in the direction in which it goes on, by the option
+ * growth.criterion. A tip that is beyond them already grows at the present load factor, unless stepping.control is
+ * path. If it grows at every load factor the first is the largest double and the second minus that.
  *
  * Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has grown:
  * to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end. Cracks that
@@ -1213,17 +1217,23 @@ typedef struct bempd_crack_tip {
   double t_stress;             /**< stress along the crack beside the singular one [Pa] */
   double error;                /**< estimate of the error of the stress intensity factors, from elements twice as long
                                   or from other rings [Pa m^(1/2)] */
-  double kink_angle;           /**< angle from the direction to that of the largest hoop stress, counter-clockwise
-                                  [rad] */
-  double critical_load_factor; /**< smallest load factor >= 0 at which the energy release rate is the material's
-                                  fracture_energy; the largest double (DBL_MAX) if it never is or the material has
-                                  none [-] */
+  double kink_angle;           /**< angle by which the tip turns if it grows at the present load factor, by the option
+                                  growth.criterion; from the direction, counter-clockwise [rad] */
+  double critical_load_factor; /**< at which the tip grows while the load factor rises; the largest double (DBL_MAX)
+                                  if it never does or its material does not break [-] */
   int32_t method;              /**< a bempd_tip_method (since 0.3, as all that follows) */
   int32_t contours;            /**< rings that the values come from; 0 if none fits, and in BEM regions */
   int32_t grown;               /**< 1 if bonds have broken since so that the tip is not the described end any more */
   int32_t branched;            /**< 1 if other ways lead on from the crack than the one to this tip */
   double contour_radius;       /**< outer radius of the largest ring; 0 if there is none [m] */
   double felt_ahead;           /**< how far ahead of its place the tip is felt; 0 in BEM regions [m] */
+  double critical_load_factor_down; /**< at which the tip grows while the load factor falls; minus the largest double
+                                       if it never does [-] */
+  double critical_kink_angle;       /**< angle by which it turns at critical_load_factor, counter-clockwise [rad];
+                                       NaN if it does not grow there */
+  double straight_load_factor;      /**< smallest load factor >= 0 at which G of growth straight on is the fracture
+                                       energy; the largest double if it never is. A tip under shear turns, and grows
+                                       earlier: at 6 to 30 % less for a crack at 15 to 75 degrees to the pull [-] */
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill

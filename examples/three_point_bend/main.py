@@ -85,9 +85,9 @@ def fracture_mechanics(lengths: np.ndarray) -> np.ndarray:
 
 
 def felt_tip(model: bempd.Model) -> float:
-    """Where the loads feel the tip of the crack to be [m]: ahead of its place by less than a spacing."""
+    """Where the loads feel the tip of the crack to be [m]: ahead of its place by less than a spacing, if that is known."""
     tip = model.tips()[0]
-    return tip.y + tip.felt_ahead
+    return tip.y if math.isnan(tip.felt_ahead) else tip.y + tip.felt_ahead
 
 
 def run(spacing: float, rule: str, control: str, folder: pathlib.Path, film: bool) -> tuple[np.ndarray, list[str]]:

@@ -25,7 +25,10 @@ bempd_crack_tip described(const regions::TipValues& t) {
           t.grown ? 1 : 0,
           t.branched ? 1 : 0,
           t.contour_radius,
-          t.felt_ahead};
+          t.felt_ahead,
+          t.critical_load_factor_down,
+          t.critical_kink_angle,
+          t.straight_load_factor};
 }
 
 }  // namespace

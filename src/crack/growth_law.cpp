@@ -9,12 +9,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// Loads that press a tip shut drive it by as much of their size where rounding alone shears it: it does not grow.
+constexpr double share_of_rounding = 1e-15;
+
 // The end of the range in a direction, from a load factor inside it. The equivalent factor lies above the load factor
 // times its slope far away less twice the constant part, which bounds the way to the end.
 double end_of_range(const AffineFactors& factors, double toughness, KinkCriterion criterion, double inside,
                     double direction) {
   const double slope = kink_of(direction * factors.proportional, criterion).equivalent_factor;
-  if (!(slope > 0)) return infinity * direction;
+  if (!(slope > share_of_rounding * factors.proportional.stableNorm())) return infinity * direction;
   double low = inside, high = direction * 2 * (toughness + 2 * factors.constant.stableNorm()) / slope;
   if (!std::isfinite(high)) return infinity * direction;
   for (int i = 0; i < 100; ++i) {

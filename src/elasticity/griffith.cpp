@@ -16,13 +16,13 @@ double plane_modulus(const PlaneElasticity& elasticity) {
   return 2 * elasticity.shear_modulus() / (1 - elasticity.effective_poisson_ratio());
 }
 
-double critical_load_factor(const Point& constant, const Point& proportional, double toughness) {
+double straight_load_factor(const Point& constant, const Point& proportional, double toughness) {
   if (!(toughness > 0)) return never;
   const int held = far_exponent(std::max(toughness, constant.lpNorm<Eigen::Infinity>()));
   const int growing = far_exponent(proportional.lpNorm<Eigen::Infinity>());
   if (held != 0 || growing != 0) {
     const double unit = std::ldexp(1, -held);
-    const double near = critical_load_factor(constant * unit, proportional * std::ldexp(1, -growing), toughness * unit);
+    const double near = straight_load_factor(constant * unit, proportional * std::ldexp(1, -growing), toughness * unit);
     return near < never ? in_range(std::ldexp(near, held - growing)) : never;
   }
   const double square = toughness * toughness;

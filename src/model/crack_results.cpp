@@ -1,11 +1,33 @@
 #include <algorithm>
+#include <cmath>
 
+#include "crack/growth_law.hpp"
+#include "elasticity/griffith.hpp"
+#include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
+#include "model/growth_options.hpp"
 #include "model/model.hpp"
+#include "number_range.hpp"
 #include "regions/tips/lattice_pictures.hpp"
 #include "regions/tips/lattice_tips.hpp"
 
 namespace bempd::model {
+
+namespace {
+
+// Load factors and angle at which a tip with known factors grows by a criterion.
+void complete(regions::TipValues& tip, KinkCriterion criterion) {
+  if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
+  const crack::AffineFactors factors{tip.constant_factors, tip.proportional_factors};
+  const crack::GrowthRange range = crack::growth_range(factors, tip.toughness, criterion);
+  tip.kink_angle = kink_of(tip.factors, criterion).angle;
+  tip.critical_load_factor = in_range(range.highest);
+  tip.critical_load_factor_down = in_range(range.lowest);
+  if (std::isfinite(range.highest)) tip.critical_kink_angle = kink_of(factors.at(range.highest), criterion).angle;
+  tip.straight_load_factor = straight_load_factor(factors.constant, factors.proportional, tip.toughness);
+}
+
+}  // namespace
 
 regions::BondedBody Model::bonded_body() const {
   const coupling::EquilibriumSystem& system = *prepared_->system;
@@ -24,6 +46,7 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
     const std::vector<regions::TipValues> found = region->tips(solution_of(prepared), detail);
     tips.insert(tips.end(), found.begin(), found.end());
   }
+  for (regions::TipValues& tip : tips) complete(tip, growth_criterion(options_));
   // By crack, its first point first.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
@@ -33,7 +56,8 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
 
 std::vector<regions::TipValues> Model::compute_tips() const {
   std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
-  const std::vector<regions::TipValues> in_lattices = regions::lattice_tips(bonded_body(), solution());
+  std::vector<regions::TipValues> in_lattices = regions::lattice_tips(bonded_body(), solution(), options_);
+  for (regions::TipValues& tip : in_lattices) complete(tip, growth_criterion(options_));
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
   return all;
 }

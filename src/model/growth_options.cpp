@@ -1,4 +1,4 @@
-#include "scene/options.hpp"
+#include "model/growth_options.hpp"
 
 namespace bempd::model {
 
@@ -25,5 +25,10 @@ const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
 });
 
 }  // namespace
+
+KinkCriterion growth_criterion(const scene::Options& options) {
+  return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
+                                                            : KinkCriterion::hoop_stress;
+}
 
 }  // namespace bempd::model

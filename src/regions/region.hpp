@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -52,24 +53,30 @@ struct LeadingElements {
 
 enum class TipMethod { elements = 1, contours = 2 };
 
-// The tip of a crack.
+// The tip of a crack. What is not known is NaN.
 struct TipValues {
-  int crack;                    // id
-  int end;                      // 1: the crack's last point, 0: its first
-  Point place, direction;       // unit vector in which a straight crack would go on
-  Point factors;                // K_I, K_II [Pa m^(1/2)]
-  double energy_release_rate;   // [J/m^2]
-  double stress_along;          // T [Pa]
-  double error;                 // of the factors [Pa m^(1/2)]
-  double kink_angle;            // from the direction, counter-clockwise [rad]
-  double critical_load_factor;  // at which the energy release rate is the fracture energy; the largest double if it
-                                // never is
-  // Of a tip with elements, which grows by lengths.
-  Point constant_factors = {0, 0}, proportional_factors = {0, 0};  // what the loads' parts make of K_I, K_II
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  int crack = 0;                             // id
+  int end = 0;                               // 1: the crack's last point, 0: its first
+  Point place{0, 0}, direction{1, 0};        // unit vector in which a straight crack would go on
+  Point factors{unknown, unknown};           // K_I, K_II [Pa m^(1/2)]
+  double energy_release_rate = unknown;      // of growth straight on [J/m^2]
+  double stress_along = unknown;             // T [Pa]
+  double error = unknown;                    // of the factors [Pa m^(1/2)]
+  Point constant_factors{unknown, unknown};  // what the constant part of the loads makes of K_I and K_II
+  Point proportional_factors{unknown, unknown};
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
   double plane_modulus = 0;  // [Pa]
 
-  // Of a tip among bonds; without contours the numbers above are 0 but for place and direction.
+  // By the criterion of growth in force (Model::complete()); the largest double, or minus it, where it never grows.
+  double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]
+  double critical_load_factor = unknown;       // at which the tip grows while the load factor rises
+  double critical_load_factor_down = unknown;  // and while it falls
+  double critical_kink_angle = unknown;        // by which it turns at the former [rad]
+  double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
+
+  // Of a tip among bonds.
   TipMethod method = TipMethod::elements;
   int contours = 0;
   bool grown = false, branched = false;

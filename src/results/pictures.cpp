@@ -117,6 +117,9 @@ VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   add("error", [](const Tip& tip) { return tip.error; });
   add("kink_angle", [](const Tip& tip) { return tip.kink_angle; });
   add("critical_load_factor", [](const Tip& tip) { return tip.critical_load_factor; });
+  add("critical_load_factor_down", [](const Tip& tip) { return tip.critical_load_factor_down; });
+  add("critical_kink_angle", [](const Tip& tip) { return tip.critical_kink_angle; });
+  add("straight_load_factor", [](const Tip& tip) { return tip.straight_load_factor; });
   add("felt_ahead", [](const Tip& tip) { return tip.felt_ahead; });
   grid.point_data.push_back({"direction", 2, std::move(directions)});
   grid.point_data.push_back({"crack", 1, std::move(cracks)});

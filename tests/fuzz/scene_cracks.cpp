@@ -1,5 +1,6 @@
 // Bodies of curved outlines, cracks in boundary elements with their growth, pieces, and what is removed.
 #include <array>
+#include <cmath>
 
 #include "checks.hpp"
 #include "scene.hpp"
@@ -85,18 +86,23 @@ void Scene::read_tips() {
   bempd_crack_tip tip;
   good("bempd_crack_tip_init", nullptr, bempd_crack_tip_init(&tip, sizeof tip));
   const auto require_tip = [&](const char* call) {
-    const std::array numbers = {tip.x,
-                                tip.y,
-                                tip.direction_x,
-                                tip.direction_y,
-                                tip.stress_intensity_1,
+    const std::array places = {tip.x, tip.y, tip.direction_x, tip.direction_y, tip.contour_radius};
+    require_finite(call, places.data(), places.size());
+    // Where no ring fits nothing else is known; the angle of growth is not where the tip never grows.
+    if (std::isnan(tip.stress_intensity_1)) {
+      require_true(tip.method == BEMPD_TIP_CONTOURS && std::isnan(tip.critical_load_factor), call,
+                   "a tip is known in part");
+      return;
+    }
+    const std::array numbers = {tip.stress_intensity_1,
                                 tip.stress_intensity_2,
                                 tip.energy_release_rate,
                                 tip.t_stress,
                                 tip.error,
                                 tip.kink_angle,
                                 tip.critical_load_factor,
-                                tip.contour_radius,
+                                tip.critical_load_factor_down,
+                                tip.straight_load_factor,
                                 tip.felt_ahead};
     require_finite(call, numbers.data(), numbers.size());
   };

@@ -82,14 +82,17 @@ class CrackTip:
     energy_release_rate: float  #: [J/m^2]
     t_stress: float  #: stress along the crack beside the singular one [Pa]
     error: float  #: estimate for the stress intensity factors
-    kink_angle: float  #: from the direction to that of the largest hoop stress, counter-clockwise [rad]
-    critical_load_factor: float  #: at which the fracture energy is reached; the largest number if it never is
+    kink_angle: float  #: by which the tip turns if it grows at the present loads, counter-clockwise [rad]
+    critical_load_factor: float  #: at which the tip grows while the load factor rises; the largest number if never
     method: TipMethod
-    contours: int  #: rings that the values come from; a tip in a PD region that has 0 has 0 for them, too
+    contours: int  #: rings that the values come from; a tip in a PD region that has 0 has NaN for what they tell
     grown: bool  #: whether bonds have broken since so that the tip is not the described end any more
     branched: bool  #: whether other ways lead on from the crack, too
     contour_radius: float  #: of the largest ring [m]
     felt_ahead: float  #: how far ahead of its place the tip is felt [m]
+    critical_load_factor_down: float  #: at which it grows while the load factor falls; minus the largest number if never
+    critical_kink_angle: float  #: by which it turns at critical_load_factor, counter-clockwise [rad]
+    straight_load_factor: float  #: at which G of growth straight on is the fracture energy; one under shear grows earlier
 
 
 class TipRecord(NamedTuple):

@@ -2,7 +2,6 @@
 
 #include "bem/coarse_level.hpp"
 #include "elasticity/griffith.hpp"
-#include "elasticity/kinked_tip.hpp"
 #include "number_range.hpp"
 #include "regions/boundary/boundary_region.hpp"
 #include "regions/boundary/region_cracks.hpp"
@@ -170,12 +169,15 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
     const bem::CrackTip& tip = cracks_->elements().tips[t];
     along[t] += stress_along(particular, tip);
     const bem::StressIntensity &constant = factors[t][0], &proportional = factors[t][1], &present = factors[t][2];
-    values.push_back({cracks_->id_of(tip), tip.end == bem::TipEnd::end ? 1 : 0, tip.place, tip.direction,
-                      present.factors, present.energy_release_rate, along[t],
-                      error_of_difference * length_of(present.factors - factors[t].back().factors),
-                      kink_of(present.factors).angle,
-                      critical_load_factor(constant.factors, proportional.factors, toughness), constant.factors,
-                      proportional.factors, toughness, modulus});
+    TipValues value;
+    value.crack = cracks_->id_of(tip), value.end = tip.end == bem::TipEnd::end ? 1 : 0;
+    value.place = tip.place, value.direction = tip.direction;
+    value.factors = present.factors, value.energy_release_rate = present.energy_release_rate;
+    value.stress_along = along[t];
+    value.error = error_of_difference * length_of(present.factors - factors[t].back().factors);
+    value.constant_factors = constant.factors, value.proportional_factors = proportional.factors;
+    value.toughness = toughness, value.plane_modulus = modulus;
+    values.push_back(value);
   }
   return values;
 }

@@ -8,7 +8,6 @@
 
 #include "cancellation.hpp"
 #include "elasticity/griffith.hpp"
-#include "elasticity/kinked_tip.hpp"
 #include "number_range.hpp"
 
 namespace bempd::regions {
@@ -44,8 +43,11 @@ double felt_ahead(const TipRings& rings, double radius, double horizon, const Ei
 }
 
 TipValues without_contours(const LatticeTip& tip) {
-  TipValues values{tip.crack, tip.end, tip.axes.place, tip.axes.direction, {0, 0}, 0, 0, 0, 0, 0};
+  TipValues values;
+  values.crack = tip.crack, values.end = tip.end;
+  values.place = tip.axes.place, values.direction = tip.axes.direction;
   values.method = TipMethod::contours;
+  values.felt_ahead = TipValues::unknown;
   values.grown = tip.grown, values.branched = tip.branched;
   return values;
 }
@@ -72,7 +74,7 @@ std::optional<coupling::Affine> free_displacement(const BondedBody& body, const 
   return free;
 }
 
-TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fracture_energy, const Solution& solution) {
+TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughness, const Solution& solution) {
   TipValues values = without_contours(tip);
   if (tip.clear < least_horizons * tip.horizon) return values;
   const std::optional<coupling::Affine> free = free_displacement(body, tip);
@@ -97,25 +99,25 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double fractu
     values.error = std::max(values.error, (factors_of(seen(whole, part)) - values.factors).norm());
   values.contours = static_cast<int>(parts.size());
   values.contour_radius = radius;
-  const double modulus = plane_modulus(tip.axes.elasticity), toughness = std::sqrt(modulus * fracture_energy);
-  const Point held = factors_of(seen(constant, 1)), growing = factors_of(seen(proportional, 1));
-  values.energy_release_rate = in_range(values.factors.squaredNorm() / modulus);
-  values.kink_angle = kink_of(values.factors).angle;
-  values.critical_load_factor = critical_load_factor(held, growing, toughness);
+  values.constant_factors = factors_of(seen(constant, 1));
+  values.proportional_factors = factors_of(seen(proportional, 1));
+  values.plane_modulus = plane_modulus(tip.axes.elasticity);
+  values.toughness = toughness;
+  values.energy_release_rate = in_range(values.factors.squaredNorm() / values.plane_modulus);
   // Squares of lengths below 1e-154 m are none.
   const bool known = values.factors.allFinite() && std::isfinite(values.stress_along) && std::isfinite(values.error) &&
-                     std::isfinite(values.kink_angle) && std::isfinite(values.felt_ahead);
+                     std::isfinite(values.felt_ahead);
   return known ? values : without_contours(tip);
 }
 
 }  // namespace
 
-std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution) {
+std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution, const scene::Options& options) {
   std::vector<TipValues> values;
   for (const LatticeTip& tip : find_lattice_tips(body)) {
     check_cancelled();
-    const double energy = body.discretization.region(tip.region).material().fracture_energy;
-    values.push_back(values_of(body, tip, energy, solution));
+    const std::optional<pd::TipLaw> law = body.discretization.region(tip.region).tip_law(options);
+    values.push_back(values_of(body, tip, law ? law->toughness : 0, solution));
   }
   return values;
 }

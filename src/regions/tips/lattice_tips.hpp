@@ -7,6 +7,6 @@
 namespace bempd::regions {
 
 // What the tips of cracks among bonds carry.
-std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution);
+std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution, const scene::Options& options);
 
 }  // namespace bempd::regions

@@ -133,9 +133,9 @@ mirror! {
         t_stress: f64,
         /// Estimate of the error of the stress intensity factors [Pa m^(1/2)].
         error: f64,
-        /// Angle from the direction to that of the largest hoop stress, counter-clockwise [rad].
+        /// Angle by which the tip turns if it grows at the present loads, counter-clockwise [rad].
         kink_angle: f64,
-        /// Smallest load factor >= 0 at which the energy release rate is the fracture energy; infinite if it never is.
+        /// Load factor at which the tip grows while it rises; the largest number if it never does.
         critical_load_factor: f64,
         /// What the values come from.
         method: TipMethod,
@@ -149,6 +149,12 @@ mirror! {
         contour_radius: f64,
         /// How far ahead of its place the tip is felt [m].
         felt_ahead: f64,
+        /// Load factor at which the tip grows while it falls; minus the largest number if it never does.
+        critical_load_factor_down: f64,
+        /// Angle by which the tip turns at the critical load factor, counter-clockwise [rad].
+        critical_kink_angle: f64,
+        /// Load factor at which G of growth straight on is the fracture energy; a tip under shear grows earlier.
+        straight_load_factor: f64,
     }
 }
 
