@@ -335,10 +335,12 @@ BEMPD_API bempd_status bempd_set_edges_smooth(bempd_model* model, int32_t region
 /** @brief Choose the elements of one edge of a BEM region.
  *
  * On an interface with a peridynamic region they need not match the lattice then: the material points there follow the
- * displacement of the elements, and forces return to them so that constant stress passes exactly.
+ * displacement of the elements, and forces return to them so that constant stress passes exactly. Near cracks elements
+ * are divided as on other edges: the length asked for is the longest there.
  * @param[in] model the model @param[in] region id of a BEM region @param[in] edge edge number
  * @param[in] element_length target length [m], > 0: ceil(length / element_length) elements
- * @param[in] grading ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4
+ * @param[in] grading ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4;
+ * no element may be shorter than 1e-9 of the edge
  * @return status @since 0.1 */
 BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, int32_t edge, double element_length,
                                            double grading);

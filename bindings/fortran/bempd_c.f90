@@ -1172,13 +1172,15 @@ module bempd_c
     !> Choose the elements of one edge of a BEM region.
     !>
     !> On an interface with a peridynamic region they need not match the lattice then: the material points there follow
-    !> the displacement of the elements, and forces return to them so that constant stress passes exactly.
+    !> the displacement of the elements, and forces return to them so that constant stress passes exactly. Near cracks
+    !> elements are divided as on other edges: the length asked for is the longest there.
     !>
     !> model [in]: the model
     !> region [in]: id of a BEM region
     !> edge [in]: edge number
     !> element_length [in]: target length [m], > 0: ceil(length / element_length) elements
-    !> grading [in]: ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4
+    !> grading [in]: ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements [-], 1 .. 4;
+    !>   no element may be shorter than 1e-9 of the edge
     !> return: status
     !> since: 0.1
     function bempd_set_edge_mesh(model, region, edge, element_length, grading) bind(c, name="bempd_set_edge_mesh")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "error.hpp"
 #include "geometry/segment.hpp"
 
 namespace bempd::bem {
@@ -26,6 +27,13 @@ constexpr int most_halvings = 40;
 // the way, 2e-5 with a quarter).
 constexpr double longest = 0.5, longest_at_tip = 0.25;
 
+// Elements along a narrow gap, in widths of it, and by how much they may grow with the distance from its ends. Thin
+// strips between faces bend: with elements of two widths their openings are right to 4e-5, with four to 6e-4, if the
+// elements at the ends of the gap are short.
+constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
+// Where gaps are wide enough for elements of this part of the length without a gap, nothing is saved by longer ones.
+constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
+
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
 
 double distance(const CrackLine& line, const Point& x) {
@@ -47,6 +55,9 @@ double turn(const CrackLine& line, std::size_t vertex) {
   return std::abs(std::atan2(cross(before, after), before.dot(after)));
 }
 
+// More elements than this on one line or piece of the boundary come of a gap that nobody meant.
+constexpr std::size_t most_elements = 100000;
+
 // Halves an interval until it is no longer than `limit` says for its ends and its middle.
 template <class Limit>
 void halve(double from, double to, double length, const Limit& limit, int depth, std::vector<double>& ends) {
@@ -58,19 +69,25 @@ void halve(double from, double to, double length, const Limit& limit, int depth,
     halve(middle, to, 0.5 * length, limit, depth + 1, ends);
     return;
   }
+  require(ends.size() < most_elements, "a crack comes so close to another one or to the boundary that they would need "
+          "more than ", most_elements, " elements: widen the gap between them, or close it");
   ends.push_back(to);
 }
 
 }  // namespace
 
 CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& boundary, double tolerance,
-                       const CrackGrading& grading)
-    : cracks_(cracks), boundary_(boundary), tolerance_(tolerance), grading_(grading) {
+                       const CrackGrading& grading, const std::vector<Point>& panel_ends)
+    : cracks_(cracks), boundary_(boundary), tolerance_(tolerance), grading_(grading), ends_(panel_ends) {
+  for (const Edge& edge : boundary) ends_.push_back(edge.start);
   for (const CrackLine& line : cracks.lines) {
     ways_.push_back({0.0});
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
       ways_.back().push_back(ways_.back().back() + segment(line, i).length());
     targets_.push_back(given_length(line) / grading.elements_per_line);
+    ends_.insert(ends_.end(), {line.points.front(), line.points.back()});
+    for (std::size_t v = 1; v + 1 < line.points.size(); ++v)
+      if (turn(line, v) > least_kink) ends_.push_back(line.points[v]);
   }
   for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
 }
@@ -114,24 +131,22 @@ double CrackSizes::from_kinks(int l, double way) const {
   return limit;
 }
 
-double CrackSizes::on_line(int l, double way) const {
-  const CrackLine& line = cracks_.lines[l];
+std::size_t CrackSizes::segment_at(int l, double way) const {
   const std::vector<double>& ways = ways_[l];
   std::size_t own = 0;
   while (own + 2 < ways.size() && way > ways[own + 1]) ++own;
-  const Point x = segment(line, own).at((way - ways[own]) / (ways[own + 1] - ways[own]));
-  const bool at_tip = (way == 0 && line.joints[0] < 0) || (way == ways.back() && line.joints[1] < 0);
-  const double share = at_tip ? longest_at_tip : longest;
-  double limit = std::min(share * from_kinks(l, way), from_tips(l, way));
-  // `apart`: way from here to the thing along the line, infinite if the line does not lead to it. In the angle between
-  // a line and what it leads to elements get no smaller than at kinks.
-  const double least = std::ldexp(target(l, own), -grading_.halvings_at_kinks);
-  const auto consider = [&](double gap, double apart) {
-    if (apart == infinite)
-      limit = std::min(limit, share * gap);
-    else if (gap < aside * apart)
-      limit = std::min(limit, std::max(gap, least));
-  };
+  return own;
+}
+
+Point CrackSizes::place_at(int l, double way) const {
+  const std::vector<double>& ways = ways_[l];
+  const std::size_t own = segment_at(l, way);
+  return segment(cracks_.lines[l], own).at((way - ways[own]) / (ways[own + 1] - ways[own]));
+}
+
+std::vector<CrackSizes::Neighbour> CrackSizes::neighbours(int l, double way, const Point& x) const {
+  const CrackLine& line = cracks_.lines[l];
+  const std::vector<double>& ways = ways_[l];
   const auto way_to_joint = [&](const auto& is_there) {
     double apart = infinite;
     for (int end = 0; end < 2; ++end)
@@ -139,20 +154,62 @@ double CrackSizes::on_line(int l, double way) const {
         apart = std::min(apart, end == 0 ? way : ways.back() - way);
     return apart;
   };
-  for (const Edge& edge : boundary_)
-    consider(bempd::distance(edge, x), way_to_joint([&](int joint) {
-               return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_;
-             }));
+  std::vector<Neighbour> found;
+  for (const Edge& edge : boundary_) {
+    const double apart = way_to_joint(
+        [&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
+    found.push_back({bempd::distance(edge, x), apart, -1});
+  }
   for (int other = 0; other < static_cast<int>(cracks_.lines.size()); ++other) {
     if (other == l) continue;
     const CrackLine& them = cracks_.lines[other];
-    consider(distance(them, x),
-             way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; }));
+    const double apart =
+        way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; });
+    found.push_back({distance(them, x), apart, other});
   }
   for (std::size_t i = 0; i + 1 < ways.size(); ++i)
     if (way < ways[i] || way > ways[i + 1])
-      consider(bempd::distance(segment(line, i), x), std::max(ways[i] - way, way - ways[i + 1]));
+      found.push_back({bempd::distance(segment(line, i), x), std::max(ways[i] - way, way - ways[i + 1]), l});
+  return found;
+}
+
+// `shortest`: of the elements at the ends of a gap.
+double CrackSizes::along_gap(double gap, double shortest, double undivided, const Point& x) const {
+  if (shortest >= undivided) return shortest;
+  double to_end = infinite;
+  for (const Point& end : ends_) to_end = std::min(to_end, (end - x).norm());
+  const double longer = std::min(longest_along_gap * gap, shortest + growth_along_gap * to_end);
+  return std::max(shortest, std::min(undivided, longer));
+}
+
+double CrackSizes::on_line(int l, double way) const {
+  const CrackLine& line = cracks_.lines[l];
+  const bool at_tip = (way == 0 && line.joints[0] < 0) || (way == ways_[l].back() && line.joints[1] < 0);
+  const double share = at_tip ? longest_at_tip : longest;
+  const Point x = place_at(l, way);
+  const double own = target(l, segment_at(l, way));
+  // In the angle between a line and what it leads to elements get no smaller than at kinks.
+  const double least = std::ldexp(own, -grading_.halvings_at_kinks);
+  double limit = std::min(share * from_kinks(l, way), from_tips(l, way));
+  for (const Neighbour& thing : neighbours(l, way, x)) {
+    if (thing.apart == infinite)
+      limit = std::min(limit, along_gap(thing.gap, share * thing.gap, part_along_crack * own, x));
+    else if (thing.gap < aside * thing.apart)
+      limit = std::min(limit, std::max(thing.gap, least));
+  }
   return limit;
+}
+
+NarrowGap CrackSizes::narrowest_gap() const {
+  NarrowGap least;
+  least.width = infinite;
+  for (int l = 0; l < static_cast<int>(cracks_.lines.size()); ++l)
+    for (const double way : stations_[l]) {
+      const Point x = place_at(l, way);
+      for (const Neighbour& thing : neighbours(l, way, x))
+        if (thing.apart == infinite && thing.gap < least.width) least = {l, thing.line, thing.gap, x};
+    }
+  return least;
 }
 
 std::vector<double> CrackSizes::stations_of(int l) const {
@@ -172,19 +229,20 @@ std::vector<double> CrackSizes::stations_of(int l) const {
   return stations;
 }
 
-double CrackSizes::on_boundary(const Point& x) const {
+double CrackSizes::on_boundary(const Point& x, double undivided) const {
   // Of the element at a mouth, in a small angle beside it.
   const double least = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {
     const CrackLine& line = cracks_.lines[l];
     const std::vector<double>& stations = stations_[l];
-    double allowed = distance(line, x);
+    const double gap = distance(line, x);
+    double allowed = along_gap(gap, gap, part_along_boundary * undivided, x);
     for (int end = 0; end < 2; ++end) {
       if (line.joints[end] < 0 || !cracks_.joints[line.joints[end]].mouth) continue;
       const double apart = (cracks_.joints[line.joints[end]].place - x).norm();
       const double element = end == 0 ? stations[1] : stations.back() - stations[stations.size() - 2];
-      allowed = std::max(allowed, distance(line, x) < aside * apart ? least * element : std::max(apart, element));
+      allowed = std::max(allowed, gap < aside * apart ? least * element : std::max(apart, element));
     }
     limit = std::min(limit, allowed);
   }
@@ -193,10 +251,12 @@ double CrackSizes::on_boundary(const Point& x) const {
 
 std::vector<double> CrackSizes::refined(const Arc& piece, const std::vector<double>& stations) const {
   std::vector<double> result{stations.front()};
-  for (std::size_t i = 0; i + 1 < stations.size(); ++i)
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const double length = (stations[i + 1] - stations[i]) * piece.length();
     halve(
-        stations[i], stations[i + 1], (stations[i + 1] - stations[i]) * piece.length(),
-        [&](double fraction) { return on_boundary(piece.at(fraction)); }, 0, result);
+        stations[i], stations[i + 1], length,
+        [&](double fraction) { return on_boundary(piece.at(fraction), length); }, 0, result);
+  }
   return result;
 }
 

@@ -5,6 +5,7 @@
 #endif
 
 #include <limits>
+#include <string>
 
 #include "error.hpp"
 
@@ -40,12 +41,17 @@ void require_memory(const scene::Scene& scene, const scene::Options& options) {
   constexpr double most = std::numeric_limits<int>::max();
   require(size.bonds <= most, "the scene comes to about ", size.bonds, " bonds; the limit is ", most,
           ": choose larger spacings or smaller horizon ratios");
+  require_memory_for(size.bytes, text(size.bonds, " bonds and ", size.elements, " boundary elements"),
+                     "choose larger spacings and elements", options);
+}
+
+void require_memory_for(double bytes, const std::string& what, const std::string& advice,
+                        const scene::Options& options) {
   const double wanted = options.number("memory.limit");
   const double limit = wanted > 0 ? wanted * gigabyte : memory_of_machine();
-  require(size.bytes <= limit, "preparing would need about ", size.bytes / gigabyte, " GB for ", size.bonds,
-          " bonds and ", size.elements, " boundary elements; ",
-          wanted > 0 ? "the option memory.limit allows " : "the machine has ", limit / gigabyte,
-          " GB: choose larger spacings and elements", wanted > 0 ? ", or raise the option" : "");
+  require(bytes <= limit, "preparing would need about ", bytes / gigabyte, " GB for ", what, "; ",
+          wanted > 0 ? "the option memory.limit allows " : "the machine has ", limit / gigabyte, " GB: ", advice,
+          wanted > 0 ? ", or raise the option" : "");
 }
 
 }  // namespace bempd::regions

@@ -41,6 +41,16 @@ static void grading_has_limits(void) {
   bempd_model_free(model);
 }
 
+/* Elements below 1e-9 of their edge: refused at the call, in whatever order edge and elements come. */
+static void graded_elements_are_not_too_short(void) {
+  bempd_model* model = bem_block();
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "1e-09 of their edge: choose a grading of at most 1.6",
+              bempd_set_edge_mesh(model, 1, 1, 0.125, 3.0));
+  CHECK_OK(model, bempd_set_edge_mesh(model, 1, 1, 0.125, 1.6));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "1e-09 of their edge", bempd_set_edge_arc(model, 1, 1, 5.0, -100.0));
+  bempd_model_free(model);
+}
+
 static void lattice_edges_have_no_elements(void) {
   bempd_model* model = pd_block();
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "BEM|boundary|peridynamic", bempd_set_edge_mesh(model, 1, 1, 1.0, 1.0));
@@ -102,6 +112,7 @@ int main(void) {
   element_lengths_are_positive_and_finite();
   billions_of_elements_are_refused_before_they_are_made();
   grading_has_limits();
+  graded_elements_are_not_too_short();
   lattice_edges_have_no_elements();
   edges_get_the_elements_asked_for();
   elements_become_smaller_towards_clamped_corners();

@@ -813,14 +813,15 @@ Choose the elements of one edge of a BEM region.
 
 On an interface with a peridynamic region they need not match the lattice then: the material points
 there follow the displacement of the elements, and forces return to them so that constant stress
-passes exactly.
+passes exactly. Near cracks elements are divided as on other edges: the length asked for is the
+longest there.
 
 model [in]: the model
 region [in]: id of a BEM region
 edge [in]: edge number
 element_length [in]: target length [m], > 0: ceil(length / element_length) elements
 grading [in]: ratio of neighbouring elements' lengths, growing from both ends; 1 for equal elements
-  [-], 1 .. 4
+  [-], 1 .. 4; no element may be shorter than 1e-9 of the edge
 return: status
 since: 0.1""",
     "bempd_add_crack": """\

@@ -1,5 +1,6 @@
 #include "regions/boundary/boundary_description.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "error.hpp"
@@ -24,6 +25,32 @@ void require_element_length(double element_length, double longest) {
           longest / element_length, " elements; the limit is ", most_elements, ": choose a longer one");
 }
 
+// Shorter elements than this share of their edge lie within the rounding of what is computed on it.
+constexpr double shortest_element = 1e-9;
+
+// Length of the shortest of graded elements over that of all of them.
+double shortest_share(double count, double grading) {
+  // 1 + g + g^2 + ..., from one end to the middle, is summed in closed form; both halves have the same elements.
+  const double half = std::floor(0.5 * count), rest = count - 2 * half;
+  const double sum = grading > 1 ? (std::pow(grading, half) - 1) / (grading - 1) : half;
+  return 1 / (2 * sum + rest * std::pow(grading, half));
+}
+
+void require_long_elements(int edge, double length, const scene::EdgeMesh& mesh) {
+  const double count = std::max(1.0, std::ceil(length / mesh.element_length * (1 - 1e-9)));
+  const double share = shortest_share(count, mesh.grading);
+  if (share >= shortest_element) return;
+  double allowed = 1, refused = mesh.grading;
+  while (refused - allowed > 1e-3) {
+    const double middle = 0.5 * (allowed + refused);
+    (shortest_share(count, middle) < shortest_element ? refused : allowed) = middle;
+  }
+  fail(Failure::argument, "element_length ", mesh.element_length, " and grading ", mesh.grading, " give edge ", edge,
+       " ", count, " elements, the shortest ", share, " of its length; elements must not be shorter than ",
+       shortest_element, " of their edge: choose a grading of at most ", std::floor(100 * allowed) / 100,
+       ", or longer elements");
+}
+
 double perimeter(const Outline& outline) {
   double sum = 0;
   for (const Edge& edge : edges_of(outline)) sum += edge.length();
@@ -44,6 +71,11 @@ BoundaryDescription::BoundaryDescription(int material, Outline outline, double e
 
 void BoundaryDescription::set_outline(Outline changed) {
   require_element_length(element_length_, perimeter(changed));
+  const std::vector<Edge> edges = edges_of(changed);
+  for (const auto& [edge, mesh] : own_mesh_) {
+    require_element_length(mesh.element_length, edges[edge - 1].length());
+    require_long_elements(edge, edges[edge - 1].length(), mesh);
+  }
   take_outline(std::move(changed));
 }
 
@@ -51,6 +83,7 @@ void BoundaryDescription::set_edge_mesh(int edge, const scene::EdgeMesh& mesh) {
   require_element_length(mesh.element_length, this->edge(edge).length());
   require(std::isfinite(mesh.grading) && mesh.grading >= 1 && mesh.grading <= 4, "grading is ", mesh.grading,
           "; it must lie between 1 (equal elements) and 4");
+  require_long_elements(edge, this->edge(edge).length(), mesh);
   own_mesh_[edge] = mesh;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "geometry/segment.hpp"
 #include "regions/boundary/corner_grading.hpp"
 #include "regions/outlined/outlined_region.hpp"
 
@@ -130,18 +131,44 @@ Held held_on(const Scene& scene, int region, const PanelSource& source) {
   return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
 }
 
-// Smaller elements towards singular places, where the host has not chosen the elements.
-void grade_corners(const Scene& scene, int region, BoundaryPanels& panels) {
+// Of the lengths of an edge's last element: as close to a singular place its error reaches the intensities of a crack.
+constexpr double reach_of_corners = 2;
+
+bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
+  for (std::size_t c = 0; c < p.crack_regions.size(); ++c) {
+    if (p.crack_regions[c] != region) continue;
+    const std::vector<Point>& points = p.scene.cracks()[c].points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      if (distance(Segment{points[i], points[i + 1]}, x) < reach) return true;
+  }
+  return false;
+}
+
+// Elements whose length the host has chosen are divided near cracks only.
+SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, SingularEnds singular) {
+  const std::vector<double>& stations = panel.stations;
+  const double reach = reach_of_corners * panel.arc().length();
+  const double first = reach * stations[1], last = reach * (1 - stations[stations.size() - 2]);
+  return {singular.start && is_near_crack(p, region, panel.start, first),
+          singular.end && is_near_crack(p, region, panel.end, last)};
+}
+
+// Smaller elements towards singular places.
+void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
+  const scene::Region& described = p.scene.region(region);
   std::size_t first = 0;
   for (auto& loop : panels.loops) {
     std::vector<BoundaryPiece> pieces;
     pieces.reserve(loop.size());
-    for (std::size_t p = 0; p < loop.size(); ++p)
-      pieces.push_back({loop[p].arc(), held_on(scene, region, panels.sources[first + p])});
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      pieces.push_back({loop[k].arc(), held_on(p.scene, region, panels.sources[first + k])});
     const std::vector<SingularEnds> singular = singular_ends(pieces);
-    for (std::size_t p = 0; p < loop.size(); ++p)
-      if (pieces[p].held != Held::interface && !scene.region(region).has_own_mesh(panels.sources[first + p].edge))
-        loop[p].stations = refined_towards(singular[p], loop[p].stations);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      if (pieces[k].held == Held::interface) continue;
+      const bool is_chosen = described.has_own_mesh(panels.sources[first + k].edge);
+      const SingularEnds ends = is_chosen ? near_cracks(p, region, loop[k], singular[k]) : singular[k];
+      loop[k].stations = refined_towards(ends, loop[k].stations);
+    }
     first += loop.size();
   }
 }
@@ -222,6 +249,15 @@ void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int 
 
 }  // namespace
 
+std::vector<Point> panel_ends(const Preparation& preparation, int region) {
+  std::vector<Point> places;
+  const scene::Region& described = preparation.scene.region(region);
+  for (int edge = 1; edge <= described.edge_count(); ++edge)
+    for (const double fraction : all_breaks(preparation, region, edge, {}))
+      places.push_back(described.edge(edge).at(fraction));
+  return places;
+}
+
 BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
                           const std::vector<Point>& mouths) {
   BoundaryPanels result;
@@ -230,7 +266,7 @@ BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& ru
     result.loops.emplace_back();
     for (std::size_t k = 0; k < loop.size(); ++k) mesh_edge(preparation, rules, region, ++edge, mouths, result);
   }
-  if (rules.grade_corners) grade_corners(preparation.scene, region, result);
+  if (rules.grade_corners) grade_corners(preparation, region, result);
   return result;
 }
 

@@ -34,6 +34,9 @@ struct MeshingRules {
   bool grade_corners = false;
 };
 
+// Where panels end, without mouths of cracks: corners, and ends of supports, loads and interfaces.
+std::vector<Point> panel_ends(const Preparation& preparation, int region);
+
 // Panels end at `mouths`, where cracks reach the boundary.
 BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
                           const std::vector<Point>& mouths = {});

@@ -42,10 +42,12 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   middles_follow_ends_ = !rules.nodes_on_grids;
   cracks_ = cracks_of(preparation, id());
   BoundaryPanels panels = mesh_edges(preparation, rules, id(), cracks_ ? cracks_->mouths() : std::vector<Point>());
-  refine_at_cracks(preparation, id(), cracks_.get(), panels);
+  refine_at_cracks(preparation, cracks_.get(), panels);
   panels_ = std::move(panels.sources);
   mesh_ = make_mesh(panels.loops);
-  if (cracks_) cracks_->mesh(mesh_);
+  if (!cracks_) return;
+  cracks_->mesh(mesh_);
+  cracks_->require_memory(mesh_, preparation.options);
 }
 
 BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
@@ -99,6 +101,7 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(contributions.registry);
+  if (cracks_) cracks_->tell_of_gap(mesh_, contributions.warnings);
   // The operator of a region before that differs by a translation only.
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;

@@ -7,10 +7,17 @@
 #include "error.hpp"
 #include "geometry/turning.hpp"
 #include "linalg/disjoint_sets.hpp"
+#include "regions/memory_limit.hpp"
 
 namespace bempd::regions {
 
 namespace {
+
+// Of the matrices that exist at the same time while an operator with cracks is built: measured with 400 to 900 elements.
+constexpr double bytes_per_square_with_cracks = 600;
+
+// From here on preparing takes seconds. Gaps below this share of a crack's length are then the reason.
+constexpr double elements_to_tell_of = 1000, narrow_gap = 0.03;
 
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
   std::vector<CrackPath> paths;
@@ -37,11 +44,12 @@ std::array<double, 3> shape_at(const bem::CrackElement& element, double part) {
 }  // namespace
 
 RegionCracks::RegionCracks(const Preparation& p, int region)
-    : tolerance_(p.tolerance),
+    : region_(region),
+      tolerance_(p.tolerance),
       paths_(paths_in(p, region)),
       edges_(edges_of(p.scene.region(region).outline())),
       lines_(crack_lines(paths_, edges_, p.tolerance)),
-      sizes_(lines_, edges_, p.tolerance) {
+      sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region)) {
   for (const Point& mouth : mouths()) {
     for (const auto& other : p.regions)
       require(other->id() == region ||
@@ -83,6 +91,35 @@ std::vector<Point> RegionCracks::mouths() const {
 
 void RegionCracks::mesh(BoundaryMesh& boundary) {
   mesh_ = bem::mesh_cracks(lines_, sizes_.stations(), boundary, tolerance_);
+}
+
+std::string RegionCracks::gap_sentence(const bem::NarrowGap& gap) const {
+  const auto name = [&](int line) { return text("crack ", paths_[lines_.lines[line].crack].id); };
+  return text(name(gap.line), " lies ", gap.width, " from ", gap.other < 0 ? text("the boundary") : name(gap.other),
+              " at (", gap.place.x(), ", ", gap.place.y(), ")");
+}
+
+void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Options& options) const {
+  const double elements = static_cast<double>(boundary.elements.size() + mesh_.elements.size());
+  if (elements < elements_to_tell_of) return;
+  const bem::NarrowGap gap = sizes_.narrowest_gap();
+  require_memory_for(bytes_per_square_with_cracks * elements * elements,
+                     text(elements, " elements on the boundary and the cracks of region ", region_),
+                     (gap.line < 0 ? text("") : gap_sentence(gap) + ", which takes short elements: widen that gap, ") +
+                         "choose longer elements or fewer cracks",
+                     options);
+}
+
+void RegionCracks::tell_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const {
+  const double elements = static_cast<double>(boundary.elements.size() + mesh_.elements.size());
+  if (elements < elements_to_tell_of) return;
+  const bem::NarrowGap gap = sizes_.narrowest_gap();
+  if (gap.line < 0 || gap.width > narrow_gap * lines_.lines[gap.line].length()) return;
+  warnings.push_back(text("region ", region_, " has ", elements,
+                          " elements on its boundary and cracks, for which preparing takes about ",
+                          bytes_per_square_with_cracks * elements * elements / 1e9, " GB: ", gap_sentence(gap),
+                          ", and elements along a gap are at most twice as long as it is wide; widen or close the gap "
+                          "if it does not matter"));
 }
 
 bool RegionCracks::has(int crack) const {
@@ -177,14 +214,13 @@ std::unique_ptr<RegionCracks> cracks_of(const Preparation& p, int region) {
   return std::make_unique<RegionCracks>(p, region);
 }
 
-void refine_at_cracks(const Preparation& p, int region, const RegionCracks* own, BoundaryPanels& panels) {
+void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPanels& panels) {
   if (std::all_of(p.crack_regions.begin(), p.crack_regions.end(), [](int id) { return id == 0; })) return;
   std::size_t number = 0;
   for (auto& loop : panels.loops) {
     for (Panel& panel : loop) {
       const PanelSource& source = panels.sources[number++];
       if (source.border == Border::grid) continue;
-      if (source.border == Border::free && p.scene.region(region).has_own_mesh(source.edge)) continue;
       if (own) panel.stations = own->sizes().refined(panel.arc(), panel.stations);
       if (source.border != Border::elements) continue;
       if (const auto other = cracks_of(p, source.other_region))

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "bem/crack_grading.hpp"
 #include "bem/crack_tips.hpp"
 #include "regions/boundary/boundary_meshing.hpp"
@@ -25,6 +28,11 @@ class RegionCracks {
 
   const CrackLines& lines() const { return lines_; }
 
+  // Throws Error (argument) if the operator on the boundary and the cracks needs more memory than there is.
+  void require_memory(const BoundaryMesh& boundary, const scene::Options& options) const;
+  // Adds a sentence if a narrow gap makes so many elements that it takes long to prepare them.
+  void tell_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const;
+
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
   // Nothing if there are no loads; of the loads' constant part, their proportional part, or both at a load factor.
@@ -40,6 +48,9 @@ class RegionCracks {
   double fraction_at(int line, const Point& x) const;
   void require_one_piece(const Preparation& preparation, int region) const;
 
+  std::string gap_sentence(const bem::NarrowGap& gap) const;
+
+  int region_;
   double tolerance_;
   std::vector<CrackPath> paths_;
   std::vector<Edge> edges_;
@@ -51,8 +62,8 @@ class RegionCracks {
 // The cracks that a region is to have elements on; null if there are none.
 std::unique_ptr<RegionCracks> cracks_of(const Preparation& preparation, int region);
 
-// Divides elements around cracks, where the host has not chosen them; at interfaces with other boundary elements also
-// around the other side's cracks, so that both sides come to the same.
-void refine_at_cracks(const Preparation& preparation, int region, const RegionCracks* own, BoundaryPanels& panels);
+// Divides elements around cracks, also those whose length the host has chosen: that one is the longest. At interfaces
+// with other boundary elements also around the other side's cracks, so that both sides come to the same.
+void refine_at_cracks(const Preparation& preparation, const RegionCracks* own, BoundaryPanels& panels);
 
 }  // namespace bempd::regions
