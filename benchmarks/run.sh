@@ -5,8 +5,7 @@
 #   benchmarks/run.sh fracture        stress intensity factors against references, into docs/verification.md
 #   benchmarks/run.sh windows         what each number of the windows is worth, into docs/windows.md with --write
 #   benchmarks/run.sh threads         a model for each of eight threads, with many threads of the BLAS and with one
-#   benchmarks/run.sh directions      which rule makes cracks follow the stress and not the lattice, into docs/directions.md;
-#                                     --lines: the library's own lines only
+#   benchmarks/run.sh directions      cracks in lattices against boundary elements and G0, into docs/directions.md
 #   benchmarks/run.sh separation      where torn plates end, into docs/separation.md
 #   benchmarks/run.sh compression     what breaks in bodies that are pressed, by criterion, into docs/materials.md
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/materials.md
@@ -23,12 +22,12 @@ case "$name" in
   fracture) programs=() peers=(python3-dolfinx python3-gmsh) ;;
   threads) programs=() peers=() ;;
   windows) programs=() peers=() ;;
-  directions) programs=(bempd_directions) peers=() ;;
+  directions) programs=() peers=() ;;
   separation) programs=() peers=() ;;
   compression) programs=(bempd_compression) peers=() ;;
   materials) programs=() peers=() ;;
   outlines) programs=(bempd_outlines) peers=() ;;
-  *) sed -n '2,14s/^# *//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,13s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

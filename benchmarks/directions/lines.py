@@ -1,4 +1,4 @@
-"""The library's own lines (option pd.crack_rule) against boundary elements: bodies, what is measured, and the tables.
+"""Cracks in lattices, as lines and bond by bond, against boundary elements: bodies, what is measured, and the tables.
 
 Results are kept line by line in lines.txt; what is there is not run again."""
 
@@ -16,6 +16,7 @@ import bodies
 import faces
 import ligaments
 import numpy as np
+import strip
 
 SIDE = 80.0
 STEPS = 45
@@ -61,12 +62,6 @@ def reference(incline: float, start: float, side: float = SIDE) -> tuple[np.ndar
     return np.array(places), np.array(loads)
 
 
-def middles(model: bempd.Model, body: int) -> np.ndarray:
-    bonds, points = model.bonds(body), model.field(body, "position")
-    broken = bonds.points[bonds.states == bempd.BondState.BROKEN]
-    return (points[broken[:, 0]] + points[broken[:, 1]]) / 2
-
-
 def inclined(incline: float, m: int, angle: float, rule: str, start: float, finer: int = 1) -> dict[str, Any]:
     """`finer`: the same body with so many times as many points along its sides."""
     side = SIDE * finer
@@ -80,8 +75,8 @@ def inclined(incline: float, m: int, angle: float, rule: str, start: float, fine
             break
         loads.append(report.load_factor)
         if rule == "bond" and len(loads) % 50 == 0:
-            reached = middles(model, body)[:, 0].max()
-    found = middles(model, body)
+            reached = strip.middles(model, body)[:, 0].max()
+    found = strip.middles(model, body)
     off, ways = [], []
     for x in np.arange(places[0, 0] + 3, min(found[:, 0].max() - m, places[-1, 0]), 2.0):
         near = found[abs(found[:, 0] - x) < 1.5]
@@ -89,12 +84,14 @@ def inclined(incline: float, m: int, angle: float, rule: str, start: float, fine
             off.append(near[:, 1].mean() - np.interp(x, *places.T))
             ways.append(x)
     slope = np.polyfit(ways, off, 1)[0] if len(ways) > 2 else math.nan
-    result = {"first": loads[0] / known[0], "off": float(np.abs(off).max()), "degrees": math.degrees(math.atan(slope)),
+    result: dict[str, Any] = {"first": loads[0] / known[0], "off": float(np.abs(off).max()), "degrees": math.degrees(math.atan(slope)),
               "over": float(ways[-1] - ways[0])}
     if rule != "bond":
         ratios = np.array(loads[:len(known)]) / known[:len(loads)]
         energy = np.diff(model.history()["released_energy"][:len(loads)])
         result |= {"early": float(abs(ratios[1:5] - 1).max()), "steady": float(abs(ratios[5:] - 1).max()), "energy": float(energy[4:].mean())}
+    if m == 3 and angle == strip.DRAWN_ANGLE and finer == 1:
+        result |= {"path": found.round(2).tolist(), "reference": places.round(2).tolist()}
     return result
 
 
@@ -118,12 +115,12 @@ def begun(m: int, angle: float, hole: bool) -> dict[str, Any]:
     """Where a crack begins without one, its direction, and whether the body ends in two pieces."""
     model, body = bar(m, angle, hole)
     first = model.step_to_next_event(1e6)
-    start = middles(model, body)
+    start = strip.middles(model, body)
     for _ in range(400):
         last = model.step_to_next_event(1e6)
         if last.stop_reason != bempd.StopReason.EVENT:
             break
-    found = middles(model, body)
+    found = strip.middles(model, body)
     if hole:
         upper = found[(found[:, 1] > 9) & (found[:, 1] < 23)]
         lower = found[(found[:, 1] < -9) & (found[:, 1] > -23)]
@@ -150,6 +147,7 @@ def jobs() -> list[list]:
         for angle in (0.0, 15.0, 30.0) if few else (0.0, 7.5, 15.0, 22.5, 30.0, 45.0):
             for start in (0.513,) if few else (0.513, 0.237):
                 found.append(["inclined", 0.0, m, angle, "line", start])
+    found += [["inclined", incline, 3, strip.DRAWN_ANGLE, "bond", 0.0] for incline in (15.0, 30.0, 45.0)] + strip.jobs()
     # The same plate with its tip at two and three times as many spacings from the edge. With m = 3 and the lattice turned no network
     # of bonds is found if the crack's mouth is in the middle of the edge.
     for finer in (2, 3):
@@ -178,7 +176,7 @@ def jobs() -> list[list]:
 def one(job: list) -> tuple[list, dict[str, Any]]:
     try:
         return job, {"inclined": inclined, "begun": begun, "body": known_body, "face": faces.compared,
-                     "ligament": ligaments.compared, "tip": ligaments.tip_at}[job[0]](*job[1:])
+                     "ligament": ligaments.compared, "tip": ligaments.tip_at, "strip": strip.torn}[job[0]](*job[1:])
     except bempd.Error as failed:
         return job, {"failed": str(failed)}
 
@@ -203,7 +201,7 @@ def finer_rows(found: dict[tuple, dict[str, Any]]) -> list[str]:
     for finer in (1, 2, 3):
         for job, r in sorted((item for item in found.items() if item[0][:2] == ("inclined", 75) and (*item[0], 1)[6] == finer),
                              key=lambda item: item[0][2:4]):
-            if job[2] <= 4:
+            if job[2] <= 4 and job[4] != "bond":
                 rows.append(f"| {SIDE / 5 * finer * math.cos(math.radians(75)):.0f} | {job[3]:g} | {job[2]} | {r['first']:.2f} |"
                             f" {100 * r['early']:.0f} % | {100 * r['steady']:.0f} % | {r['off']:.1f} |")
     return rows
@@ -214,13 +212,16 @@ def face_rows(found: dict[tuple, dict[str, Any]]) -> list[str]:
     return rows + [faces.row(*job[1:], result) for job, result in found.items() if job[0] == "face"]
 
 
-def tables(out: pathlib.Path) -> dict[str, list[str]]:
+def results(out: pathlib.Path) -> dict[tuple, dict[str, Any]]:
     rows = [json.loads(line) for line in (out / "lines.txt").read_text("ascii").splitlines()]
-    found = {tuple(job): result for job, result in rows if "failed" not in result}
+    return {tuple(job): result for job, result in rows if "failed" not in result}
+
+
+def tables(found: dict[tuple, dict[str, Any]]) -> dict[str, list[str]]:
     straight = ["| m | runs | direction, mean error [deg] | worst | first load over boundary elements' | loads from 5 spacings on, worst | energy per length / G0 |",
                 "|---|---|---|---|---|---|---|"]
     for m in HORIZONS:
-        some = [r for job, r in found.items() if job[0] == "inclined" and job[1] == 0 and job[2] == m]
+        some = [r for job, r in found.items() if job[0] == "inclined" and job[1] == 0 and job[2] == m and job[4] != "bond"]
         if some:
             errors = [abs(r["degrees"]) for r in some]
             straight.append(f"| {m} | {len(some)} | {np.mean(errors):.1f} | {max(errors):.1f} | {spread([r['first'] for r in some])} |"
@@ -228,7 +229,7 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
     inclines = ["| incline | lattice | m | first load | loads after 1 to 4 spacings, worst | after 5 and more | distance | direction off by [deg] | energy per length / G0 |",
                 "|---|---|---|---|---|---|---|---|---|"]
     for job, r in sorted((item for item in found.items() if item[0][0] == "inclined"), key=lambda item: item[0][1:4]):
-        if job[1] > 0 and len(job) == 6:
+        if job[1] > 0 and len(job) == 6 and job[4] != "bond":
             inclines.append(f"| {job[1]:g} | {job[3]:g} | {job[2]} | {r['first']:.2f} | {100 * r['early']:.0f} % | {100 * r['steady']:.0f} % |"
                             f" {r['off']:.1f} | {abs(r['degrees']):.1f} | {r['energy']:.2f} |")
     births = ["| strip without a crack | lattice | m | first load factor | begins at (x, y) | its way off by [deg] | in two pieces |",
@@ -243,4 +244,4 @@ def tables(out: pathlib.Path) -> dict[str, list[str]]:
             known.append(f"| {job[1]} | {job[2]} | {job[3]} | {r['compared']} | {r['spacings']:.1f} | {r['end'][0]:.2f}, {r['end'][1]:.2f} |")
     return {"lines-straight": straight, "lines-inclined": inclines, "lines-finer": finer_rows(found), "lines-faces": face_rows(found),
             "lines-ligaments": ligaments.rows(found), "lines-tips": ligaments.tip_rows(found),
-            "lines-begun": births, "lines-bodies": known}
+            "lines-begun": births, "lines-bodies": known, "running": strip.rows(found)}
