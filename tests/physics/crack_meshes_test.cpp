@@ -62,8 +62,10 @@ double beside_corner(double element_length) {
 }
 
 TEST(CrackMeshes, a_tip_beside_a_corner_whose_elements_are_chosen) {
-  const double reference = beside_corner(0.05), chosen = beside_corner(2);
-  EXPECT_LE(std::abs(report("K_I beside a corner", chosen, reference, "elements of 0.05")), 1e-3 * reference);
+  const double reference = beside_corner(0);
+  for (const double chosen : {2.0, 0.5, 0.05})
+    EXPECT_LE(std::abs(report("K_I beside a corner", beside_corner(chosen), reference, "elements graded by themselves")),
+              2e-4 * reference);
 }
 
 class Listening : public Model {
@@ -88,9 +90,9 @@ void two_cracks(Model& model, double gap) {
 
 TEST(CrackMeshes, a_gap_that_takes_many_elements_is_told) {
   Listening model;
-  two_cracks(model, 0.012);
+  two_cracks(model, 0.02);
   model.step(1);
-  EXPECT_NE(model.heard.find("crack 1 lies 0.012 from crack 2"), std::string::npos) << model.heard;
+  EXPECT_NE(model.heard.find("crack 1 lies 0.02 from crack 2"), std::string::npos) << model.heard;
 }
 
 TEST(CrackMeshes, a_gap_that_takes_more_memory_than_there_is_is_refused) {
@@ -100,7 +102,7 @@ TEST(CrackMeshes, a_gap_that_takes_more_memory_than_there_is_is_refused) {
   EXPECT_EQ(bempd_prepare(limited.get()), BEMPD_ERROR_ARGUMENT);
   EXPECT_NE(std::string(bempd_last_error(limited.get())).find("crack 1 lies 0.001 from crack 2"), std::string::npos)
       << bempd_last_error(limited.get());
-  for (const double gap : {1e-6, 1e-8}) {
+  for (const double gap : {1e-5, 1e-6}) {
     Model model;
     two_cracks(model, gap);
     EXPECT_EQ(bempd_prepare(model.get()), BEMPD_ERROR_ARGUMENT) << gap;

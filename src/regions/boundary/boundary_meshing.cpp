@@ -132,7 +132,7 @@ Held held_on(const Scene& scene, int region, const PanelSource& source) {
 }
 
 // Of the lengths of an edge's last element: as close to a singular place its error reaches the intensities of a crack.
-constexpr double reach_of_corners = 2;
+constexpr double reach_of_corners = 8;
 
 bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
   for (std::size_t c = 0; c < p.crack_regions.size(); ++c) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double bytes_per_square_with_cracks = 600;
 
 // From here on preparing takes seconds. Gaps below this share of a crack's length are then the reason.
-constexpr double elements_to_tell_of = 1000, narrow_gap = 0.03;
+constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
 
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
   std::vector<CrackPath> paths;
