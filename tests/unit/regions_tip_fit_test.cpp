@@ -1,0 +1,189 @@
+// Stress intensity factors that are fitted ahead of a tip in a lattice, in fields that are known: every material point
+// has the displacement of a term of Williams' series about the tip. The other terms must not be taken for K.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <memory>
+#include <numbers>
+
+#include "coupling/equilibrium_system.hpp"
+#include "elasticity/crack_tip_field.hpp"
+#include "elasticity/griffith.hpp"
+#include "fracture/line/line_way.hpp"
+#include "fracture/line/tip_stress.hpp"
+#include "geometry/turning.hpp"
+#include "regions/discretization.hpp"
+#include "regions/initial_cracks.hpp"
+#include "regions/outlined/outlined_description.hpp"
+
+namespace regions_tip_fit_test {
+namespace {
+
+using namespace bempd;
+using fracture::AffineIntensity;
+
+// A lattice of spacing 1 with cracks; the field lies about the end of the first one.
+struct Lattice {
+  Lattice(const std::vector<Point>& outline, const std::vector<std::vector<Point>>& cracks, int horizon_ratio,
+          double turned = 0) {
+    scene::Material material;
+    material.elasticity = elasticity;
+    material.fracture_energy = 1;
+    const int id = scene.add_material(material);
+    options.set("pd.lattice_angle", turned);
+    regions::add_peridynamic_region(scene, id, outline, 1, horizon_ratio, {false, turned});
+    for (const std::vector<Point>& points : cracks) scene.add_crack(points);
+    d = regions::discretize(scene, options);
+    const regions::LatticeCracks parted = regions::cracks_in_lattices(scene, d, options);
+    const std::vector<int> cut = regions::bonds_cut_by_cracks(parted.cracks, d, d.warnings);
+    system = std::make_unique<coupling::EquilibriumSystem>(
+        static_cast<int>(d.positions.size()), std::vector<coupling::DenseOperator>(), std::move(d.bonds),
+        std::vector<char>(2 * d.positions.size(), 0));
+    system->mark_broken(cut);
+    const std::vector<Point>& first = parted.cracks.front().points;
+    tip.place = first.back();
+    tip.direction = (first.back() - first[first.size() - 2]).normalized();
+    law = {1, static_cast<double>(horizon_ratio), elasticity.thickness, plane_modulus(elasticity), 1, 1};
+    stress = std::make_unique<fracture::TipStress>(*system, d.positions);
+    way = std::make_unique<fracture::LineWay>(*system, d.positions, *stress);
+  }
+
+  // What is fitted in the field of z^power with the complex factor of its potential.
+  Point factors(double power, std::complex<double> factor) const {
+    const CrackTipField field(elasticity, power, factor);
+    coupling::Affine displacement = coupling::Affine::Zero(2 * static_cast<Eigen::Index>(d.positions.size()), 2);
+    for (std::size_t n = 0; n < d.positions.size(); ++n) {
+      const Point step = d.positions[n] - tip.place;
+      const TipPolar polar{step.norm(), std::atan2(cross(tip.direction, step), tip.direction.dot(step))};
+      const Point own = field.displacement(polar);
+      const Point moved = own.x() * tip.direction + own.y() * left_of(tip.direction);
+      displacement.block<2, 1>(2 * static_cast<Eigen::Index>(n), 1) = moved;
+    }
+    const AffineIntensity found = stress->at(tip, law, displacement, Eigen::RowVector2d::Zero());
+    return {found.one[1], found.two[1]};
+  }
+
+  PlaneElasticity elasticity{2, 1.0 / 3, PlaneState::stress, 1};  // that of bonds alone
+  scene::Scene scene;
+  scene::Options options;
+  regions::Discretization d;
+  std::unique_ptr<coupling::EquilibriumSystem> system;
+  std::unique_ptr<fracture::TipStress> stress;
+  std::unique_ptr<fracture::LineWay> way;
+  fracture::GrowingTip tip;
+  pd::TipLaw law;
+};
+
+// Largest error of K = 1 in either mode, and K in the terms without a singularity, each as large as K a horizon away.
+struct Errors {
+  double singular = 0, regular = 0;
+};
+
+Errors errors_of(const Lattice& lattice) {
+  const double root = std::sqrt(2 * std::numbers::pi);
+  Errors errors;
+  for (const auto& [mode, known] : {std::pair(std::complex<double>(1, 0), Point(1, 0)), {{0, -1}, {0, 1}}}) {
+    errors.singular = std::max(errors.singular, (lattice.factors(0.5, mode / root) - known).norm());
+    for (const double power : {1.0, 1.5, 2.0, 2.5}) {
+      const double same = std::pow(lattice.law.horizon, 0.5 - power) * 0.5 / power;
+      errors.regular = std::max(errors.regular, lattice.factors(power, same * mode / root).norm());
+    }
+  }
+  return errors;
+}
+
+std::vector<Point> square(double half) { return {{-half, -half}, {half, -half}, {half, half}, {-half, half}}; }
+
+std::vector<Point> from_left(double half, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  const Point along(std::cos(angle), std::sin(angle)), tip(0.46, 0.48);
+  return {tip - (half + tip.x()) / std::cos(angle) * along, tip};
+}
+
+TEST(TipFit, knows_all_its_terms_inside_a_lattice) {
+  for (const int m : {3, 4, 5})
+    for (const double degrees : {0.0, 17.0, 31.0, 40.0}) {
+      const Lattice lattice(square(4.0 * m + 2), {from_left(4.0 * m + 2, degrees)}, m);
+      const Errors errors = errors_of(lattice);
+      std::printf("m %d, crack at %g degrees: K %.4f, other terms %.4f\n", m, degrees, errors.singular, errors.regular);
+      EXPECT_LE(errors.singular, 0.03) << m << ", " << degrees;
+      EXPECT_LE(errors.regular, 0.03) << m << ", " << degrees;
+    }
+}
+
+TEST(TipFit, knows_all_its_terms_in_turned_lattices) {
+  for (const int m : {3, 4})
+    for (const double degrees : {10.0, 22.5, 45.0}) {
+      const Lattice lattice(square(4.0 * m + 2), {from_left(4.0 * m + 2, 0)}, m, degrees * std::numbers::pi / 180);
+      const Errors errors = errors_of(lattice);
+      std::printf("m %d, lattice at %g degrees: K %.4f, other terms %.4f\n", m, degrees, errors.singular,
+                  errors.regular);
+      EXPECT_LE(errors.singular, 0.03) << m << ", " << degrees;
+      EXPECT_LE(errors.regular, 0.03) << m << ", " << degrees;
+    }
+}
+
+// The tip one to three horizons before an edge, and along one. The fields do not leave the edge free, so that points on
+// it, where bonds are those of a free edge, have another stress.
+TEST(TipFit, knows_all_its_terms_beside_an_edge) {
+  constexpr int m = 4;
+  for (const double horizons : {1.0, 1.5, 2.0, 3.0})
+    for (const bool ahead : {true, false}) {
+      const double near = std::round(horizons * m) + 1, far = 4.0 * m + 2;
+      const std::vector<Point> outline =
+          ahead ? std::vector<Point>{{-far, -far}, {near, -far}, {near, far}, {-far, far}}
+                : std::vector<Point>{{-far, -far}, {far, -far}, {far, near}, {-far, near}};
+      const Errors errors = errors_of(Lattice(outline, {from_left(far, 0)}, m));
+      std::printf("%g horizons %s an edge: K %.4f, other terms %.4f\n", horizons, ahead ? "before" : "beside",
+                  errors.singular, errors.regular);
+      EXPECT_LE(errors.singular, horizons < 2 ? 0.09 : 0.04) << horizons << ahead;
+      EXPECT_LE(errors.regular, horizons < 1.5 ? 0.25 : horizons < 2 ? 0.1 : 0.03) << horizons << ahead;
+    }
+}
+
+// The face of another crack, behind which no point is asked: of few points only the first terms are fitted.
+TEST(TipFit, before_a_face_counts_what_it_sees) {
+  constexpr int m = 4;
+  for (const double horizons : {1.0, 2.0, 3.5}) {
+    const double far = 4.0 * m + 2, x = std::round(horizons * m) + 0.5;
+    const Lattice lattice(square(far), {from_left(far, 0), {{x, -far}, {x, far}}}, m);
+    const double root = std::sqrt(2 * std::numbers::pi);
+    const Point one = lattice.factors(0.5, {1 / root, 0}), two = lattice.factors(0.5, {0, -1 / root});
+    std::printf("%g horizons before a face: K_I %.4f, K_II %.4f\n", horizons, one.x(), two.y());
+    EXPECT_NEAR(one.x(), 1, horizons < 2 ? 0.25 : 0.04) << horizons;
+    EXPECT_NEAR(two.y(), 1, horizons < 2 ? 0.25 : 0.04) << horizons;
+  }
+}
+
+TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
+  constexpr int m = 3;
+  const double far = 14;
+  const auto next = [&](double edge, double face) {
+    std::vector<std::vector<Point>> cracks{from_left(far, 0)};
+    if (face > 0) cracks.push_back({{face, -far}, {face, far}});
+    const std::vector<Point> outline{{-far, -far}, {edge, -far}, {edge, far}, {-far, far}};
+    const Lattice lattice(outline, cracks, m);
+    return lattice.way->next(lattice.tip.place, lattice.tip.direction, lattice.law);
+  };
+  const fracture::LineWay::Step inside = next(far, 0);
+  EXPECT_EQ(inside.length, 1);
+  EXPECT_FALSE(inside.arrives);
+  // Of the bonds (i, j) shorter than the horizon |j| each cross a spacing of the way.
+  int crossing = 0;
+  for (int i = -m; i <= m; ++i)
+    for (int j = 1; j <= m; ++j) crossing += i * i + j * j < m * m ? j : 0;
+  EXPECT_EQ(static_cast<int>(inside.bonds.size()), crossing);
+  // A ligament of a horizon and a spacing before a free edge is torn at one step; a longer one is not.
+  const fracture::LineWay::Step last = next(m + 1, 0), before = next(m + 3, 0);
+  EXPECT_TRUE(last.arrives);
+  EXPECT_NEAR(last.length, m + 0.5, 1);
+  EXPECT_FALSE(before.arrives);
+  EXPECT_EQ(before.length, 1);
+  // At the face of a crack a spacing ahead it arrives.
+  const fracture::LineWay::Step at_face = next(far, 1.5);
+  EXPECT_TRUE(at_face.arrives);
+  EXPECT_LE(at_face.length, 1.5);
+}
+
+}  // namespace
+}  // namespace regions_tip_fit_test
