@@ -69,8 +69,10 @@ void halve(double from, double to, double length, const Limit& limit, int depth,
     halve(middle, to, 0.5 * length, limit, depth + 1, ends);
     return;
   }
-  require(ends.size() < most_elements, "a crack comes so close to another one or to the boundary that they would need "
-          "more than ", most_elements, " elements: widen the gap between them, or close it");
+  require(ends.size() < most_elements,
+          "a crack comes so close to another one or to the boundary that they would need "
+          "more than ",
+          most_elements, " elements: widen the gap between them, or close it");
   ends.push_back(to);
 }
 
@@ -156,15 +158,14 @@ std::vector<CrackSizes::Neighbour> CrackSizes::neighbours(int l, double way, con
   };
   std::vector<Neighbour> found;
   for (const Edge& edge : boundary_) {
-    const double apart = way_to_joint(
-        [&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
+    const double apart =
+        way_to_joint([&](int joint) { return bempd::distance(edge, cracks_.joints[joint].place) <= 8 * tolerance_; });
     found.push_back({bempd::distance(edge, x), apart, -1});
   }
   for (int other = 0; other < static_cast<int>(cracks_.lines.size()); ++other) {
     if (other == l) continue;
     const CrackLine& them = cracks_.lines[other];
-    const double apart =
-        way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; });
+    const double apart = way_to_joint([&](int joint) { return them.joints[0] == joint || them.joints[1] == joint; });
     found.push_back({distance(them, x), apart, other});
   }
   for (std::size_t i = 0; i + 1 < ways.size(); ++i)
@@ -254,8 +255,8 @@ std::vector<double> CrackSizes::refined(const Arc& piece, const std::vector<doub
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
     const double length = (stations[i + 1] - stations[i]) * piece.length();
     halve(
-        stations[i], stations[i + 1], length,
-        [&](double fraction) { return on_boundary(piece.at(fraction), length); }, 0, result);
+        stations[i], stations[i + 1], length, [&](double fraction) { return on_boundary(piece.at(fraction), length); },
+        0, result);
   }
   return result;
 }

@@ -29,7 +29,8 @@ TEST(CrackGaps, two_parallel_cracks_release_what_one_does) {
   const double one = released(CrackedBody({plate(5, 5, 0.5)}, {{{-1, 0}, {1, 0}}}, unit, 0.5), 1);
   double before = 1;
   for (const double gap : {0.1, 0.02, 0.01, 0.004}) {
-    const CrackedBody body({plate(5, 5, 0.5)}, {{{-1, -gap / 2}, {1, -gap / 2}}, {{-1, gap / 2}, {1, gap / 2}}}, unit, 0.5);
+    const CrackedBody body({plate(5, 5, 0.5)}, {{{-1, -gap / 2}, {1, -gap / 2}}, {{-1, gap / 2}, {1, gap / 2}}}, unit,
+                           0.5);
     const double more = released(body, 2) / one - 1;
     std::printf("gap %g: %zu elements, released over that of one crack - 1: %.6f\n", gap, elements(body), more);
     EXPECT_GT(more, 0);
@@ -62,7 +63,8 @@ TEST(CrackGaps, a_strip_along_an_edge_bends_as_it_must) {
 // Cracks that overlap by half, against elements of half the length.
 TEST(CrackGaps, long_elements_in_a_gap_change_no_intensity) {
   for (const double gap : {0.05, 0.02}) {
-    const std::vector<std::vector<Point>> cracks{{{-1.5, -gap / 2}, {0.5, -gap / 2}}, {{-0.5, gap / 2}, {1.5, gap / 2}}};
+    const std::vector<std::vector<Point>> cracks{{{-1.5, -gap / 2}, {0.5, -gap / 2}},
+                                                 {{-0.5, gap / 2}, {1.5, gap / 2}}};
     const CrackedBody body({plate(5, 5, 0.5)}, cracks, unit, 0.5);
     const CrackedBody finer({plate(5, 5, 0.25)}, cracks, unit, 0.25, {64, 4});
     const auto tips = body.tips(body.solve(uniform_tension)), fine = finer.tips(finer.solve(uniform_tension));

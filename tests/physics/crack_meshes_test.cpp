@@ -49,8 +49,7 @@ TEST(CrackMeshes, short_cracks_from_an_edge_whose_elements_are_chosen) {
 // A crack that ends near a re-entrant corner between edges with elements as long as they are.
 double beside_corner(double element_length) {
   Model model;
-  const int32_t plate =
-      model.bem(model.add(material(1, 0.3)), {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 0.25);
+  const int32_t plate = model.bem(model.add(material(1, 0.3)), {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 0.25);
   if (element_length > 0)
     for (const int32_t edge : {3, 4}) model.mesh(plate, edge, element_length, 1);
   model.crack({{1.0, 1.9}, {1.9, 1.9}});
@@ -64,8 +63,9 @@ double beside_corner(double element_length) {
 TEST(CrackMeshes, a_tip_beside_a_corner_whose_elements_are_chosen) {
   const double reference = beside_corner(0);
   for (const double chosen : {2.0, 0.5, 0.05})
-    EXPECT_LE(std::abs(report("K_I beside a corner", beside_corner(chosen), reference, "elements graded by themselves")),
-              2e-4 * reference);
+    EXPECT_LE(
+        std::abs(report("K_I beside a corner", beside_corner(chosen), reference, "elements graded by themselves")),
+        2e-4 * reference);
 }
 
 class Listening : public Model {

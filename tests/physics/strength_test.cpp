@@ -1,6 +1,7 @@
-// Strength of a plate without a crack, pulled along x: a bond along x breaks when the strain is the critical stretch, so
-// the strength is E' s_c = sqrt(64 pi / 105) sqrt(E' G0 / horizon), with s_c from the energy of the bonds across a plane
-// (S. A. Silling, E. Askari, Comput. Struct. 83, 2005) and E' = E in plane stress, E / (1 - nu^2) in plane strain.
+// Strength of a plate without a crack, pulled along x: a bond along x breaks when the strain is the critical stretch,
+// so the strength is E' s_c = sqrt(64 pi / 105) sqrt(E' G0 / horizon), with s_c from the energy of the bonds across a
+// plane (S. A. Silling, E. Askari, Comput. Struct. 83, 2005) and E' = E in plane stress, E / (1 - nu^2) in plane
+// strain.
 #include <gtest/gtest.h>
 
 #include <claims.hpp>

@@ -36,9 +36,9 @@ struct Lattice {
     d = regions::discretize(scene, options);
     const regions::LatticeCracks parted = regions::cracks_in_lattices(scene, d, options);
     const std::vector<int> cut = regions::bonds_cut_by_cracks(parted.cracks, d, d.warnings);
-    system = std::make_unique<coupling::EquilibriumSystem>(
-        static_cast<int>(d.positions.size()), std::vector<coupling::DenseOperator>(), std::move(d.bonds),
-        std::vector<char>(2 * d.positions.size(), 0));
+    system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()),
+                                                           std::vector<coupling::DenseOperator>(), std::move(d.bonds),
+                                                           std::vector<char>(2 * d.positions.size(), 0));
     system->mark_broken(cut);
     const std::vector<Point>& first = parted.cracks.front().points;
     tip.place = first.back();
@@ -130,9 +130,9 @@ TEST(TipFit, knows_all_its_terms_beside_an_edge) {
   for (const double horizons : {1.0, 1.5, 2.0, 3.0})
     for (const bool ahead : {true, false}) {
       const double near = std::round(horizons * m) + 1, far = 4.0 * m + 2;
-      const std::vector<Point> outline =
-          ahead ? std::vector<Point>{{-far, -far}, {near, -far}, {near, far}, {-far, far}}
-                : std::vector<Point>{{-far, -far}, {far, -far}, {far, near}, {-far, near}};
+      const std::vector<Point> outline = ahead
+                                             ? std::vector<Point>{{-far, -far}, {near, -far}, {near, far}, {-far, far}}
+                                             : std::vector<Point>{{-far, -far}, {far, -far}, {far, near}, {-far, near}};
       const Errors errors = errors_of(Lattice(outline, {from_left(far, 0)}, m));
       std::printf("%g horizons %s an edge: K %.4f, other terms %.4f\n", horizons, ahead ? "before" : "beside",
                   errors.singular, errors.regular);

@@ -13,7 +13,8 @@ const scene::OptionGroup boundary_group(scene::OptionPlace::boundaries, [] {
       scene::shaping(scene::text_option(
           "bem.grading",
           "Boundary elements of scheme symmetric near places where stress is singular: auto, smaller and smaller "
-          "towards re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(); none.",
+          "towards re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(), on others near "
+          "cracks; none.",
           "auto | none", "auto")),
       scene::shaping(scene::text_option(
           "bem.contact",

@@ -13,7 +13,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Of the matrices that exist at the same time while an operator with cracks is built: measured with 400 to 900 elements.
+// Of the matrices that exist at the same time while an operator with cracks is built: measured with 400 to 900
+// elements.
 constexpr double bytes_per_square_with_cracks = 600;
 
 // From here on preparing takes seconds. Gaps below this share of a crack's length are then the reason.
