@@ -716,7 +716,11 @@ typedef enum bempd_stop_reason {
    * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
   BEMPD_STOP_NO_EQUILIBRIUM = 6,
   /** bempd_request_stop() asked for the end of the step, which keeps the events before. @since 0.3 */
-  BEMPD_STOP_REQUESTED = 7
+  BEMPD_STOP_REQUESTED = 7,
+  /** A crack has reached a place from which it cannot go on: the interface of its region with another material, or the
+   * border of its region where the crack cannot cross it. The step ends there and keeps what happened; the next one
+   * goes on without that tip. @since 0.3 */
+  BEMPD_STOP_CRACK_STOPPED = 8
 } bempd_stop_reason;
 
 /** @brief What a step did. Fill it with bempd_step_report_init().
@@ -727,7 +731,8 @@ typedef struct bempd_step_report {
   int64_t struct_size;         /**< sizeof(bempd_step_report), set by bempd_step_report_init() */
   int32_t stop_reason;         /**< a bempd_stop_reason */
   int32_t separated;           /**< 1 once the load path is cut (BEMPD_STOP_SEPARATED) */
-  int64_t events;              /**< events in this step: batches of bonds broken at one load factor */
+  int64_t events;              /**< events in this step: batches of bonds broken at one load factor, or growth of cracks
+                                  in BEM regions */
   int64_t broken_bonds;        /**< bonds broken in this step */
   int64_t total_events;        /**< events since the beginning */
   int64_t total_broken_bonds;  /**< bonds broken since the beginning, without those cut by initial cracks */
@@ -750,7 +755,8 @@ typedef struct bempd_step_report {
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
   /* Since 0.3. */
   double bond_energy;     /**< of the energy released since the beginning, what bonds take where they just reach their
-                             critical stretch; the rest would have become motion [J] */
+                             critical stretch, and the fracture energy of what cracks in BEM regions have grown by; the
+                             rest would have become motion [J] */
   int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
                              stretched beyond what they bear; 0 if each event was in equilibrium */
   double resistance;      /**< force that the body bore after the last event: half of the sum of the magnitudes of all
@@ -787,6 +793,11 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  * at the same load factor, until nothing exceeds what it bears. With the option stepping.mode = "paper" the load factor
  * goes in fixed increments instead (option stepping.increment), and at the end of each every bond that exceeds its
  * critical stretch breaks.
+ *
+ * Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that reaches its toughness
+ * first, there or in a lattice, goes on by a straight piece. The library chooses its length from the length of the crack
+ * and the way to what is near, or the option growth.step says it. bempd_set_tip_frozen() keeps a tip where it is. With
+ * stepping.mode = "paper" these cracks stay as they are.
  *
  * Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that the
  * body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the load factor
@@ -1307,7 +1318,7 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
  * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
  * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
  * shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
- * @param[in] model a model without peridynamic regions @param[in] length how far tips grow [m], > 0
+ * @param[in] model the model @param[in] length how far tips grow [m], > 0
  * @param[in,out] growth struct_size in, the rest out; may be NULL
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two is
  * an argument error and stays as it was @since 0.3 */
@@ -1318,7 +1329,7 @@ BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bemp
  * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
 
-/** @brief What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init(). @since 0.3 */
+/** @brief What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init(). @since 0.3 */
 typedef struct bempd_crack_extension {
   int64_t struct_size;               /**< sizeof(bempd_crack_extension), set by bempd_crack_extension_init() */
   int64_t event;                     /**< event of the history that it was part of */

@@ -103,6 +103,12 @@ module bempd_c
   !>
   !> since: 0.3
   integer(c_int), parameter :: BEMPD_STOP_REQUESTED = 7
+  !> A crack has reached a place from which it cannot go on: the interface of its region with another material, or the
+  !> border of its region where the crack cannot cross it. The step ends there and keeps what happened; the next one
+  !> goes on without that tip.
+  !>
+  !> since: 0.3
+  integer(c_int), parameter :: BEMPD_STOP_CRACK_STOPPED = 8
 
   !> How far bempd_step_to_values() goes.
   !>
@@ -284,7 +290,7 @@ module bempd_c
     integer(c_int32_t) :: stop_reason
     !> 1 once the load path is cut (BEMPD_STOP_SEPARATED)
     integer(c_int32_t) :: separated
-    !> events in this step: batches of bonds broken at one load factor
+    !> events in this step: batches of bonds broken at one load factor, or growth of cracks in BEM regions
     integer(c_int64_t) :: events
     !> bonds broken in this step
     integer(c_int64_t) :: broken_bonds
@@ -318,8 +324,8 @@ module bempd_c
     real(c_double) :: seconds_update
     !> of it: stretches, choice of bonds, connectivity [s]
     real(c_double) :: seconds_search
-    !> of the energy released since the beginning, what bonds take where they just reach their critical stretch; the
-    !> rest would have become motion [J]
+    !> of the energy released since the beginning, what bonds take where they just reach their critical stretch, and the
+    !> fracture energy of what cracks in BEM regions have grown by; the rest would have become motion [J]
     real(c_double) :: bond_energy
     !> number of the first event of this step at which equilibrium was lost: bonds were stretched beyond what they bear;
     !> 0 if each event was in equilibrium
@@ -497,7 +503,8 @@ module bempd_c
     real(c_double) :: released_energy
   end type bempd_growth
 
-  !> What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+  !> What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
+  !> bempd_crack_extension_init().
   !>
   !> since: 0.3
   type, bind(c) :: bempd_crack_extension
@@ -1978,6 +1985,11 @@ module bempd_c
     !> "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end of each
     !> every bond that exceeds its critical stretch breaks.
     !>
+    !> Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that reaches its
+    !> toughness first, there or in a lattice, goes on by a straight piece. The library chooses its length from the
+    !> length of the crack and the way to what is near, or the option growth.step says it. bempd_set_tip_frozen() keeps
+    !> a tip where it is. With stepping.mode = "paper" these cracks stay as they are.
+    !>
     !> Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that
     !> the body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the
     !> load factor falls there instead: each event lies where the tip just reaches its toughness, or the most stretched
@@ -2785,7 +2797,7 @@ module bempd_c
     !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
     !> shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
     !>
-    !> model [in]: a model without peridynamic regions
+    !> model [in]: the model
     !> length [in]: how far tips grow [m], > 0
     !> growth [in,out]: struct_size in, the rest out; may be NULL
     !> return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two

@@ -115,12 +115,12 @@ bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crac
     int32_t so_far = 0;
     for (const fracture::CrackExtension& other : all.first(static_cast<std::size_t>(index) + 1))
       so_far += other.crack == e.crack && other.end == e.end;
-    write_struct(
-        extension,
-        bempd_crack_extension{sizeof(bempd_crack_extension), e.event, e.crack,
-                              e.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, e.ended, so_far, e.x, e.y, e.angle,
-                              e.length, e.crack_length, e.load_factor, e.rate_before, e.rate_after, e.released_energy},
-        "extension");
+    write_struct(extension,
+                 bempd_crack_extension{sizeof(bempd_crack_extension), e.event, e.crack,
+                                       e.end == 0 ? BEMPD_CRACK_START : BEMPD_CRACK_END, e.has_ended(), so_far, e.x,
+                                       e.y, e.angle, e.length, e.crack_length, e.load_factor, e.rate_before,
+                                       e.rate_after, e.released_energy},
+                 "extension");
   });
 }
 

@@ -7,31 +7,32 @@ using namespace bempd::capi;
 
 namespace {
 
-bempd_step_report report_of(const model::StepResult& result, const fracture::EvolutionState& state) {
-  bempd_step_report r{};
-  switch (result.reason) {
-    case fracture::StopReason::load_factor:
-      r.stop_reason = BEMPD_STOP_LOAD_FACTOR;
-      break;
+bempd_stop_reason stop_reason(fracture::StopReason reason) {
+  switch (reason) {
     case fracture::StopReason::event:
-      r.stop_reason = BEMPD_STOP_EVENT;
-      break;
+      return BEMPD_STOP_EVENT;
     case fracture::StopReason::separated:
-      r.stop_reason = BEMPD_STOP_SEPARATED;
-      break;
+      return BEMPD_STOP_SEPARATED;
     case fracture::StopReason::no_further_event:
-      r.stop_reason = BEMPD_STOP_NO_FURTHER_EVENT;
-      break;
+      return BEMPD_STOP_NO_FURTHER_EVENT;
     case fracture::StopReason::no_admissible_load:
-      r.stop_reason = BEMPD_STOP_NO_ADMISSIBLE_LOAD;
-      break;
+      return BEMPD_STOP_NO_ADMISSIBLE_LOAD;
     case fracture::StopReason::no_equilibrium:
-      r.stop_reason = BEMPD_STOP_NO_EQUILIBRIUM;
-      break;
+      return BEMPD_STOP_NO_EQUILIBRIUM;
     case fracture::StopReason::requested:
-      r.stop_reason = BEMPD_STOP_REQUESTED;
+      return BEMPD_STOP_REQUESTED;
+    case fracture::StopReason::crack_stopped:
+      return BEMPD_STOP_CRACK_STOPPED;
+    case fracture::StopReason::load_factor:
+    case fracture::StopReason::growth:  // no step ends so
       break;
   }
+  return BEMPD_STOP_LOAD_FACTOR;
+}
+
+bempd_step_report report_of(const model::StepResult& result, const fracture::EvolutionState& state) {
+  bempd_step_report r{};
+  r.stop_reason = stop_reason(result.reason);
   r.separated = state.separated ? 1 : 0;
   r.events = result.events;
   r.broken_bonds = result.broken_bonds;

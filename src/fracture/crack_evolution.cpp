@@ -7,6 +7,7 @@
 
 #include "error.hpp"
 #include "fracture/balance.hpp"
+#include "fracture/other_tips.hpp"
 #include "fracture/resistance.hpp"
 #include "number_range.hpp"
 
@@ -36,6 +37,12 @@ class Turns {
   bool down_ = false;
   int turns_ = 0, events_ = 0;
 };
+
+void require_fewer_events(std::int64_t events, std::int64_t most) {
+  if (events < most) return;
+  fail(Failure::convergence, most,
+       " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
+}
 
 }  // namespace
 
@@ -67,6 +74,10 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
   const Start start{state_, state_.history.size(), state_.reactions.size()};
   try {
     const StopReason reason = run(target, goal, options, on_event);
+    if (reason == StopReason::growth) {
+      start_ = start;
+      return reason;
+    }
     const bool changed = state_.events != start.sums.events || state_.contact_switches != start.sums.contact_switches;
     if (options.leaves_fresh && changed) synchronize();
     if (on_end) on_end();
@@ -80,7 +91,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
 
 StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& options,
                                const std::function<void(const EvolutionState&)>& on_event) {
-  const std::int64_t events_before = state_.events;
+  const std::int64_t events_before = state_.events - options.events_so_far;
   Turns turns;
   if (!state_.in_equilibrium) {
     sources_.mark();
@@ -94,16 +105,13 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
     }
     const Event* next = sources_.next(target, options);
     if (has_come_apart(next, target, options) && goal != Goal::load_factor) return StopReason::separated;
-    if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none(goal, options.control)) {
+    if (const std::optional<StopReason> reason = next ? std::nullopt : why_there_is_none(goal, options)) {
       end_step();
       return *reason;
     }
     const bool upwards = target >= state_.load_factor;
     if (!next || (upwards ? next->load_factor > target : next->load_factor < target)) break;
-    if (state_.events - events_before >= options.max_events) {
-      fail(Failure::convergence, options.max_events,
-           " events happened in this step, as many as the option stepping.max_events allows; raise it to go on");
-    }
+    require_fewer_events(state_.events - events_before, options.max_events);
     sources_.mark();
     if (next->is_contact) {
       if (!turns.pass(*next)) {
@@ -113,6 +121,7 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
       pass(sources_.perform());
       continue;
     }
+    if (next->is_growth) return go_to_growth(*next);
     turns = {};
     const bool increments = options.mode == SteppingMode::increments;
     if (!perform(*next, options, increments && state_.events > events_before)) {
@@ -130,10 +139,11 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
 }
 
 // Why no event is left, where that ends a step.
-std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, Control control) {
-  if (control == Control::path) {
+std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, const SteppingOptions& options) {
+  if (options.control == Control::path) {
     sources_.bring_up_to_date();
-    if (body_.admissible().is_empty()) return StopReason::no_admissible_load;
+    const bool others_rest = !options.other_tips || options.other_tips->rest_somewhere();
+    if (!others_rest || body_.admissible().is_empty()) return StopReason::no_admissible_load;
   }
   return goal == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }
@@ -180,17 +190,6 @@ bool CrackEvolution::perform(const Event& event, const SteppingOptions& options,
     sources_.refresh();
     return false;
   }
-}
-
-void CrackEvolution::forget_lines(const Start& start) noexcept {
-  static_cast<Sums&>(state_) = start.sums;
-  state_.history.resize(start.history_size);
-  state_.reactions.resize(start.reactions_size);
-}
-
-void CrackEvolution::return_to(const Start& start) noexcept {
-  forget_lines(start);
-  sources_.return_to_mark();
 }
 
 // What loads give in an event beyond equilibrium, and bonds do not take: it sets the body in motion, and is neither

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,15 @@
 
 namespace bempd::fracture {
 
+// An event at which tips with elements have grown.
+struct Growth {
+  double ratio = 1;                 // largest equivalent stress intensity factor over the toughness, before it
+  double critical_load_factor = 0;  // at which that tip just reached its toughness
+  double surface_energy = 0;        // fracture energy times new area [J]
+  double beyond_path = 0;           // of the energy released, as released_beyond_path() has it [J]
+  std::vector<CrackExtension> extensions;
+};
+
 enum class Goal { load_factor, next_event, separation };
 enum class StopReason {
   load_factor,
@@ -21,7 +31,9 @@ enum class StopReason {
   no_further_event,
   no_admissible_load,
   no_equilibrium,
-  requested
+  requested,
+  crack_stopped,
+  growth  // other tips grow next, at the load factor that was reached; no step of a host ends so
 };
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
@@ -87,10 +99,18 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
-  // Goes on with the run of another body whose cracks have grown since, at its load factor: an event.
-  void go_on_after_growth(CrackEvolution& before);
-  // What that consisted of.
-  void book(const std::vector<CrackExtension>& extensions);
+  // After StopReason::growth, as long as nothing else was done: the run is where it was before that advance().
+  void take_back() noexcept;
+
+  // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
+  // node the one that was there before, or one close by. book() has to follow.
+  void go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before);
+  // Energy that this released, at constant loads, and what that is beyond the one on the path of equilibrium, along
+  // which the load factor goes to another one [J].
+  double released_by_growth() const { return growth_.released_energy; }
+  double released_beyond_path(const CrackEvolution& before, double load_factor) const;
+  // Writes it down as an event.
+  void book(const Growth& growth);
 
   // Nodes of parts that the last equilibrium under new loads found to move freely; they are held from there on.
   std::vector<int> take_held() { return std::exchange(held_, {}); }
@@ -154,9 +174,12 @@ class CrackEvolution {
 
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
-  std::optional<StopReason> why_there_is_none(Goal goal, Control control);
+  std::optional<StopReason> why_there_is_none(Goal goal, const SteppingOptions& options);
   bool has_come_apart(const Event* next, double target, const SteppingOptions& options);
   bool perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached);
+  StopReason go_to_growth(const Event& growth);
+  double potential_at(double load_factor) const;
+  void take_over_body(const BodyState& old, const std::vector<int>& node_before);
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
@@ -173,6 +196,8 @@ class CrackEvolution {
   LoadedBody body_;
   EventSources sources_;
   std::vector<int> held_;
+  std::optional<Start> start_;  // of an advance() that ended where other tips grow
+  Outcome growth_;              // of the growth that is to be booked
   Eigen::Matrix2d work_within_ = Eigen::Matrix2d::Zero();
 };
 

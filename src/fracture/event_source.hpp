@@ -26,6 +26,8 @@ struct Event {
   bool is_contact = false;
   bool goes_down = false;  // then: the load factor falls on the way
 
+  bool is_growth = false;  // nothing breaks: one of the tips grows that OtherTips knows
+
   // By one of its terms.
   void reach(double ratio_of_term, double critical_of_term) {
     if (ratio_of_term <= ratio) return;

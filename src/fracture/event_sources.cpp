@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fracture/other_tips.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -13,7 +14,7 @@ EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
 
 bool EventSources::may_use_window(double target, const SteppingOptions& options) const {
   return options.window && options.mode == SteppingMode::events && has_window_form(body_.system()) &&
-         !body_.has_fluid() && target >= body_.state().load_factor;
+         !body_.has_fluid() && !options.other_tips && target >= body_.state().load_factor;
 }
 
 void EventSources::grow_lines(pd::TipLaws laws) {
@@ -40,7 +41,21 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
     settle();
   }
   EventSource& source = everywhere();
-  return first_of(source, source.next(target, options), target);
+  const Event* event = source.next(target, options);
+  if (options.other_tips) {
+    const double present = body_.state().load_factor;
+    event = sooner(event, options.other_tips->next(target, options), target >= present, present);
+  }
+  return first_of(source, event, target);
+}
+
+// Of what is due at the present load factor already the one that is farthest beyond what it bears goes first.
+const Event* EventSources::sooner(const Event* breaks, const Event* growth, bool upwards, double present) {
+  if (!breaks || !growth) return breaks ? breaks : growth;
+  if (breaks->load_factor == present && growth->load_factor == present)
+    return growth->ratio > breaks->ratio ? growth : breaks;
+  const bool grows = upwards ? growth->load_factor < breaks->load_factor : growth->load_factor > breaks->load_factor;
+  return grows ? growth : breaks;
 }
 
 EventSource& EventSources::everywhere() {

@@ -60,6 +60,7 @@ class EventSources {
   void open_window(double target, const SteppingOptions& options);
   std::optional<double> next_in_window(double target, const SteppingOptions& options);
   EventSource& everywhere();  // where no window is open
+  static const Event* sooner(const Event* breaks, const Event* growth, bool upwards, double present);
   const Event* first_of(EventSource& source, const Event* event, double target);
   void be_patient();
   void keep_present();

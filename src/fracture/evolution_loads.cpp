@@ -5,7 +5,7 @@
 #include "fracture/crack_evolution.hpp"
 #include "number_range.hpp"
 
-// What comes upon a run from outside: new loads, and cracks that have grown.
+// What comes upon a run from outside: new loads.
 namespace bempd::fracture {
 
 using coupling::Affine;
@@ -106,40 +106,6 @@ void CrackEvolution::find_equilibrium() {
     static_cast<BodyState&>(state_) = std::move(before);
     sources_.abandon();
     throw;
-  }
-}
-
-// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
-// have come to.
-void CrackEvolution::go_on_after_growth(CrackEvolution& before) {
-  const EvolutionState& old = before.state();
-  static_cast<Sums&>(state_) = old;
-  state_.history = old.history;
-  state_.reactions = old.reactions;
-  state_.extensions = old.extensions;
-  state_.load_factor = old.load_factor;
-  state_.largest_force = old.largest_force;
-  held_ = body_.find_equilibrium().held;
-  const double f = state_.load_factor;
-  const double work = body_.potential_of_loads() - before.body_.potential_of_loads() + within(f) - before.within(f);
-  state_.work = in_range(state_.work + work);
-  state_.released_energy =
-      in_range(state_.released_energy + work + before.body_.stored_energy() - body_.stored_energy());
-  ++state_.events;
-  HistoryEntry line;
-  line.event = state_.events;
-  line.stretch_ratio = 1;
-  line.stored_energy = body_.stored_energy();
-  line.critical_stored_energy = in_range(line.stored_energy + within(f));
-  line.critical_load_factor = state_.load_factor;
-  line.residual = body_.residual();
-  write_line(line, least_energy_scale(system_, state_.load_factor), body_.reactions());
-}
-
-void CrackEvolution::book(const std::vector<CrackExtension>& extensions) {
-  for (const CrackExtension& extension : extensions) {
-    state_.extensions.push_back(extension);
-    state_.extensions.back().event = state_.events;
   }
 }
 

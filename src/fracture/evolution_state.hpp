@@ -6,6 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
+#include "crack/tip.hpp"
 #include "fracture/contact/face_state.hpp"
 #include "fracture/line/growing_tip.hpp"
 
@@ -34,13 +35,18 @@ struct HistoryEntry {
 struct CrackExtension {
   std::int64_t event = 0;
   int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first
-  bool ended = false;
+  crack::TipState state = crack::TipState::grows;
+  double from_x = 0, from_y = 0;
   double x = 0, y = 0;
   double angle = 0;  // by which it turned, counter-clockwise
   double length = 0, crack_length = 0;
   double load_factor = 0;
   double rate_before = 0, rate_after = 0;  // energy release rates along the way [J/m^2]; none where it has ended
   double released_energy = 0;              // their integral [J]
+  double factor_1 = 0, factor_2 = 0;       // K_I and K_II of the tip before it grew [Pa m^(1/2)]
+  double resistance = 0;                   // energy per area that it met [J/m^2]
+
+  bool has_ended() const { return crack::has_ended(state); }
 };
 
 // The body as it is at a load factor.

@@ -5,6 +5,8 @@
 
 namespace bempd::fracture {
 
+class OtherTips;
+
 // How bonds break on the way of the load factor.
 enum class SteppingMode {
   // The most stretched bonds first, at the load factor at which they reach their critical stretch, until none exceeds
@@ -30,11 +32,13 @@ struct SteppingOptions {
   double tie_band = 1e-3;
   int max_breaks_per_solve = 0;  // 0: no limit
   std::int64_t max_events = 10'000'000;
-  bool window = true;       // compute events ahead in a window around what breaks, where that is possible
-  double window_ahead = 0;  // of a crack tip, in lattice spacings; 0: chosen
+  std::int64_t events_so_far = 0;  // of these, where the run of a host goes on in another body
+  bool window = true;              // compute events ahead in a window around what breaks, where that is possible
+  double window_ahead = 0;         // of a crack tip, in lattice spacings; 0: chosen
   Control control = Control::load;
   double separation_share = 0;  // of the largest resistance: what is left of the load's connection counts for nothing
   bool leaves_fresh = false;    // a step that changes the system leaves no factor behind, as a saved state does
+  OtherTips* other_tips = nullptr;          // null: all cracks grow by breaking bonds
   const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
 };
 

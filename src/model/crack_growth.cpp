@@ -1,103 +1,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
-#include "geometry/turning.hpp"
 #include "model/crack_way.hpp"
+#include "model/element_growth.hpp"
 #include "model/model.hpp"
 
+// Growth of cracks with boundary elements: the scene is prepared anew, and its run goes on.
 namespace bempd::model {
-
-// The tips that grow at a load factor, each with its extension, and how long that is to be.
-struct Growing {
-  double load_factor = 0;
-  std::vector<regions::TipValues> tips;
-  std::vector<fracture::CrackExtension> extensions;
-  std::vector<double> lengths;
-};
 
 namespace {
 
 constexpr int most_rounds_of_faces = 64;
-
-KinkCriterion criterion_of(const scene::Options& options) {
-  return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
-                                                            : KinkCriterion::hoop_stress;
-}
-
-Kink kink_at(const regions::TipValues& tip, double load_factor, KinkCriterion criterion) {
-  return kink_of(tip.constant_factors + load_factor * tip.proportional_factors, criterion);
-}
-
-Growing growing_tips(const std::vector<regions::TipValues>& tips, double length, const scene::Options& options) {
-  const KinkCriterion criterion = criterion_of(options);
-  std::vector<double> load_factors;
-  load_factors.reserve(tips.size());
-  for (const regions::TipValues& tip : tips)
-    load_factors.push_back(
-        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion));
-  Growing growing;
-  growing.load_factor = *std::min_element(load_factors.begin(), load_factors.end());
-  if (!std::isfinite(growing.load_factor))
-    fail(Failure::unsolvable,
-         "no crack grows however large the load factor is; give their materials a fracture_energy, "
-         "and loads that open them");
-  const double share = options.number("growth.share"), exponent = options.number("growth.exponent");
-  for (std::size_t t = 0; t < tips.size(); ++t) {
-    if (!(load_factors[t] <= (1 + share) * growing.load_factor)) continue;
-    const regions::TipValues& tip = tips[t];
-    const Kink kink = kink_at(tip, growing.load_factor, criterion);
-    fracture::CrackExtension extension;
-    extension.crack = tip.crack;
-    extension.end = tip.end;
-    extension.angle = kink.angle;
-    extension.load_factor = growing.load_factor;
-    extension.rate_before = kink.equivalent_factor * kink.equivalent_factor / tip.plane_modulus;
-    growing.tips.push_back(tip);
-    growing.extensions.push_back(extension);
-    growing.lengths.push_back(length * std::pow(kink.equivalent_factor / tip.toughness, 2 * exponent));
-  }
-  return growing;
-}
-
-// One after another, so that two that run into each other meet.
-std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
-                                   Growing& growing) {
-  for (std::size_t k = 0; k < growing.tips.size(); ++k) {
-    fracture::CrackExtension& e = growing.extensions[k];
-    const Point& from = growing.tips[k].place;
-    const TipWay way = way_of_tip(scene, cracks, e.crack, e.end, turned(growing.tips[k].direction, e.angle),
-                                  growing.lengths[k], tolerance);
-    scene::Crack& crack = cracks[static_cast<std::size_t>(e.crack) - 1];
-    extend(crack, e.end, way.to);
-    e.ended = way.ends;
-    e.x = way.to.x();
-    e.y = way.to.y();
-    e.length = (way.to - from).norm();
-    e.crack_length = length_of(crack);
-  }
-  return cracks;
-}
-
-const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::vector<regions::TipValues>& tips) {
-  const auto found =
-      std::find_if(tips.begin(), tips.end(), [&](const auto& tip) { return tip.crack == e.crack && tip.end == e.end; });
-  return found == tips.end() ? nullptr : &*found;
-}
-
-// Of a curved path the chord's end turns on by as much as its start has turned. Says whether any does.
-bool turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options) {
-  bool any = false;
-  for (fracture::CrackExtension& e : growing.extensions) {
-    const regions::TipValues* tip = tip_of(e, after);
-    if (e.ended || !tip) continue;
-    e.angle += 0.5 * kink_at(*tip, e.load_factor, criterion_of(options)).angle;
-    any = true;
-  }
-  return any;
-}
 
 // By extension.
 std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
@@ -110,28 +27,55 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
   return thickness;
 }
 
-// The energy that each took: the integral of its rate; what others leave where it has ended, for the rate on the way to
-// an edge is not known.
-GrowthResult share_energy(std::vector<fracture::CrackExtension>& extensions,
-                          const std::vector<regions::TipValues>& after, const std::vector<double>& thickness,
-                          double released) {
-  GrowthResult result{static_cast<int>(extensions.size()), 0, extensions.front().load_factor, 0, released};
-  double left = released, ended_length = 0;
-  for (std::size_t k = 0; k < extensions.size(); ++k) {
-    fracture::CrackExtension& e = extensions[k];
-    result.length += e.length;
-    result.ended += e.ended;
-    if (const regions::TipValues* tip = tip_of(e, after)) {
-      e.rate_after = tip->energy_release_rate;
-      e.released_energy = 0.5 * (e.rate_before + e.rate_after) * e.length * thickness[k];
-      left -= e.released_energy;
-    } else {
-      ended_length += e.length;
+struct HashOfPoint {
+  std::size_t operator()(const Point& p) const {
+    return std::hash<double>()(p.x()) ^ (std::hash<double>()(p.y()) * 0x9e3779b97f4a7c15U);
+  }
+};
+
+// Of each node the one that its region had at its place before, in the order in which it has several there; else one
+// close by.
+std::vector<int> nodes_before(const regions::Discretization& now, const regions::Discretization& before) {
+  std::vector<int> found(now.positions.size(), -1);
+  for (std::size_t r = 0; r < now.regions.size(); ++r) {
+    const std::vector<int>&own = now.regions[r]->nodes(), &old = before.regions[r]->nodes();
+    std::unordered_map<Point, std::vector<int>, HashOfPoint> at;
+    for (auto node = old.rbegin(); node != old.rend(); ++node)
+      at[before.positions[static_cast<std::size_t>(*node)]].push_back(*node);
+    for (const int node : own) {
+      int& known = found[static_cast<std::size_t>(node)];
+      const Point& place = now.positions[static_cast<std::size_t>(node)];
+      const auto same = at.find(place);
+      if (known >= 0) continue;
+      if (same != at.end()) {
+        known = same->second.back();
+        if (same->second.size() > 1) same->second.pop_back();
+        continue;
+      }
+      const auto off = [&](int one) { return (before.positions[static_cast<std::size_t>(one)] - place).squaredNorm(); };
+      known = *std::min_element(old.begin(), old.end(), [&](int a, int b) { return off(a) < off(b); });
     }
   }
-  for (fracture::CrackExtension& e : extensions)
-    if (!tip_of(e, after)) e.released_energy = left * e.length / ended_length;
-  return result;
+  return found;
+}
+
+// The load factor at which the first tip grows, rising from zero, and that tip.
+std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues>& tips,
+                                            const scene::Options& options) {
+  std::vector<crack::Candidate> candidates;
+  for (const regions::TipValues& tip : tips) {
+    const double load_factor =
+        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion_of(options));
+    const bool overloaded = load_factor == 0 && tip.toughness > 0;
+    const double ratio = overloaded ? crack::growth_ratio(factors_of(tip), 0, tip.toughness, criterion_of(options)) : 1;
+    candidates.push_back({{tip.crack, tip.end}, load_factor, ratio, overloaded});
+  }
+  const std::size_t first = crack::first_to_grow(candidates, true)->index;
+  if (!std::isfinite(candidates[first].load_factor))
+    fail(Failure::unsolvable,
+         "no crack grows however large the load factor is; give their materials a fracture_energy, "
+         "and loads that open them");
+  return {candidates[first].load_factor, first};
 }
 
 }  // namespace
@@ -150,71 +94,129 @@ std::span<const fracture::CrackExtension> Model::extensions() const {
   return prepared_->evolution->progress().extensions;
 }
 
-// Those that may grow, with the load factors at which they do.
-std::vector<regions::TipValues> Model::free_tips() {
-  prepare();
-  if (loads_.acting != Acting::values) act_as_said();
-  ensure_equilibrium();
-  require(prepared_->system->terms().size() == 0,
-          "the scene has peridynamic regions, whose cracks grow by steps; cracks grow by lengths where all regions are "
-          "BEM regions");
-  if (factors_generation_ != generation_) tip_factors_ = tips_of(*prepared_, regions::TipDetail::factors);
-  factors_generation_ = generation_;
-  std::vector<regions::TipValues> tips = tip_factors_;
-  require(!tips.empty(),
-          "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
-  std::erase_if(tips, [&](const auto& tip) { return frozen_tips_.count({tip.crack, tip.end}) > 0; });
-  require(!tips.empty(), "all tips are frozen; let one grow again with bempd_set_tip_frozen()");
+// Those that may grow, as functions of the load factor.
+std::vector<regions::TipValues> Model::growing_tips() const {
+  std::vector<regions::TipValues> tips = tips_of(*prepared_, regions::TipDetail::factors);
+  const std::vector<fracture::CrackExtension>& extensions = prepared_->evolution->progress().extensions;
+  std::erase_if(tips, [&](const regions::TipValues& tip) {
+    return frozen_tips_.count({tip.crack, tip.end}) > 0 || has_stopped(tip.crack, tip.end, extensions);
+  });
   return tips;
 }
 
-// To where the first tips are critical. Faces that close or open on the way make other tips of them.
+// Of these the host asks for one that grows.
+std::vector<regions::TipValues> Model::free_tips() {
+  const std::vector<regions::TipValues> tips = growing_tips();
+  if (!tips.empty()) return tips;
+  require(!tips_of(*prepared_, regions::TipDetail::factors).empty(),
+          "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
+  fail(Failure::argument,
+       "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
+}
+
+// To where the first tip is critical. What closes, opens or breaks on the way makes other tips of them.
 Growing Model::go_to_growth(double length) {
-  Growing growing = growing_tips(free_tips(), length, options_);
-  for (int round = 0; load_factor() != growing.load_factor; ++round) {
-    if (round == most_rounds_of_faces)
-      fail(Failure::convergence, "faces of cracks close and open without an end where cracks are to grow");
-    const std::int64_t switches = prepared_->evolution->progress().contact_switches;
-    prepared_->evolution->advance(growing.load_factor, fracture::Goal::load_factor, {}, {}, {});
-    if (prepared_->evolution->progress().contact_switches == switches) break;
-    ++generation_;
-    growing = growing_tips(free_tips(), length, options_);
+  for (int round = 0;; ++round) {
+    const std::vector<regions::TipValues> tips = free_tips();
+    const auto [goal, first] = first_growth(tips, options_);
+    const fracture::EvolutionState& state = prepared_->evolution->progress();
+    const std::int64_t switches = state.contact_switches, events = state.events;
+    if (load_factor() != goal) {
+      if (round == most_rounds_of_faces)
+        fail(Failure::convergence, "faces of cracks close and open without an end where cracks are to grow");
+      prepared_->evolution->advance(goal, fracture::Goal::load_factor, {}, {}, {});
+      ++generation_;
+      if (state.contact_switches != switches || state.events != events) continue;
+    }
+    Growing growing = growing_with(tips, first, goal, options_);
+    set_lengths(growing, length, options_);
+    return growing;
   }
-  return growing;
+}
+
+// With the cracks that these values load: those of the scene, or others on a way to them.
+std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
+                                                     const scene::SceneValues* on_way) {
+  scene_.set_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing));
+  const auto build_next = [&] { return build(prepared_.get()); };
+  std::unique_ptr<PreparedScene> next;
+  if (on_way) {
+    scene::SceneValues values = *on_way;
+    next = scene_.under(values, build_next);
+  } else {
+    next = build_next();
+  }
+  next->fingerprint = prepared_->fingerprint;
+  next->anchored_pieces = prepared_->anchored_pieces;
+  next->evolution->go_on_after_growth(*prepared_->evolution,
+                                      nodes_before(next->discretization, prepared_->discretization));
+  return next;
+}
+
+// The scene with longer cracks, whose growth is in its books, and its tips.
+Model::Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen,
+                          const scene::SceneValues* on_way) {
+  constexpr double turns = 0.01, turns_too_much = 0.35;  // [rad]
+  constexpr int most_halvings = 4;
+  const std::vector<double> angles = [&] {
+    std::vector<double> all;
+    for (const fracture::CrackExtension& e : growing.extensions) all.push_back(e.angle);
+    return all;
+  }();
+  const bool chords = options_.text_value("growth.direction") == "chord";
+  Grown result;
+  for (int halvings = 0;; ++halvings) {
+    result.scene = extended_scene(before, growing, on_way);
+    result.tips = tips_of(*result.scene, regions::TipDetail::factors);
+    const double turn = largest_turn(growing, result.tips, options_);
+    const bool too_long = chosen && turn > turns_too_much && halvings < most_halvings;
+    if (!too_long && (chords || (chosen && turn > turns))) {
+      turn_to_chords(growing, result.tips, options_);
+      result.scene = extended_scene(before, growing, on_way);
+      result.tips = tips_of(*result.scene, regions::TipDetail::factors);
+    }
+    if (!too_long) break;
+    for (std::size_t k = 0; k < angles.size(); ++k) growing.lengths[k] /= 2, growing.extensions[k].angle = angles[k];
+  }
+  const std::vector<double> thickness = thickness_at(scene_, *result.scene, growing.extensions);
+  fracture::CrackEvolution& evolution = *result.scene->evolution;
+  std::optional<double> beyond_path;
+  if (const std::optional<double> end = end_of_path(growing, result.tips, options_))
+    beyond_path = evolution.released_beyond_path(*prepared_->evolution, *end);
+  result.growth = booked(std::move(growing), result.tips, thickness, evolution.released_by_growth(), beyond_path);
+  evolution.book(result.growth);
+  return result;
 }
 
 GrowthResult Model::grow_cracks(double length) {
   require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
-  growing_tips(free_tips(), length, options_);  // throws before anything is done
+  prepare();
+  std::optional<LoadsBefore> loads;
+  if (loads_.acting != Acting::values)
+    loads = replace_loads(regions::apply_conditions(scene_, prepared_->discretization), Acting::values);
   std::vector<scene::Crack> before = scene_.cracks();
   fracture::EvolutionState state = prepared_->evolution->state();
+  fracture::Continuation continuation = prepared_->evolution->continuation();
   const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
+  std::unique_ptr<PreparedScene> shorter;  // once the longer cracks are in place
   GrowthResult result;
-  std::unique_ptr<PreparedScene> next;  // once the longer cracks are in place: the shorter ones
-  bool in_place = false;
   try {
-    Growing growing = go_to_growth(length);
-    next = extended_scene(before, growing);
-    if (options_.text_value("growth.direction") == "chord" &&
-        turn_to_chords(growing, tips_of(*next, regions::TipDetail::factors), options_)) {
-      next = extended_scene(before, growing);
-    }
-    tip_factors_ = tips_of(*next, regions::TipDetail::factors);
-    result =
-        share_energy(growing.extensions, tip_factors_, thickness_at(scene_, *next, growing.extensions),
-                     next->evolution->progress().released_energy - prepared_->evolution->progress().released_energy);
-    next->evolution->book(growing.extensions);
+    ensure_equilibrium();
+    Grown next = grown(before, go_to_growth(length), false, nullptr);
+    result = result_of(next.growth);
+    result.released_energy =
+        next.scene->evolution->progress().released_energy - prepared_->evolution->progress().released_energy;
     scene::SceneValues in_force = scene_.values();
-    prepared_.swap(next), in_place = true;
+    shorter = std::exchange(prepared_, std::move(next.scene));
     ++generation_;
     if (records_tips()) record_tips();
     loads_.in_force = std::move(in_force);
-    factors_generation_ = generation_;
   } catch (...) {
-    if (in_place) prepared_.swap(next);
+    if (shorter) prepared_ = std::move(shorter);
     tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
     scene_.set_cracks(std::move(before));
-    prepared_->evolution->restore(std::move(state));
+    prepared_->evolution->restore(std::move(state), std::move(continuation));
+    if (loads) go_back_to(std::move(*loads));
     ++generation_;
     throw;
   }
@@ -224,14 +226,6 @@ GrowthResult Model::grow_cracks(double length) {
     warn_of_equilibrium();
   });
   return result;
-}
-
-// Built beside the present one, whose run it goes on with.
-std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing) {
-  scene_.set_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing));
-  std::unique_ptr<PreparedScene> next = build(prepared_.get());
-  next->evolution->go_on_after_growth(*prepared_->evolution);
-  return next;
 }
 
 // Grown again event by event, so that what regions take over from the scene before has the same digits.

@@ -1,11 +1,15 @@
 #include "model/crack_way.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
+#include "geometry/outline.hpp"
 #include "geometry/segment.hpp"
 
 namespace bempd::model {
+
+using crack::TipState;
 
 namespace {
 
@@ -18,17 +22,21 @@ constexpr double near_an_end = 0.1;
 // The same for corners of outlines, beside which elements would become tiny.
 constexpr double near_a_corner = 1e-3;
 
+// Elements do not go on across an interface, and none lie on it: this part of the way, or half of what there is, is
+// left before it.
+constexpr double before_an_interface = 0.25;
+
 class Meetings {
  public:
   Meetings(const Segment& way, double length, double tolerance)
       : way_(way), length_(length), tolerance_(tolerance), behind_tip_(10 * tolerance / way.length()) {}
 
-  void with(const Edge& edge) {
+  void with(const Edge& edge, TipState state) {
     for (const Crossing& meeting : meeting_points(Edge(way_.start, way_.end), edge)) {
       Point place = way_.at(meeting.fraction_a);
       for (const Point& corner : {edge.start, edge.end})
         if ((corner - place).norm() <= near_a_corner * length_) place = corner;
-      consider(meeting.fraction_a, place);
+      consider(meeting.fraction_a, place, state);
     }
   }
 
@@ -38,53 +46,72 @@ class Meetings {
     for (std::size_t i = 0; i < last; ++i) {
       if (own && i == (own_end == 0 ? 0 : last - 1)) continue;
       if (const auto crossing = proper_crossing(way_, {crack.points[i], crack.points[i + 1]}))
-        consider(crossing->fraction_a, way_.at(crossing->fraction_a));
+        consider(crossing->fraction_a, way_.at(crossing->fraction_a), TipState::at_crack);
     }
     for (std::size_t i = 0; i <= last; ++i) {
       if (own && i == (own_end == 0 ? 0 : last)) continue;
       if (distance(way_, crack.points[i]) <= 10 * tolerance_)
-        consider(closest_fraction(way_, crack.points[i]), crack.points[i]);
+        consider(closest_fraction(way_, crack.points[i]), crack.points[i], TipState::at_crack);
     }
     if (!own || own_end == 1) ends_.push_back(crack.points.front());
     if (!own || own_end == 0) ends_.push_back(crack.points.back());
   }
 
   // Ends of cracks come last: they take over what is met next to them.
-  std::optional<Point> first() {
+  std::optional<TipWay> first() {
     for (const Point& end : ends_) {
       const double fraction = closest_fraction(way_, end), close = near_an_end * length_;
       const bool passed = distance(way_, end) <= close && fraction <= first_;
-      if (passed || (place_ && (*place_ - end).norm() <= close)) consider(std::min(fraction, first_), end);
+      if (passed || (met_ && (met_->to - end).norm() <= close))
+        consider(std::min(fraction, first_), end, TipState::at_crack);
     }
-    return place_;
+    return met_;
   }
 
  private:
-  void consider(double fraction, const Point& place) {
+  void consider(double fraction, const Point& place, TipState state) {
     if (fraction <= behind_tip_ || fraction > first_) return;
     first_ = fraction;
-    place_ = place;
+    met_ = {place, state};
   }
 
   Segment way_;
   double length_, tolerance_, behind_tip_, first_ = 1;
-  std::optional<Point> place_;
+  std::optional<TipWay> met_;
   std::vector<Point> ends_;
 };
+
+bool is_on_interface(const scene::Scene& scene, const Point& place, double tolerance) {
+  int regions = 0;
+  for (const int region : scene.region_ids())
+    regions += locate(scene.region(region).outline(), place, 10 * tolerance) != Location::outside ? 1 : 0;
+  return regions > 1;
+}
+
+const Point& tip_of(const scene::Crack& crack, int end) {
+  return end == 0 ? crack.points.front() : crack.points.back();
+}
 
 }  // namespace
 
 TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                   const Point& direction, double length, double tolerance) {
-  const std::vector<Point>& own = cracks[static_cast<std::size_t>(crack) - 1].points;
-  const Point& from = end == 0 ? own.front() : own.back();
+  const Point& from = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
   Meetings meetings({from, from + reach * length * direction}, length, tolerance);
-  for (const int region : scene.region_ids())
-    for (const Edge& edge : edges_of(scene.region(region).outline())) meetings.with(edge);
+  for (const int region : scene.region_ids()) {
+    const Outline& outline = scene.region(region).outline();
+    const std::size_t outer = outline.loops.front().size();
+    const std::vector<Edge> edges = edges_of(outline);
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      meetings.with(edges[k], k < outer ? TipState::at_edge : TipState::at_hole);
+  }
   for (std::size_t c = 0; c < cracks.size(); ++c)
     if (!cracks[c].points.empty()) meetings.with(cracks[c], static_cast<int>(c) + 1 == crack, end);
-  if (const auto place = meetings.first()) return {*place, true};
-  return {from + length * direction, false};
+  std::optional<TipWay> met = meetings.first();
+  if (!met) return {from + length * direction, TipState::grows};
+  if (met->state == TipState::at_crack || !is_on_interface(scene, met->to, tolerance)) return *met;
+  const double way = (met->to - from).norm(), left = std::min(before_an_interface * length, 0.5 * way);
+  return {from + (1 - left / way) * (met->to - from), TipState::at_interface};
 }
 
 void extend(scene::Crack& crack, int end, const Point& to) {
@@ -96,6 +123,20 @@ double length_of(const scene::Crack& crack) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < crack.points.size(); ++i) sum += (crack.points[i + 1] - crack.points[i]).norm();
   return sum;
+}
+
+double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end) {
+  const Point& tip = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
+  double least = std::numeric_limits<double>::infinity();
+  for (const int region : scene.region_ids())
+    for (const Edge& edge : edges_of(scene.region(region).outline())) least = std::min(least, distance(edge, tip));
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    const std::vector<Point>& points = cracks[c].points;
+    if (static_cast<int>(c) + 1 == crack) continue;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      least = std::min(least, distance(Segment{points[i], points[i + 1]}, tip));
+  }
+  return least;
 }
 
 }  // namespace bempd::model

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "crack/tip.hpp"
 #include "scene/scene.hpp"
 
 namespace bempd::model {
@@ -9,11 +10,12 @@ namespace bempd::model {
 // Where a tip comes to.
 struct TipWay {
   Point to;
-  bool ends;  // at an edge or a crack
+  crack::TipState state;  // there
 };
 
 // The way of the tip at `end` of a crack that goes straight on by a length: to the first edge, hole or crack that lies
-// on it or little beyond, for a thin ligament breaks; to a crack's own end if it passes close to that.
+// on it or little beyond, for a thin ligament breaks; to a crack's own end if it passes close to that. Before an edge
+// that another region shares it stops.
 TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                   const Point& direction, double length, double tolerance);
 
@@ -21,5 +23,8 @@ TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cr
 void extend(scene::Crack& crack, int end, const Point& to);
 
 double length_of(const scene::Crack& crack);
+
+// From a tip to the nearest edge or hole, or another crack [m].
+double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end);
 
 }  // namespace bempd::model

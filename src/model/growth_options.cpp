@@ -14,10 +14,16 @@ const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
                          "Direction of an extension: tip, that at its start; chord, turned by half the angle by which "
                          "its end would turn on, as the chord of a curved path, for one solution more.",
                          "tip | chord", "tip"),
-      scene::number_option("growth.share",
-                           "Tips whose load factor of growth is higher than the smallest one by less than this share "
-                           "grow together with that one.",
-                           0.01, 0, 1e9, false),
+      scene::number_option(
+          "growth.share",
+          "Tips whose load factor of growth is higher than the smallest one by less than this share "
+          "grow together with that one; 0: one tip at an event, of tips that tie that of the crack that "
+          "was added first, its start before its end.",
+          0, 0, 1e9, false),
+      scene::number_option("growth.step",
+                           "Length by which cracks of BEM regions grow at an event of a step [m]; 0: chosen by the "
+                           "library from the length of the crack and the way to the nearest edge, hole or crack.",
+                           0, 0, 1e300, false),
       scene::number_option("growth.exponent",
                            "Tips that grow together do so by the length asked for times this power of their energy "
                            "release rate over the fracture energy; 0: all by that length.",

@@ -159,13 +159,15 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
     before = replace_loads(conditions_under(*way), Acting::on_a_way);
   }
   try {
-    const StepResult result = run(target, goal);
+    const PreparedScene* const before_run = prepared_.get();
+    const StepResult result = run(target, goal, &*way);
     loads_.in_force.swap(way);
     loads_.end_of_way = target;
     using fracture::StopReason;
     const bool arrived = result.reason == StopReason::load_factor ||
                          (result.reason == StopReason::separated && goal == fracture::Goal::load_factor);
-    if (arrived) arrive(std::move(at_end), std::move(said));
+    if (arrived)
+      arrive(prepared_.get() == before_run ? std::optional(std::move(at_end)) : std::nullopt, std::move(said));
     return result;
   } catch (...) {
     if (before) go_back_to(std::move(*before));
@@ -173,9 +175,12 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
   }
 }
 
-// At the end of the way, where what was set acts already. What fails now leaves the model there on its way.
-void Model::arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept {
+// At the end of the way, where what was set acts already; its conditions, unless cracks have grown since. What fails
+// now leaves the model there on its way.
+void Model::arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> said) noexcept {
   say([&] {
+    regions::DofConditions conditions =
+        known ? std::move(*known) : regions::apply_conditions(scene_, prepared_->discretization);
     heat(conditions);
     load_faces(conditions);
     prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within,

@@ -6,6 +6,7 @@
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
+#include "model/driven_growth.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/crack_places.hpp"
 #include "regions/incompressible.hpp"
@@ -26,6 +27,11 @@ std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
 }
 
 }  // namespace
+
+Seconds seconds_of(const PreparedScene& prepared) {
+  const coupling::SolverCounters& counters = prepared.system->counters();
+  return {counters.seconds_solve, counters.seconds_update, prepared.evolution->seconds_search()};
+}
 
 scene::Scene& Model::editable_scene() {
   if (prepared_) {
@@ -127,7 +133,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   p->system = std::make_unique<coupling::EquilibriumSystem>(static_cast<int>(d.positions.size()), d.dense_operators(),
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));
-  check_mechanism(*p);
+  if (!before) check_mechanism(*p);  // what growth has cut off is held
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
   grow_lines(*p);
@@ -163,29 +169,32 @@ fracture::LoadInterval Model::admissible_load_factors() {
   return prepared_->evolution->admissible_load_factors();
 }
 
-StepResult Model::run(double target, fracture::Goal goal) {
-  fracture::CrackEvolution& evolution = *prepared_->evolution;
-  fracture::SteppingOptions stepping = stepping_options(options_);
-  stepping.stop = &stop_requested_;
-  const auto& counters = prepared_->system->counters();
-  const double solve = counters.seconds_solve, update = counters.seconds_update, search = evolution.seconds_search();
-  const std::int64_t events = evolution.progress().events, broken = evolution.progress().broken_bonds;
-  const std::int64_t fragments = evolution.progress().fragments, switches = evolution.progress().contact_switches;
-  const auto lines = static_cast<std::ptrdiff_t>(evolution.progress().history.size());
+StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValues* on_way) {
+  DrivenRun run;
+  run.target = target, run.goal = goal, run.on_way = on_way;
+  run.stepping = stepping_options(options_);
+  run.stepping.stop = &stop_requested_;
+  const fracture::EvolutionState& begin = prepared_->evolution->progress();
+  const std::int64_t events = begin.events, broken = begin.broken_bonds;
+  const std::int64_t fragments = begin.fragments, switches = begin.contact_switches;
+  const auto lines = static_cast<std::ptrdiff_t>(begin.history.size());
+  run.seconds = seconds_of(*prepared_);
   StepResult result;
   {
     const Stopwatch watch(result.seconds_total);
     ++generation_;
-    run_recording(target, goal, stepping, result);
+    run_recording(run, result);
   }
-  result.events = evolution.progress().events - events;
-  result.broken_bonds = evolution.progress().broken_bonds - broken;
-  result.face_switches = evolution.progress().contact_switches - switches;
-  result.unstable_event = first_unstable(std::span(evolution.progress().history).subspan(lines));
-  result.seconds_solve = counters.seconds_solve - solve;
-  result.seconds_update = counters.seconds_update - update;
-  result.seconds_search = evolution.seconds_search() - search;
-  say([&] { tell_of_step(result, evolution.progress().fragments - fragments); });
+  const fracture::EvolutionState& end = prepared_->evolution->progress();
+  result.events = end.events - events;
+  result.broken_bonds = end.broken_bonds - broken;
+  result.face_switches = end.contact_switches - switches;
+  result.unstable_event = first_unstable(std::span(end.history).subspan(lines));
+  const Seconds seconds = seconds_of(*prepared_);
+  result.seconds_solve = seconds.solve - run.seconds.solve;
+  result.seconds_update = seconds.update - run.seconds.update;
+  result.seconds_search = seconds.search - run.seconds.search;
+  say([&] { tell_of_step(result, end.fragments - fragments); });
   return result;
 }
 

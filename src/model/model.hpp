@@ -52,6 +52,8 @@ struct PreparedScene {
 };
 
 struct Growing;
+class ElementTips;
+struct DrivenRun;
 
 // A scene, its state, and what can be asked of them.
 class Model {
@@ -172,7 +174,8 @@ class Model {
   std::map<int, Point> forces_of_neighbours(int region, int edge);  // by nodes
   Eigen::VectorXd forces_from_outside(const std::vector<int>& body);
   void restore_body(const SavedState& state);
-  StepResult run(double target, fracture::Goal goal);
+  // `on_way`: values that act; null: those that were set.
+  StepResult run(double target, fracture::Goal goal, const scene::SceneValues* on_way = nullptr);
   StepResult run_to_row(const scene::LoadTable& table, std::size_t row, const scene::SceneValues& given,
                         fracture::Goal goal);
   struct Loads {
@@ -198,7 +201,7 @@ class Model {
   std::optional<fracture::CrackEvolution::FaceLoads> load_faces(const regions::DofConditions& conditions);
   void values_will_be_set();
   void values_were_set();
-  void arrive(regions::DofConditions conditions, std::optional<scene::SceneValues> said) noexcept;
+  void arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> said) noexcept;
   void ensure_equilibrium();
   void warn_of_condition();
   void warn_of_held_parts();
@@ -210,17 +213,32 @@ class Model {
   bool has_crack_elements() const;
   bool records_tips() const { return options_.whole_number("tips.record") > 0; }
   void record_tips();
-  // As CrackEvolution::advance() (recording.cpp).
-  void run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping, StepResult& result);
+  // Records tips, asks the host whether to go on, and is back at the start where that fails (recording.cpp).
+  void run_recording(DrivenRun& run, StepResult& result);
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
   std::vector<regions::CrackPicture> crack_pictures() const;
   // `before`: one whose cracks were shorter, of which regions keep what has not changed.
   std::unique_ptr<PreparedScene> build(const PreparedScene* before) const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
+  std::vector<regions::TipValues> growing_tips() const;
   std::vector<regions::TipValues> free_tips();
   Growing go_to_growth(double length);
-  std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing);
+  std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
+                                                const scene::SceneValues* on_way);
+  struct Grown {
+    std::unique_ptr<PreparedScene> scene;
+    std::vector<regions::TipValues> tips;
+    fracture::Growth growth;
+  };
+  // `chosen`: the library has chosen the lengths, and may shorten them. `on_way`: values that act; null: those that
+  // were set.
+  Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
+  // Whether steps have to look after tips with elements (driven_growth.cpp).
+  bool drives_elements(const fracture::SteppingOptions& stepping) const;
+  fracture::StopReason advance_growing(DrivenRun& run);
+  bool grow_next(ElementTips& tips, DrivenRun& run);
+  void take_back(DrivenRun& run) noexcept;
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
@@ -246,6 +264,7 @@ class Model {
   }
   void tell_of_preparation() const;
   void tell_of_step(const StepResult& result, std::int64_t new_fragments);
+  void tell_of_growth(const fracture::Growth& growth) const;
 
   scene::Options options_;
   scene::Scene scene_;
@@ -263,8 +282,6 @@ class Model {
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
   std::vector<results::TipRecord> tip_history_;
-  std::vector<regions::TipValues> tip_factors_;  // of the same without errors, as growth needs them
-  std::int64_t factors_generation_ = 0;
   std::set<std::pair<int, int>> frozen_tips_;  // crack and end
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
   bool warned_of_interface_ = false, warned_of_hinge_ = false;

@@ -37,10 +37,10 @@ StepResult Model::run_to_row(const scene::LoadTable& table, std::size_t row, con
     way = scene::line_between(table.at(row - 1, given), table.times[row - 1], at_end, end);
   }
   replace_loads(conditions_under(*way), Acting::on_a_way);
-  StepResult result = run(end, goal);
+  StepResult result = run(end, goal, &*way);
   // Nothing breaks any more, which is no reason to stay where it is.
   if (result.reason == fracture::StopReason::no_further_event && load_factor() != end) {
-    add(result, run(end, fracture::Goal::load_factor));
+    add(result, run(end, fracture::Goal::load_factor, &*way));
   }
   if (result.reason == fracture::StopReason::no_further_event) result.reason = fracture::StopReason::load_factor;
   loads_.in_force.swap(way);

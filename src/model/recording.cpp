@@ -1,4 +1,5 @@
 #include "error.hpp"
+#include "model/driven_growth.hpp"
 #include "model/model.hpp"
 #include "results/tip_table.hpp"
 
@@ -10,12 +11,11 @@ void Model::record_tips() {
     tip_history_.push_back({line.event, line.total_broken_bonds, line.load_factor, tip});
 }
 
-void Model::run_recording(double target, fracture::Goal goal, const fracture::SteppingOptions& stepping,
-                          StepResult& result) {
+void Model::run_recording(DrivenRun& run, StepResult& result) {
   const auto recorded = static_cast<std::ptrdiff_t>(tip_history_.size());
   const auto every = static_cast<std::int64_t>(options_.number("tips.record"));
   try {
-    const auto on_event = [&](const fracture::EvolutionState& state) {
+    run.on_event = [&](const fracture::EvolutionState& state) {
       if (every > 0 && state.events % every == 0) record_tips();
       const bool go_on = !progress_ || progress_(state.load_factor, state.events, state.broken_bonds);
       if (!go_on)
@@ -23,13 +23,14 @@ void Model::run_recording(double target, fracture::Goal goal, const fracture::St
       if (cancel_requested_)
         fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
     };
-    const auto on_end = [&] {
+    run.on_end = [&] {
       if (every > 0 && prepared_->evolution->progress().history.back().event == 0) record_tips();
       result.hanging = hangs();
     };
-    result.reason = prepared_->evolution->advance(target, goal, stepping, on_event, on_end);
+    result.reason = advance_growing(run);
   } catch (...) {
     tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
+    take_back(run);
     throw;
   }
 }

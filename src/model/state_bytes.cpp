@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 11;
+constexpr std::uint32_t format_version = 12;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -33,9 +33,10 @@ void visit_members(Line& h, Visit& visit) {
 template <class Extension, class Visit>
 requires std::is_same_v<std::remove_const_t<Extension>, fracture::CrackExtension>
 void visit_members(Extension& e, Visit& visit) {
-  visit(e.event), visit(e.crack), visit(e.end), visit(e.ended), visit(e.x), visit(e.y), visit(e.angle);
-  visit(e.length), visit(e.crack_length), visit(e.load_factor), visit(e.rate_before), visit(e.rate_after);
-  visit(e.released_energy);
+  visit(e.event), visit(e.crack), visit(e.end), visit(e.state), visit(e.from_x), visit(e.from_y), visit(e.x),
+      visit(e.y);
+  visit(e.angle), visit(e.length), visit(e.crack_length), visit(e.load_factor), visit(e.rate_before);
+  visit(e.rate_after), visit(e.released_energy), visit(e.factor_1), visit(e.factor_2), visit(e.resistance);
 }
 
 template <class Tip, class Visit>

@@ -26,7 +26,8 @@ bool is_sound(const fracture::HistoryEntry& line) {
 }
 
 bool is_sound(const fracture::CrackExtension& e) {
-  return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y);
+  return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y) &&
+         e.state <= crack::TipState::separated;
 }
 
 void sound(bool good, const char* what) { require(good, "the bytes of the state are damaged: ", what); }

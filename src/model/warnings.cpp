@@ -113,6 +113,17 @@ void Model::tell_of_hinge() {
               " of the largest force so far, less than the option stepping.separation_share"));
 }
 
+void Model::tell_of_growth(const fracture::Growth& growth) const {
+  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
+  for (const fracture::CrackExtension& e : growth.extensions) {
+    log(2, text("load factor ", e.load_factor, ": crack ", e.crack, " has grown by ", e.length, " to (", e.x, ", ", e.y,
+                ")"));
+    if (e.state == crack::TipState::at_interface)
+      log(1, text("crack ", e.crack, " has stopped at (", e.x, ", ", e.y,
+                  "), before an interface of its region, across which it cannot go on"));
+  }
+}
+
 void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
   const fracture::CrackEvolution& evolution = *prepared_->evolution;
   log(2, text("load factor ", evolution.progress().load_factor, ": ", result.events, " events, ", result.broken_bonds,

@@ -34,10 +34,17 @@ static bempd_crack_tip tip_of(bempd_model* model, int64_t index) {
   return tip;
 }
 
+/** A stationary crack, although its material can break. */
+static void keep_both_tips(bempd_model* model) {
+  CHECK_OK(model, bempd_set_tip_frozen(model, 1, BEMPD_CRACK_START, 1));
+  CHECK_OK(model, bempd_set_tip_frozen(model, 1, BEMPD_CRACK_END, 1));
+}
+
 static void a_centre_crack_has_its_factors(void) {
   const double crack[] = {-0.5, 0, 0.5, 0};
   bempd_model* model = cracked_plate(2, crack, 1);
   int64_t count = 0;
+  keep_both_tips(model);
   CHECK_OK(model, bempd_step(model, 2.0, NULL));
   CHECK_OK(model, bempd_tip_count(model, &count));
   CHECK(count == 2);
@@ -206,7 +213,7 @@ static void a_lattice_beside_the_cracked_region(void) {
   CHECK(tip_of(plate.model, 0).crack == 2 && tip_of(plate.model, 0).stress_intensity_1 > 0);
   CHECK(tip_of(plate.model, 0).method == BEMPD_TIP_ELEMENTS && tip_of(plate.model, 0).contours == 0);
   CHECK(tip_of(plate.model, 1).crack == 1 && tip_of(plate.model, 1).method == BEMPD_TIP_CONTOURS);
-  CHECK_FAILS(plate.model, BEMPD_ERROR_ARGUMENT, "peridynamic", bempd_grow_cracks(plate.model, 1, NULL));
+  CHECK_FAILS(plate.model, BEMPD_ERROR_UNSOLVABLE, "fracture_energy", bempd_grow_cracks(plate.model, 1, NULL));
   bempd_model_free(plate.model);
 }
 
@@ -242,7 +249,9 @@ static void cracks_grow_until_they_cut_the_plate(void) {
   bempd_status status = BEMPD_OK;
   double first = 0, factor = 0, x = 0.2, y = 0.15;
   int steps = 0;
-  CHECK_OK(model, bempd_step(model, 1.0, NULL));
+  /* Both tips grow together, by steps of the host. */
+  CHECK_OK(model, bempd_set_option(model, "growth.share", 0.01));
+  CHECK_OK(model, bempd_step(model, 0.5, NULL));
   CHECK_OK(model, bempd_growth_init(&growth, sizeof growth));
   {
     const bempd_crack_tip tip = tip_of(model, 1);

@@ -182,7 +182,8 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
   BEMPD_STOP_NO_EQUILIBRIUM = 6,
-  BEMPD_STOP_REQUESTED = 7
+  BEMPD_STOP_REQUESTED = 7,
+  BEMPD_STOP_CRACK_STOPPED = 8
 } bempd_stop_reason;
 typedef struct bempd_step_report {
   int64_t struct_size;
@@ -1325,6 +1326,12 @@ since: 0.3""",
 bempd_request_stop() asked for the end of the step, which keeps the events before.
 
 since: 0.3""",
+    "BEMPD_STOP_CRACK_STOPPED": """\
+A crack has reached a place from which it cannot go on: the interface of its region with another
+material, or the border of its region where the crack cannot cross it. The step ends there and keeps
+what happened; the next one goes on without that tip.
+
+since: 0.3""",
     "bempd_step_report": """\
 What a step did. Fill it with bempd_step_report_init().
 
@@ -1335,7 +1342,8 @@ since: 0.1""",
     "bempd_step_report.struct_size": """sizeof(bempd_step_report), set by bempd_step_report_init()""",
     "bempd_step_report.stop_reason": """a bempd_stop_reason""",
     "bempd_step_report.separated": """1 once the load path is cut (BEMPD_STOP_SEPARATED)""",
-    "bempd_step_report.events": """events in this step: batches of bonds broken at one load factor""",
+    "bempd_step_report.events": """\
+events in this step: batches of bonds broken at one load factor, or growth of cracks in BEM regions""",
     "bempd_step_report.broken_bonds": """bonds broken in this step""",
     "bempd_step_report.total_events": """events since the beginning""",
     "bempd_step_report.total_broken_bonds": """\
@@ -1363,7 +1371,8 @@ and proportional loads add up to where they cancel, whichever is largest [-]""",
     "bempd_step_report.seconds_search": """of it: stretches, choice of bonds, connectivity [s]""",
     "bempd_step_report.bond_energy": """\
 of the energy released since the beginning, what bonds take where they just reach their critical
-stretch; the rest would have become motion [J]""",
+stretch, and the fracture energy of what cracks in BEM regions have grown by; the rest would have
+become motion [J]""",
     "bempd_step_report.unstable_event": """\
 number of the first event of this step at which equilibrium was lost: bonds were stretched beyond
 what they bear; 0 if each event was in equilibrium""",
@@ -1408,6 +1417,12 @@ option stepping.tie_band of the largest stretch ratio). Then equilibrium is foun
 load factor, until nothing exceeds what it bears. With the option stepping.mode = "paper" the load
 factor goes in fixed increments instead (option stepping.increment), and at the end of each every
 bond that exceeds its critical stretch breaks.
+
+Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that
+reaches its toughness first, there or in a lattice, goes on by a straight piece. The library chooses
+its length from the length of the crack and the way to what is near, or the option growth.step says
+it. bempd_set_tip_frozen() keeps a tip where it is. With stepping.mode = "paper" these cracks stay
+as they are.
 
 Where growth is unstable no equilibrium is left at the present load factor while bonds break, and
 the energy that the body gives away is more than what bonds take (bond_energy). With the option
@@ -2070,7 +2085,7 @@ and only what they touch is computed again. bempd_extension() has what each tip 
 was saved before brings the shorter cracks back. Choose lengths some times shorter than the distance
 to the next edge or crack.
 
-model [in]: a model without peridynamic regions
+model [in]: the model
 length [in]: how far tips grow [m], > 0
 growth [in,out]: struct_size in, the rest out; may be NULL
 return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a
@@ -2087,7 +2102,8 @@ frozen [in]: 1: it does not grow; 0: it does
 return: status
 since: 0.3""",
     "bempd_crack_extension": """\
-What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
+bempd_crack_extension_init().
 
 since: 0.3""",
     "bempd_crack_extension.struct_size": """sizeof(bempd_crack_extension), set by bempd_crack_extension_init()""",

@@ -22,6 +22,7 @@ class StopReason(enum.IntEnum):
     NO_ADMISSIBLE_LOAD = 5  #: on the equilibrium path: constant loads stretch bonds too far at every load factor
     NO_EQUILIBRIUM = 6  #: in increments: what breaks at the end of the next one leaves no equilibrium
     REQUESTED = 7  #: the end of the step was asked for, by request_stop() or Ctrl-C; the events before are kept
+    CRACK_STOPPED = 8  #: a crack has come to an interface or to the border of its region, where it cannot go on
 
 
 class BondState(enum.IntEnum):

@@ -11,6 +11,8 @@
 
 namespace bempd::fracture {
 
+using coupling::evaluate;
+
 namespace {
 
 // Newton takes 1 to 6 for the places of contact; one by one each may be met several times.

@@ -1394,6 +1394,12 @@ pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_REQUESTED: bempd_stop_reason = 7;
+/// A crack has reached a place from which it cannot go on: the interface of its region with another
+/// material, or the border of its region where the crack cannot cross it. The step ends there and
+/// keeps what happened; the next one goes on without that tip.
+///
+/// * since: 0.3
+pub const BEMPD_STOP_CRACK_STOPPED: bempd_stop_reason = 8;
 /// Why a step ended.
 ///
 /// * since: 0.1
@@ -1413,7 +1419,8 @@ pub struct bempd_step_report {
     pub stop_reason: i32,
     /// 1 once the load path is cut (BEMPD_STOP_SEPARATED)
     pub separated: i32,
-    /// events in this step: batches of bonds broken at one load factor
+    /// events in this step: batches of bonds broken at one load factor, or growth of cracks in BEM
+    /// regions
     pub events: i64,
     /// bonds broken in this step
     pub broken_bonds: i64,
@@ -1450,7 +1457,8 @@ pub struct bempd_step_report {
     /// of it: stretches, choice of bonds, connectivity \[s\]
     pub seconds_search: f64,
     /// of the energy released since the beginning, what bonds take where they just reach their
-    /// critical stretch; the rest would have become motion \[J\]
+    /// critical stretch, and the fracture energy of what cracks in BEM regions have grown by; the
+    /// rest would have become motion \[J\]
     pub bond_energy: f64,
     /// number of the first event of this step at which equilibrium was lost: bonds were stretched
     /// beyond what they bear; 0 if each event was in equilibrium
@@ -1509,6 +1517,12 @@ extern "C" {
     /// it bears. With the option stepping.mode = "paper" the load factor goes in fixed increments
     /// instead (option stepping.increment), and at the end of each every bond that exceeds its
     /// critical stretch breaks.
+    ///
+    /// Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip
+    /// that reaches its toughness first, there or in a lattice, goes on by a straight piece. The
+    /// library chooses its length from the length of the crack and the way to what is near, or the
+    /// option growth.step says it. bempd_set_tip_frozen() keeps a tip where it is. With
+    /// stepping.mode = "paper" these cracks stay as they are.
     ///
     /// Where growth is unstable no equilibrium is left at the present load factor while bonds
     /// break, and the energy that the body gives away is more than what bonds take (bond_energy).
@@ -2512,7 +2526,7 @@ extern "C" {
     /// a state that was saved before brings the shorter cracks back. Choose lengths some times
     /// shorter than the distance to the next edge or crack.
     ///
-    /// * model \[in\]: a model without peridynamic regions
+    /// * model \[in\]: the model
     /// * length \[in\]: how far tips grow \[m\], \> 0
     /// * growth \[in,out\]: struct_size in, the rest out; may be NULL
     /// * return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that
@@ -2541,7 +2555,8 @@ extern "C" {
         frozen: i32,
     ) -> bempd_status;
 }
-/// What one tip did in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init().
+/// What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
+/// bempd_crack_extension_init().
 ///
 /// * since: 0.3
 #[repr(C)]

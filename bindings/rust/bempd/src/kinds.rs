@@ -235,6 +235,8 @@ pub enum StopReason {
     NoEquilibrium,
     /// The host asked for the end of the step, which keeps the events before.
     Requested,
+    /// A crack has come to an interface or to the border of its region, where it cannot go on.
+    CrackStopped,
     /// A reason that this version of the crate does not know.
     Other(i32),
 }
@@ -249,6 +251,7 @@ impl StopReason {
             sys::BEMPD_STOP_NO_ADMISSIBLE_LOAD => StopReason::NoAdmissibleLoad,
             sys::BEMPD_STOP_NO_EQUILIBRIUM => StopReason::NoEquilibrium,
             sys::BEMPD_STOP_REQUESTED => StopReason::Requested,
+            sys::BEMPD_STOP_CRACK_STOPPED => StopReason::CrackStopped,
             _ => StopReason::Other(reason),
         }
     }

@@ -1,0 +1,137 @@
+#include "fracture/balance.hpp"
+#include "fracture/crack_evolution.hpp"
+#include "number_range.hpp"
+
+// Runs that go on in another body, whose cracks have grown, and the way back.
+namespace bempd::fracture {
+
+using coupling::Affine;
+
+void CrackEvolution::forget_lines(const Start& start) noexcept {
+  static_cast<Sums&>(state_) = start.sums;
+  state_.history.resize(start.history_size);
+  state_.reactions.resize(start.reactions_size);
+}
+
+StopReason CrackEvolution::go_to_growth(const Event& growth) {
+  state_.work = in_range(state_.work + body_.move_to(growth.load_factor));
+  measure_work();
+  return StopReason::growth;
+}
+
+void CrackEvolution::take_back() noexcept {
+  if (!start_) return;
+  return_to(*start_);
+  start_.reset();
+}
+
+void CrackEvolution::return_to(const Start& start) noexcept {
+  forget_lines(start);
+  sources_.return_to_mark();
+}
+
+namespace {
+
+// Loads of nodes that have lost them since did nothing more.
+double potential_of_lost_loads(const Affine& force, const std::vector<char>& lost, const std::vector<char>& lost_before,
+                               const Eigen::VectorXd& displacement, double load_factor) {
+  double sum = 0;
+  for (std::size_t node = 0; node < lost.size(); ++node) {
+    if (lost[node] == lost_before[node]) continue;
+    const auto dof = 2 * static_cast<Eigen::Index>(node);
+    sum += coupling::evaluate(force.middleRows<2>(dof), load_factor).dot(displacement.segment<2>(dof));
+  }
+  return sum;
+}
+
+}  // namespace
+
+// What broke and what holds parts where they are stays as it was; faces inside operators are found anew.
+void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>& node_before) {
+  state_.load_factor = old.load_factor;
+  state_.largest_force = old.largest_force;
+  state_.separated = old.separated;
+  state_.first_unit_energy = old.first_unit_energy;
+  state_.stages = old.stages;
+  state_.tips = old.tips;
+  std::vector<char> closed_inside = std::move(state_.faces.closed_inside);
+  state_.faces = old.faces;
+  state_.faces.closed_inside = std::move(closed_inside);
+  std::vector<int> node_now(old.unloaded.size(), -1);
+  for (std::size_t node = node_before.size(); node-- > 0;) {
+    const auto before = static_cast<std::size_t>(node_before[node]);
+    state_.unloaded[node] = old.unloaded[before];
+    state_.total_displacement.segment<2>(2 * static_cast<Eigen::Index>(node)) =
+        old.total_displacement.segment<2>(2 * static_cast<Eigen::Index>(before));
+    node_now[before] = static_cast<int>(node);
+  }
+  for (coupling::HoldingSpring spring : old.springs) {
+    spring.node = node_now[static_cast<std::size_t>(spring.node)];
+    if (spring.node >= 0) state_.springs.push_back(spring);
+  }
+  sources_.abandon();
+  sources_.refresh();
+}
+
+// At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
+// have come to.
+void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before) {
+  const EvolutionState& old = before.state();
+  static_cast<Sums&>(state_) = old;
+  state_.history = old.history;
+  state_.reactions = old.reactions;
+  state_.extensions = old.extensions;
+  take_over_body(old, node_before);
+  const std::vector<char> lost_before = state_.unloaded;
+  const Eigen::VectorXd displacement = state_.total_displacement;
+  const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+  held_ = found.held;
+  const double f = state_.load_factor;
+  const double lost =
+      potential_of_lost_loads(body_.acting_loads().force, state_.unloaded, lost_before, displacement, f);
+  growth_ = {};
+  growth_.work = body_.potential_of_loads() - (before.body_.potential_of_loads() - lost) + within(f) - before.within(f);
+  growth_.stored_energy = body_.stored_energy();
+  growth_.released_energy = growth_.work + before.body_.stored_energy() - growth_.stored_energy;
+  growth_.unit_energy = body_.unit_energy();
+  growth_.residual = body_.residual();
+  growth_.energy_scale = least_energy_scale(system_, f);
+  growth_.fragments = found.fragments;
+  growth_.resistance_before = before.body_.resistance(before.body_.reactions());
+  growth_.reactions = body_.reactions();
+  growth_.resistance = body_.resistance(growth_.reactions);
+}
+
+// What loads lose of their potential less the energy that is stored: what a body has given away at a load factor.
+double CrackEvolution::potential_at(double load_factor) const {
+  const double of_loads =
+      coupling::evaluate(system_.force(), load_factor).dot(coupling::evaluate(state_.displacement, load_factor));
+  return of_loads + within(load_factor) - body_.stored_energy_at(load_factor);
+}
+
+// The energy released at a constant load factor is quadratic in that. On the way from one to another it is, up to the
+// third power of the crack's extension, the bilinear form that belongs to it: by Betti's theorem half the difference of
+// what the forces of either crack do on the displacements of the other.
+double CrackEvolution::released_beyond_path(const CrackEvolution& before, double load_factor) const {
+  const auto released = [&](double at) { return potential_at(at) - before.potential_at(at); };
+  const double present = state_.load_factor;
+  return 1.5 * released(present) - 2 * released(0.5 * (present + load_factor)) + 0.5 * released(load_factor);
+}
+
+void CrackEvolution::book(const Growth& growth) {
+  Event event;
+  event.load_factor = state_.load_factor;
+  event.ratio = growth.ratio;
+  event.critical_load_factor = growth.critical_load_factor;
+  growth_.work -= growth.beyond_path;
+  growth_.released_energy -= growth.beyond_path;
+  growth_.bond_energy = growth.surface_energy;
+  growth_.critical_stored_energy = body_.stored_energy_at(event.critical_load_factor);
+  book(event, growth_, {});
+  for (const CrackExtension& extension : growth.extensions) {
+    state_.extensions.push_back(extension);
+    state_.extensions.back().event = state_.events;
+  }
+}
+
+}  // namespace bempd::fracture

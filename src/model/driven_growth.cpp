@@ -1,0 +1,83 @@
+#include "model/driven_growth.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "cancellation.hpp"
+#include "error.hpp"
+#include "model/element_growth.hpp"
+#include "model/model.hpp"
+
+// Steps that let cracks with boundary elements grow on their way.
+namespace bempd::model {
+
+// A material without a fracture energy has stationary cracks.
+bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
+  if (stepping.mode != fracture::SteppingMode::events) return false;
+  const std::vector<int>& regions = prepared_->discretization.crack_regions;
+  return std::any_of(regions.begin(), regions.end(),
+                     [&](int region) { return region > 0 && scene_.material_of(region).fracture_energy > 0; });
+}
+
+// From growth to growth, each in a scene of its own.
+fracture::StopReason Model::advance_growing(DrivenRun& run) {
+  ElementTips tips(options_, [this] { return growing_tips(); });
+  if (drives_elements(run.stepping)) {
+    run.stepping.other_tips = &tips;
+    run.cracks = scene_.cracks();
+    tips.follow(*prepared_->evolution);
+  }
+  const std::int64_t before = prepared_->evolution->progress().events;
+  for (;;) {
+    const fracture::StopReason reason =
+        prepared_->evolution->advance(run.target, run.goal, run.stepping, run.on_event, run.on_end);
+    if (reason != fracture::StopReason::growth) return reason;
+    check_cancelled();
+    if (!grow_next(tips, run)) return fracture::StopReason::crack_stopped;
+    const fracture::EvolutionState& state = prepared_->evolution->progress();
+    run.stepping.events_so_far = state.events - before;
+    run.on_event(state);
+    const bool is_done = run.goal == fracture::Goal::next_event;
+    if (!is_done && !run.crack_stopped) continue;
+    run.on_end();
+    if (state.separated && run.goal != fracture::Goal::load_factor) return fracture::StopReason::separated;
+    return run.crack_stopped ? fracture::StopReason::crack_stopped : fracture::StopReason::event;
+  }
+}
+
+// False if the crack would cut its region in two.
+bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
+  Growing growing = growing_with(tips.tips(), tips.first(), load_factor(), options_);
+  set_lengths(growing, chosen_length(scene_, growing, options_), options_);
+  const std::vector<scene::Crack> before = scene_.cracks();
+  Grown next;
+  try {
+    next = grown(before, std::move(growing), true, run.on_way);
+  } catch (const Error& error) {
+    if (std::string_view(error.what()).find("completes a cut") == std::string_view::npos) throw;
+    scene_.set_cracks(before);
+    say([&] { log(1, error.what()); });
+    run.on_end();
+    return false;
+  }
+  run.crack_stopped = std::any_of(next.growth.extensions.begin(), next.growth.extensions.end(),
+                                  [](const auto& e) { return e.state == crack::TipState::at_interface; });
+  const Seconds spent = seconds_of(*prepared_);
+  run.seconds.solve -= spent.solve, run.seconds.update -= spent.update, run.seconds.search -= spent.search;
+  prepared_.swap(next.scene);
+  ++generation_;
+  if (!run.start) run.start = std::move(next.scene);
+  tips.follow(*prepared_->evolution);
+  say([&] { tell_of_growth(next.growth); });
+  return true;
+}
+
+// After a failure, wherever it has come.
+void Model::take_back(DrivenRun& run) noexcept {
+  if (run.stepping.other_tips) scene_.set_cracks(std::move(run.cracks));
+  if (run.start) prepared_ = std::move(run.start);
+  prepared_->evolution->take_back();
+  ++generation_;
+}
+
+}  // namespace bempd::model

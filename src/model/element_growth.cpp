@@ -1,0 +1,199 @@
+#include "model/element_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/turning.hpp"
+#include "model/crack_way.hpp"
+
+namespace bempd::model {
+
+namespace {
+
+// Steps that the library chooses: shares of the crack's length and of the way to the nearest edge, hole or other crack,
+// and beside these no less than a share of the crack's length. So stress intensity factors change by a tenth or so in a
+// step, and a ligament shorter than the last is cut by the last step.
+constexpr double step_over_crack = 0.1, step_over_clearance = 0.12, least_step_over_crack = 0.01;
+
+Kink kink_at(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
+  return kink_of(factors_of(tip).at(load_factor), criterion_of(options));
+}
+
+const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::vector<regions::TipValues>& tips) {
+  const auto found =
+      std::find_if(tips.begin(), tips.end(), [&](const auto& tip) { return tip.crack == e.crack && tip.end == e.end; });
+  return found == tips.end() ? nullptr : &*found;
+}
+
+// Where a tip that is overloaded at a load factor just reaches its toughness; there, if it always exceeds it.
+double critical_load_factor(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
+  const crack::GrowthRange range = crack::growth_range(factors_of(tip), tip.toughness, criterion_of(options));
+  if (range.is_empty() || range.holds(load_factor)) return load_factor;
+  return load_factor >= range.highest ? range.highest : range.lowest;
+}
+
+}  // namespace
+
+KinkCriterion criterion_of(const scene::Options& options) {
+  return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
+                                                            : KinkCriterion::hoop_stress;
+}
+
+crack::AffineFactors factors_of(const regions::TipValues& tip) {
+  return {tip.constant_factors, tip.proportional_factors};
+}
+
+Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
+                     const scene::Options& options) {
+  const KinkCriterion criterion = criterion_of(options);
+  const auto ratio_of = [&](const regions::TipValues& tip) {
+    return tip.toughness > 0 ? crack::growth_ratio(factors_of(tip), load_factor, tip.toughness, criterion) : 0;
+  };
+  Growing growing;
+  growing.load_factor = load_factor;
+  growing.ratio = ratio_of(tips[first]);
+  growing.critical_load_factor = load_factor;
+  if (growing.is_in_equilibrium()) {
+    growing.ratio = 1;  // but for rounding
+  } else {
+    growing.critical_load_factor = critical_load_factor(tips[first], load_factor, options);
+  }
+  const double share = options.number("growth.share");
+  for (std::size_t t = 0; t < tips.size(); ++t) {
+    if (t != first && !(share > 0 && ratio_of(tips[t]) >= growing.ratio / (1 + share))) continue;
+    const regions::TipValues& tip = tips[t];
+    const Kink kink = kink_at(tip, load_factor, options);
+    const Point factors = factors_of(tip).at(load_factor);
+    fracture::CrackExtension extension;
+    extension.crack = tip.crack;
+    extension.end = tip.end;
+    extension.from_x = tip.place.x();
+    extension.from_y = tip.place.y();
+    extension.angle = kink.angle;
+    extension.load_factor = load_factor;
+    extension.rate_before = kink.equivalent_factor * kink.equivalent_factor / tip.plane_modulus;
+    extension.factor_1 = factors.x();
+    extension.factor_2 = factors.y();
+    extension.resistance = tip.toughness * tip.toughness / tip.plane_modulus;
+    growing.tips.push_back(tip);
+    growing.extensions.push_back(extension);
+  }
+  return growing;
+}
+
+void set_lengths(Growing& growing, double length, const scene::Options& options) {
+  const double exponent = options.number("growth.exponent");
+  growing.lengths.clear();
+  for (const regions::TipValues& tip : growing.tips) {
+    const double factor = kink_at(tip, growing.load_factor, options).equivalent_factor;
+    growing.lengths.push_back(length * std::pow(factor / tip.toughness, 2 * exponent));
+  }
+}
+
+double chosen_length(const scene::Scene& scene, const Growing& growing, const scene::Options& options) {
+  if (const double said = options.number("growth.step"); said > 0) return said;
+  double least = std::numeric_limits<double>::infinity();
+  for (const regions::TipValues& tip : growing.tips) {
+    const double length = length_of(scene.crack(tip.crack));
+    const double clearance = clearance_of_tip(scene, scene.cracks(), tip.crack, tip.end);
+    least = std::min(
+        {least, step_over_crack * length, std::max(step_over_clearance * clearance, least_step_over_crack * length)});
+  }
+  return least;
+}
+
+// One after another, so that two that run into each other meet.
+std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene::Crack> cracks, double tolerance,
+                                   Growing& growing) {
+  for (std::size_t k = 0; k < growing.tips.size(); ++k) {
+    fracture::CrackExtension& e = growing.extensions[k];
+    const Point& from = growing.tips[k].place;
+    const TipWay way = way_of_tip(scene, cracks, e.crack, e.end, turned(growing.tips[k].direction, e.angle),
+                                  growing.lengths[k], tolerance);
+    scene::Crack& crack = cracks[static_cast<std::size_t>(e.crack) - 1];
+    extend(crack, e.end, way.to);
+    e.state = way.state;
+    e.x = way.to.x();
+    e.y = way.to.y();
+    e.length = (way.to - from).norm();
+    e.crack_length = length_of(crack);
+  }
+  return cracks;
+}
+
+double largest_turn(const Growing& growing, const std::vector<regions::TipValues>& after,
+                    const scene::Options& options) {
+  double largest = 0;
+  for (const fracture::CrackExtension& e : growing.extensions) {
+    const regions::TipValues* tip = tip_of(e, after);
+    if (!e.has_ended() && tip) largest = std::max(largest, std::abs(kink_at(*tip, e.load_factor, options).angle));
+  }
+  return largest;
+}
+
+void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options) {
+  for (fracture::CrackExtension& e : growing.extensions) {
+    const regions::TipValues* tip = tip_of(e, after);
+    if (!e.has_ended() && tip) e.angle += 0.5 * kink_at(*tip, e.load_factor, options).angle;
+  }
+}
+
+std::optional<double> end_of_path(const Growing& growing, const std::vector<regions::TipValues>& after,
+                                  const scene::Options& options) {
+  if (!growing.is_in_equilibrium()) return std::nullopt;
+  crack::GrowthRange before, common;
+  const auto narrow = [&](crack::GrowthRange& range, const regions::TipValues& tip) {
+    const crack::GrowthRange own = crack::growth_range(factors_of(tip), tip.toughness, criterion_of(options));
+    range = {std::max(range.lowest, own.lowest), std::min(range.highest, own.highest)};
+  };
+  for (std::size_t k = 0; k < growing.tips.size(); ++k) {
+    const regions::TipValues* tip = tip_of(growing.extensions[k], after);
+    if (!tip) return std::nullopt;
+    narrow(before, growing.tips[k]);
+    narrow(common, *tip);
+  }
+  const bool upwards = std::abs(growing.load_factor - before.highest) <= std::abs(growing.load_factor - before.lowest);
+  const double end = upwards ? common.highest : common.lowest;
+  return common.is_empty() || !std::isfinite(end) ? std::nullopt : std::optional(end);
+}
+
+// Each took the integral of its rate; what others leave where it has ended, for the rate on the way to an edge is not
+// known. On the path of equilibrium the rate is all along what it was at first.
+fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
+                        const std::vector<double>& thickness, double released, std::optional<double> beyond_path) {
+  fracture::Growth growth{growing.ratio, growing.critical_load_factor, 0, beyond_path.value_or(0),
+                          std::move(growing.extensions)};
+  double left = released, ended_length = 0;
+  for (std::size_t k = 0; k < growth.extensions.size(); ++k) {
+    fracture::CrackExtension& e = growth.extensions[k];
+    const double area = e.length * thickness[k];
+    growth.surface_energy += e.resistance * area;
+    if (const regions::TipValues* tip = tip_of(e, after)) {
+      e.rate_after = tip->energy_release_rate;
+      e.released_energy = (beyond_path ? e.rate_before : 0.5 * (e.rate_before + e.rate_after)) * area;
+      left -= e.released_energy;
+    } else {
+      ended_length += e.length;
+    }
+  }
+  for (fracture::CrackExtension& e : growth.extensions)
+    if (!tip_of(e, after)) e.released_energy = left * e.length / ended_length;
+  return growth;
+}
+
+GrowthResult result_of(const fracture::Growth& growth) {
+  GrowthResult result{static_cast<int>(growth.extensions.size()), 0, growth.extensions.front().load_factor, 0, 0};
+  for (const fracture::CrackExtension& e : growth.extensions) {
+    result.length += e.length;
+    result.ended += e.has_ended() ? 1 : 0;
+  }
+  return result;
+}
+
+bool has_stopped(int crack, int end, const std::vector<fracture::CrackExtension>& extensions) {
+  const auto last = std::find_if(extensions.rbegin(), extensions.rend(),
+                                 [&](const auto& e) { return e.crack == crack && e.end == end; });
+  return last != extensions.rend() && last->state == crack::TipState::at_interface;
+}
+
+}  // namespace bempd::model
