@@ -33,10 +33,10 @@ void visit_members(Line& h, Visit& visit) {
 template <class Extension, class Visit>
 requires std::is_same_v<std::remove_const_t<Extension>, fracture::CrackExtension>
 void visit_members(Extension& e, Visit& visit) {
-  visit(e.event), visit(e.crack), visit(e.end), visit(e.state), visit(e.from_x), visit(e.from_y), visit(e.x),
-      visit(e.y);
-  visit(e.angle), visit(e.length), visit(e.crack_length), visit(e.load_factor), visit(e.rate_before);
-  visit(e.rate_after), visit(e.released_energy), visit(e.factor_1), visit(e.factor_2), visit(e.resistance);
+  for (auto* number : {&e.x, &e.y, &e.angle, &e.length, &e.crack_length, &e.load_factor, &e.rate_before, &e.rate_after,
+                       &e.released_energy, &e.from_x, &e.from_y, &e.factor_1, &e.factor_2, &e.resistance})
+    visit(*number);
+  visit(e.event), visit(e.crack), visit(e.end), visit(e.state);
 }
 
 template <class Tip, class Visit>
