@@ -94,9 +94,24 @@ std::span<const fracture::CrackExtension> Model::extensions() const {
   return prepared_->evolution->progress().extensions;
 }
 
-// Those that may grow, as functions of the load factor.
-std::vector<regions::TipValues> Model::growing_tips() const {
-  std::vector<regions::TipValues> tips = tips_of(*prepared_, regions::TipDetail::factors);
+// As functions of the load factor, which nothing changes between events while the loads are the same.
+const std::vector<regions::TipValues>& Model::tip_factors() {
+  const coupling::Affine& displacement = prepared_->evolution->state().displacement;
+  const std::vector<char>& closed = prepared_->system->closed_faces();
+  const bool is_known = tip_factors_.scene == prepared_.get() && tip_factors_.closed == closed &&
+                        tip_factors_.displacement.rows() == displacement.rows() &&
+                        tip_factors_.displacement == displacement;
+  if (!is_known) {
+    tip_factors_.scene = nullptr;
+    tip_factors_ = {nullptr, displacement, closed, tips_of(*prepared_, regions::TipDetail::factors)};
+    tip_factors_.scene = prepared_.get();
+  }
+  return tip_factors_.tips;
+}
+
+// Those that may grow.
+std::vector<regions::TipValues> Model::growing_tips() {
+  std::vector<regions::TipValues> tips = tip_factors();
   const std::vector<fracture::CrackExtension>& extensions = prepared_->evolution->progress().extensions;
   std::erase_if(tips, [&](const regions::TipValues& tip) {
     return frozen_tips_.count({tip.crack, tip.end}) > 0 || has_stopped(tip.crack, tip.end, extensions);
@@ -108,7 +123,7 @@ std::vector<regions::TipValues> Model::growing_tips() const {
 std::vector<regions::TipValues> Model::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
-  require(!tips_of(*prepared_, regions::TipDetail::factors).empty(),
+  require(!tip_factors().empty(),
           "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
   fail(Failure::argument,
        "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");

@@ -100,6 +100,7 @@ Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Actin
   }
   before.conditions = std::exchange(prepared_->conditions, std::move(conditions));
   loads_.acting = acting;
+  tip_factors_.scene = nullptr;
   ++generation_;
   return before;
 }
@@ -115,6 +116,7 @@ void Model::go_back_to(LoadsBefore before) noexcept {
   });
   prepared_->conditions = std::move(before.conditions);
   loads_.acting = before.acting;
+  tip_factors_.scene = nullptr;
   ++generation_;
 }
 
@@ -186,6 +188,7 @@ void Model::arrive(std::optional<regions::DofConditions> known, std::optional<sc
     prepared_->evolution->take_over(conditions.force, conditions.displacement, conditions.work_within,
                                     pressures_of(conditions));
     prepared_->conditions = std::move(conditions);
+    tip_factors_.scene = nullptr;
     loads_.in_force.swap(said);
     loads_.acting = Acting::values;
   });

@@ -20,6 +20,7 @@
 #include "model/fingerprint.hpp"
 #include "model/host_listener.hpp"
 #include "model/saved_state.hpp"
+#include "model/tip_factors.hpp"
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 #include "regions/edge_nodes.hpp"
@@ -221,7 +222,8 @@ class Model {
   // `before`: one whose cracks were shorter, of which regions keep what has not changed.
   std::unique_ptr<PreparedScene> build(const PreparedScene* before) const;
   std::vector<regions::TipValues> tips_of(const PreparedScene& prepared, regions::TipDetail detail) const;
-  std::vector<regions::TipValues> growing_tips() const;
+  const std::vector<regions::TipValues>& tip_factors();
+  std::vector<regions::TipValues> growing_tips();
   std::vector<regions::TipValues> free_tips();
   Growing go_to_growth(double length);
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
@@ -283,6 +285,7 @@ class Model {
   std::int64_t tips_generation_ = 0;
   std::vector<results::TipRecord> tip_history_;
   std::set<std::pair<int, int>> frozen_tips_;  // crack and end
+  TipFactors tip_factors_;
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
   bool warned_of_interface_ = false, warned_of_hinge_ = false;
 };

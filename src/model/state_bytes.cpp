@@ -57,7 +57,6 @@ void visit_members(Faces& f, Visit& visit) {
 template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
 void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.proportional); }
-
 template <class Placed, class Visit>
 requires std::is_same_v<std::remove_const_t<Placed>, scene::PlacedValues>
 void visit_members(Placed& p, Visit& visit) { visit(p.fractions), visit(p.constant), visit(p.proportional); }
