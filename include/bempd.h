@@ -768,6 +768,9 @@ typedef struct bempd_step_report {
   int64_t closed_places;  /**< places at which faces of cracks press on each other at the end: about one a spacing in
                              lattices (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact) */
   int64_t face_switches;  /**< how often such places have closed or opened in this step */
+  int64_t ties;           /**< tips of cracks, and places where cracks begin, that would have grown at events of this
+                             step as soon as those that did, but for rounding (1e-9): the crack with the least id grows
+                             first, its start before its end, and a crack begins at the bond with the least number */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill

@@ -345,6 +345,10 @@ module bempd_c
     integer(c_int64_t) :: closed_places
     !> how often such places have closed or opened in this step
     integer(c_int64_t) :: face_switches
+    !> tips of cracks, and places where cracks begin, that would have grown at events of this step as soon as those that
+    !> did, but for rounding (1e-9): the crack with the least id grows first, its start before its end, and a crack
+    !> begins at the bond with the least number
+    integer(c_int64_t) :: ties
   end type bempd_step_report
 
   !> A piece of the body. Fill it with bempd_piece_init().

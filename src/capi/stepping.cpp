@@ -54,6 +54,7 @@ bempd_step_report report_of(const model::StepResult& result, const fracture::Evo
   r.resistance = state.resistance.present;
   r.peak_resistance = state.resistance.peak;
   r.face_switches = result.face_switches;
+  r.ties = result.ties;
   r.hanging = result.hanging ? 1 : 0;
   return r;
 }

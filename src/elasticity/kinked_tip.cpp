@@ -34,7 +34,11 @@ double opening_rate(const Point& factors, double angle) {
 Kink largest_hoop_stress(const Point& factors) {
   const double one = factors.x(), two = factors.y();
   double angle = 0;
-  if (two != 0) angle = 2 * std::atan((one - std::sqrt(one * one + 8 * two * two)) / (4 * two));
+  // Of a tip that is pressed shut, the shear being next to nothing, the opposite of ahead.
+  if (one < 0 && std::abs(two) < -1e-290 * one) {
+    if (two != 0) angle = two > 0 ? -pi : pi;
+  } else if (two != 0)
+    angle = 2 * std::atan((one - std::sqrt(one * one + 8 * two * two)) / (4 * two));
   return {angle, hoop_factor(factors, angle)};
 }
 

@@ -57,6 +57,7 @@ CrackEvolution::CrackEvolution(coupling::EquilibriumSystem& system, const std::v
 
 void CrackEvolution::grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips) {
   state_.tips = std::move(tips);
+  lengths_ = laws.of_crack;
   sources_.grow_lines(std::move(laws));
 }
 
@@ -71,7 +72,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
                                    const std::function<void()>& on_end) {
   sources_.refresh();
   sources_.go_on();
-  const Start start{state_, state_.history.size(), state_.reactions.size()};
+  const Start start = this->start();
   try {
     const StopReason reason = run(target, goal, options, on_event);
     if (reason == StopReason::growth) {
@@ -178,7 +179,7 @@ bool CrackEvolution::perform(const Event& event, const SteppingOptions& options,
     return true;
   }
   BodyState before = state_;
-  const Start start{state_, state_.history.size(), state_.reactions.size()};
+  const Start start = this->start();
   try {
     book(event, sources_.perform(), options);
     return true;
@@ -215,6 +216,8 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
   state_.broken_bonds += outcome.broken;
   state_.fragments += outcome.fragments;
   state_.contact_switches += outcome.switches;
+  state_.ties += outcome.ties;
+  book_lines(outcome, outcome.released_energy - moved);
   add(state_.resistance, event, outcome);
   if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
   HistoryEntry line;

@@ -169,9 +169,10 @@ class CrackEvolution {
   // The books as they were when a call began.
   struct Start {
     Sums sums;
-    std::size_t history_size, reactions_size;
+    std::size_t history_size, reactions_size, extensions_size;
   };
 
+  Start start() const { return {state_, state_.history.size(), state_.reactions.size(), state_.extensions.size()}; }
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
   std::optional<StopReason> why_there_is_none(Goal goal, const SteppingOptions& options);
@@ -185,6 +186,7 @@ class CrackEvolution {
   double within(double load_factor) const;
   double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
+  void book_lines(const Outcome& outcome, double released_energy);
   void pass(const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.
@@ -195,6 +197,7 @@ class CrackEvolution {
   EvolutionState state_;
   LoadedBody body_;
   EventSources sources_;
+  std::vector<double> lengths_;  // of the cracks that the host described
   std::vector<int> held_;
   std::optional<Start> start_;  // of an advance() that ended where other tips grow
   Outcome growth_;              // of the growth that is to be booked

@@ -12,6 +12,9 @@ namespace {
 // A ratio that differs from 1 by less than this belongs to a bond that is just reaching its critical stretch.
 constexpr double excess_tolerance = 1e-12;
 
+// Ratios that grow less with the load factor do not grow: the load factor of 1 would be none.
+constexpr double least_slope = 1e-280;
+
 // Widens the tie band so that mirrored bonds, equal up to rounding, fall on the same side of its limit.
 constexpr double tie_rounding = 1e-9;
 
@@ -52,7 +55,8 @@ namespace {
 std::pair<double, double> at_least_one(double constant, double proportional, double direction) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double slope = proportional * direction;
-  if (slope == 0) return constant >= 1 ? std::pair(-infinity, infinity) : std::pair(infinity, -infinity);
+  if (std::abs(slope) < least_slope)
+    return constant >= 1 ? std::pair(-infinity, infinity) : std::pair(infinity, -infinity);
   const double place = (1 - constant) / slope;
   return slope > 0 ? std::pair(place, infinity) : std::pair(-infinity, place);
 }
@@ -69,7 +73,7 @@ AffineRatios::Span AffineRatios::critical_span(std::size_t b, double direction) 
 std::optional<double> AffineRatios::critical_from(std::size_t b, double from, double direction) const {
   if (relief.empty()) {
     const double slope = proportional[b];
-    if (!(slope * direction > 0)) return std::nullopt;
+    if (!(slope * direction > least_slope)) return std::nullopt;
     return (1 - constant[b]) / slope;
   }
   const Span span = critical_span(b, direction);
@@ -94,7 +98,7 @@ std::optional<double> AffineRatios::next_break(const std::vector<char>& intact, 
   return next;
 }
 
-LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
+LoadInterval AffineRatios::admissible(const std::vector<char>& intact, bool upwards) const {
   const double infinity = std::numeric_limits<double>::infinity();
   LoadInterval result{-infinity, infinity};
   for (std::size_t b = 0; b < intact.size(); ++b) {
@@ -103,8 +107,8 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
       const Span span = critical_span(b, 1);
       if (!(span.begin <= span.end)) continue;
       if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
-      // Of two ranges without a critical bond the lower one.
-      if (std::isinf(span.begin)) {
+      // Of two ranges without a critical bond the one that the way comes from.
+      if (std::isinf(span.begin) || (!upwards && !std::isinf(span.end))) {
         result.lowest = std::max(result.lowest, span.end);
       } else {
         result.highest = std::min(result.highest, span.begin);
@@ -112,9 +116,9 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
       continue;
     }
     const double slope = proportional[b], room = 1 - constant[b];
-    if (slope > 0) {
+    if (slope > least_slope) {
       result.highest = std::min(result.highest, room / slope);
-    } else if (slope < 0) {
+    } else if (slope < -least_slope) {
       result.lowest = std::max(result.lowest, room / slope);
     } else if (room < -excess_tolerance) {
       return {infinity, -infinity};
@@ -125,8 +129,9 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact) const {
 
 double AffineRatios::critical_load_factor(std::size_t bond, double load_factor) const {
   const bool relieved = !relief.empty() && relief.at(bond, load_factor) > 0;
-  const double critical = (1 - constant[bond] + (relieved ? relief.constant[bond] : 0)) /
-                          (proportional[bond] - (relieved ? relief.proportional[bond] : 0));
+  const double slope = proportional[bond] - (relieved ? relief.proportional[bond] : 0);
+  if (std::abs(slope) < least_slope) return load_factor;
+  const double critical = (1 - constant[bond] + (relieved ? relief.constant[bond] : 0)) / slope;
   return std::isfinite(critical) ? critical : load_factor;
 }
 
@@ -143,7 +148,7 @@ double AffineRatios::steepest() const {
 
 std::optional<double> AffineRatios::next_proportional_break(double from) const {
   const double largest = steepest();
-  if (!(largest > 0)) return std::nullopt;
+  if (!(largest > least_slope)) return std::nullopt;
   return from * largest > 1 + excess_tolerance ? from : std::max(from, 1 / largest);
 }
 

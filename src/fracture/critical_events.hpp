@@ -42,7 +42,8 @@ struct AffineRatios {
   // next_break() upwards to any load factor, where all constant parts are 0, and the ratios of broken bonds too.
   std::optional<double> next_proportional_break(double from) const;
 
-  LoadInterval admissible(const std::vector<char>& intact) const;
+  // Of two intervals, between which bonds are critical, the one that a way in this direction comes from.
+  LoadInterval admissible(const std::vector<char>& intact, bool upwards = true) const;
   // Where a bond that has reached its critical stretch at a load factor just reaches it; there, if it always exceeds
   // it.
   double critical_load_factor(std::size_t bond, double load_factor) const;

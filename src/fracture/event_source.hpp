@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/term_law.hpp"
+#include "fracture/evolution_state.hpp"
 #include "fracture/stepping_options.hpp"
 
 namespace bempd::fracture {
@@ -54,6 +55,8 @@ struct Outcome {
   std::vector<double> reactions;  // after it, x and y of every support
   double resistance_before = 0;   // at the same load factor
   double resistance = 0;
+  std::vector<CrackExtension> extensions;  // but for what the books know: event, length of the crack, energy
+  int ties = 0;                            // others that would have grown as soon
 };
 
 // Says where on the way of the load factor the next event comes, and performs it on the body.

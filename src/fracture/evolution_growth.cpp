@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "fracture/balance.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "number_range.hpp"
@@ -11,6 +13,7 @@ void CrackEvolution::forget_lines(const Start& start) noexcept {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
   state_.reactions.resize(start.reactions_size);
+  state_.extensions.resize(start.extensions_size);
 }
 
 StopReason CrackEvolution::go_to_growth(const Event& growth) {
@@ -116,6 +119,23 @@ double CrackEvolution::released_beyond_path(const CrackEvolution& before, double
   const auto released = [&](double at) { return potential_at(at) - before.potential_at(at); };
   const double present = state_.load_factor;
   return 1.5 * released(present) - 2 * released(0.5 * (present + load_factor)) + 0.5 * released(load_factor);
+}
+
+// Steps of one event share its energy by their lengths.
+void CrackEvolution::book_lines(const Outcome& outcome, double released_energy) {
+  double length = 0;
+  for (const CrackExtension& extension : outcome.extensions) length += extension.length;
+  for (CrackExtension extension : outcome.extensions) {
+    const auto& all = state_.extensions;
+    const auto last =
+        std::find_if(all.rbegin(), all.rend(), [&](const auto& other) { return other.crack == extension.crack; });
+    const auto number = static_cast<std::size_t>(extension.crack - 1);
+    const double before = last != all.rend() ? last->crack_length : number < lengths_.size() ? lengths_[number] : 0;
+    extension.event = state_.events;
+    extension.crack_length = before + extension.length;
+    extension.released_energy = released_energy * extension.length / length;
+    state_.extensions.push_back(extension);
+  }
 }
 
 void CrackEvolution::book(const Growth& growth) {

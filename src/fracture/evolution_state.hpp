@@ -30,8 +30,8 @@ struct HistoryEntry {
   double bond_energy = 0;  // released by then, had each event happened there
 };
 
-// What a tip of a crack with elements did at an event: it went straight on to a place, where it is a tip again unless
-// it has ended at an edge or a crack.
+// What a tip did at an event: it went straight on to a place, where it is a tip again unless it has ended. A crack that
+// begins does so as two extensions from its middle.
 struct CrackExtension {
   std::int64_t event = 0;
   int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first
@@ -42,7 +42,7 @@ struct CrackExtension {
   double length = 0, crack_length = 0;
   double load_factor = 0;
   double rate_before = 0, rate_after = 0;  // energy release rates along the way [J/m^2]; none where it has ended
-  double released_energy = 0;              // their integral [J]
+  double released_energy = 0;              // their integral [J]; of a line what the event released
   double factor_1 = 0, factor_2 = 0;       // K_I and K_II of the tip before it grew [Pa m^(1/2)]
   double resistance = 0;                   // energy per area that it met [J/m^2]
 
@@ -87,6 +87,7 @@ struct Sums {
   double residual = 0;  // at the last line of the history
   Resistance resistance;
   std::int64_t contact_switches = 0;  // places of faces that have closed or opened
+  std::int64_t ties = 0;              // tips or places that would have grown at events as soon as those that did
   double work_out_of_balance = 0;     // of loads since equilibrium was lost, as far as it is stored
 };
 

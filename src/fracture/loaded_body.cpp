@@ -234,7 +234,8 @@ std::optional<double> LoadedBody::next_break(double target) {
 
 std::optional<double> LoadedBody::next_on_path(double target) {
   const Stopwatch watch(seconds_search_);
-  return admissible().next(target >= state_.load_factor);
+  const bool upwards = target >= state_.load_factor;
+  return ratios_.admissible(system_.intact(), upwards).next(upwards);
 }
 
 double LoadedBody::stored_energy() const {

@@ -15,6 +15,7 @@ struct StepResult {
   std::int64_t broken_bonds = 0;
   std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
   std::int64_t face_switches = 0;   // places where faces have closed or opened
+  std::int64_t ties = 0;            // tips or places that would have grown as soon as those that did
   bool hanging = false;             // separated, and nothing has come off
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };

@@ -79,16 +79,18 @@ bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
 }
 
 // Tips go on or end in a window, none begins.
-bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vector<fracture::GrowingTip>& later) {
-  const auto is_same = [](const fracture::GrowingTip& tip, const fracture::GrowingTip& then) {
-    return model::is_sound(tip) && (tip.law == then.law || -1 - tip.law == then.law);
+bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vector<fracture::GrowingTip>& later,
+                  std::size_t laws) {
+  const auto is_same = [&](const fracture::GrowingTip& tip, const fracture::GrowingTip& then) {
+    return model::is_sound(tip) && static_cast<std::size_t>(tip.law) < laws && tip.id == then.id &&
+           (!crack::has_ended(tip.state) || tip.state == then.state);
   };
   return tips.size() == later.size() && std::equal(tips.begin(), tips.end(), later.begin(), is_same);
 }
 
 bool is_sound(const WindowOrigin& window, const fracture::EvolutionState& state, const PreparedScene& scene) {
   if (window.faces && !is_sound(*window.faces, scene)) return false;
-  if (!are_those_of(window.tips, state.tips)) return false;
+  if (!are_those_of(window.tips, state.tips, scene.tip_laws)) return false;
   if (window.displacement.rows() != state.displacement.rows() || !window.displacement.allFinite()) return false;
   if (!std::isfinite(window.load_factor) || window.events_performed < 0) return false;
   if (!(window.options.tie_band >= 0 && window.options.tie_band < 1) || !std::isfinite(window.options.ahead))

@@ -243,11 +243,19 @@ GrowthResult Model::grow_cracks(double length) {
   return result;
 }
 
-// Grown again event by event, so that what regions take over from the scene before has the same digits.
-std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
+// Grown again event by event, so that what regions take over from the scene before has the same digits. Extensions in
+// lattices leave the scene as it is.
+std::unique_ptr<PreparedScene> Model::as_grown(std::vector<fracture::CrackExtension> extensions) {
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
-  const std::span<const fracture::CrackExtension> present = this->extensions();
+  const std::vector<int>& region_of = prepared_->discretization.crack_regions;
+  const auto in_lattice = [&](const auto& e) {
+    const auto number = static_cast<std::size_t>(e.crack);
+    return number > region_of.size() || region_of[number - 1] == 0;
+  };
+  const std::span<const fracture::CrackExtension> all = this->extensions();
+  std::vector<fracture::CrackExtension> present(all.begin(), all.end());
+  std::erase_if(present, in_lattice), std::erase_if(extensions, in_lattice);
   if (std::equal(present.begin(), present.end(), extensions.begin(), extensions.end(), same)) return nullptr;
   std::vector<scene::Crack> cracks;
   for (const scene::Crack& crack : scene_.cracks())

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
+#include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
+#include "model/growth_options.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/crack_places.hpp"
 #include "regions/incompressible.hpp"
@@ -73,22 +76,27 @@ void Model::grow_lines(PreparedScene& p) const {
   const std::string rule = options_.text_in_effect("pd.crack_rule");
   if (rule == "bond") return;
   pd::TipLaws laws;
-  std::vector<fracture::GrowingTip> tips;
-  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_)) {
-    tips.push_back({tip.place, tip.direction, static_cast<int>(laws.laws.size()), {}});
-    laws.laws.push_back(tip.law);
-  }
-  // Without any of these nothing but the tips that there are grows.
-  const bool more_begin = rule != "tips";
-  if (more_begin) laws.of_node.assign(p.discretization.positions.size(), -1);
+  laws.more_begin = rule != "tips";
+  laws.criterion = growth_criterion(options_);
+  laws.of_node.assign(p.discretization.positions.size(), -1);
+  laws.share_of_node.assign(laws.of_node.size(), 0);
+  std::map<int, int> law_of_region;
   for (const auto& region : p.discretization.regions) {
-    if (!more_begin) break;
     const std::optional<pd::TipLaw> law = region->tip_law(options_);
     if (!law) continue;
-    for (const int node : region->nodes())
-      laws.of_node[static_cast<std::size_t>(node)] = static_cast<int>(laws.laws.size());
+    law_of_region[region->id()] = static_cast<int>(laws.laws.size());
+    const std::vector<double> shares = region->shares_of_cells();
+    for (std::size_t k = 0; k < region->nodes().size(); ++k) {
+      const auto node = static_cast<std::size_t>(region->nodes()[k]);
+      laws.of_node[node] = static_cast<int>(laws.laws.size());
+      if (k < shares.size()) laws.share_of_node[node] += shares[k];
+    }
     laws.laws.push_back(*law);
   }
+  std::vector<fracture::GrowingTip> tips;
+  for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_))
+    tips.push_back({tip.place, tip.direction, law_of_region.at(tip.region), tip.id});
+  for (const scene::Crack& crack : p.cracks) laws.of_crack.push_back(length_of(crack));
   p.first_tips = tips.size(), p.tip_laws = laws.laws.size();
   p.evolution->grow_lines(std::move(laws), std::move(tips));
 }
@@ -176,7 +184,7 @@ StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValu
   run.stepping.stop = &stop_requested_;
   const fracture::EvolutionState& begin = prepared_->evolution->progress();
   const std::int64_t events = begin.events, broken = begin.broken_bonds;
-  const std::int64_t fragments = begin.fragments, switches = begin.contact_switches;
+  const std::int64_t fragments = begin.fragments, switches = begin.contact_switches, ties = begin.ties;
   const auto lines = static_cast<std::ptrdiff_t>(begin.history.size());
   run.seconds = seconds_of(*prepared_);
   StepResult result;
@@ -189,6 +197,7 @@ StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValu
   result.events = end.events - events;
   result.broken_bonds = end.broken_bonds - broken;
   result.face_switches = end.contact_switches - switches;
+  result.ties = end.ties - ties;
   result.unstable_event = first_unstable(std::span(end.history).subspan(lines));
   const Seconds seconds = seconds_of(*prepared_);
   result.seconds_solve = seconds.solve - run.seconds.solve;

@@ -46,7 +46,7 @@ struct PreparedScene {
   std::unique_ptr<coupling::EquilibriumSystem> system;
   std::unique_ptr<fracture::CrackEvolution> evolution;
   std::optional<fracture::InterfaceBonds> interface_bonds;
-  std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines; one law for each of the former comes first
+  std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines
   int anchored_pieces = 0;                   // at first
   std::int64_t interior_kernel_evaluations = 0;
   std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
@@ -242,7 +242,7 @@ class Model {
   bool grow_next(ElementTips& tips, DrivenRun& run);
   void take_back(DrivenRun& run) noexcept;
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
-  std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
+  std::unique_ptr<PreparedScene> as_grown(std::vector<fracture::CrackExtension> extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
   fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;

@@ -13,6 +13,7 @@ void add(StepResult& sum, const StepResult& step) {
   sum.events += step.events;
   sum.broken_bonds += step.broken_bonds;
   sum.face_switches += step.face_switches;
+  sum.ties += step.ties;
   if (sum.unstable_event == 0) sum.unstable_event = step.unstable_event;
   sum.seconds_total += step.seconds_total;
   sum.seconds_solve += step.seconds_solve;

@@ -11,7 +11,8 @@ namespace bempd::model {
 
 bool is_sound(const fracture::GrowingTip& tip) {
   const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
-  return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 &&
+  return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 && tip.law >= 0 && tip.id.crack >= 1 &&
+         (tip.id.end == 0 || tip.id.end == 1) && tip.state <= crack::TipState::separated &&
          std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
 }
 
@@ -28,12 +29,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(state.total_displacement.size() == dofs && state.stages.size() == terms.size() &&
        state.reactions.size() == 2 * state.history.size() * scene.conditions.reaction_dofs.size());
   must(state.tips.size() >= scene.first_tips && (scene.tip_laws > 0 || state.tips.empty()));
-  for (std::size_t k = 0; k < state.tips.size(); ++k) {
-    const int number = state.tips[k].law;
-    const auto law = static_cast<std::size_t>(number < 0 ? -1 - number : number);  // negative: it has ended
-    const bool is_first = k < scene.first_tips;
-    must(is_sound(state.tips[k]) && (is_first ? law == k : law >= scene.first_tips && law < scene.tip_laws));
-  }
+  for (const fracture::GrowingTip& tip : state.tips)
+    must(is_sound(tip) && static_cast<std::size_t>(tip.law) < scene.tip_laws);
   const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {

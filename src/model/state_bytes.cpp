@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 12;
+constexpr std::uint32_t format_version = 13;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -43,7 +43,7 @@ template <class Tip, class Visit>
 requires std::is_same_v<std::remove_const_t<Tip>, fracture::GrowingTip>
 void visit_members(Tip& t, Visit& visit) {
   visit(t.place.x()), visit(t.place.y()), visit(t.direction.x()), visit(t.direction.y());
-  visit(t.law), visit(t.energy_ratios);
+  visit(t.law), visit(t.energy_ratios), visit(t.id.crack), visit(t.id.end), visit(t.state);
 }
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
@@ -64,7 +64,6 @@ void visit_members(Placed& p, Visit& visit) { visit(p.fractions), visit(p.consta
 template <class Change, class Visit>
 requires std::is_same_v<std::remove_const_t<Change>, coupling::StageChange>
 void visit_members(Change& c, Visit& visit) { visit(c.term), visit(c.stage); }
-
 template <class Entry, class Visit>
 requires std::is_same_v<std::remove_const_t<Entry>, coupling::TermEntry>
 void visit_members(Entry& e, Visit& visit) { visit(e.node), visit(e.x), visit(e.y); }
@@ -249,7 +248,7 @@ void visit_members(State& state, Visit& visit) {
   visit(e.first_unit_energy), visit(e.released_energy), visit(e.bond_energy), visit(e.work), visit(e.largest_work);
   visit(e.worst_energy_balance_error), visit(e.residual), visit(e.largest_force);
   visit(e.resistance.present), visit(e.resistance.peak), visit(e.resistance.stiffness);
-  visit(e.work_out_of_balance), visit(e.contact_switches);
+  visit(e.work_out_of_balance), visit(e.contact_switches), visit(e.ties);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
   visit(e.extensions), visit(e.faces);

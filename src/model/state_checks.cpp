@@ -62,7 +62,8 @@ void require_consistent(const fracture::EvolutionState& e) {
   sound(std::isfinite(e.load_factor) && e.displacement.allFinite() && e.total_displacement.allFinite() &&
             e.total_force.allFinite(),
         "a displacement or a force is not a finite number");
-  sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0 && e.contact_switches >= 0, "a count is negative");
+  sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0 && e.contact_switches >= 0 && e.ties >= 0,
+        "a count is negative");
   sound(are_flags(e.unloaded) && are_flags(e.faces.closed) && are_flags(e.faces.closed_inside),
         "a flag is neither 0 nor 1");
   sound(std::all_of(e.springs.begin(), e.springs.end(), [&](const auto& spring) { return is_sound(spring, dofs); }),

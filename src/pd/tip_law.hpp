@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "elasticity/kinked_tip.hpp"
+
 namespace bempd::pd {
 
 // What the growth of a crack as a line asks of the lattice and the material around its tip.
@@ -11,13 +13,16 @@ struct TipLaw {
   double thickness = 1;  // [m]
   double modulus = 0;    // E, in plane strain E / (1 - nu^2) [Pa]
   double toughness = 0;  // [Pa m^(1/2)]; infinite for a material that does not break
-  int crack = 0;         // id of the one whose tip it is
 };
 
-// Those of the tips that there are at first, and after them one for every region in which further cracks may begin.
+// One for every region in which cracks grow as lines.
 struct TipLaws {
   std::vector<TipLaw> laws;
-  std::vector<int> of_node;  // law of its region; -1 where none can begin
+  std::vector<int> of_node;                              // law of its region; -1 where there is none
+  std::vector<double> share_of_node{};                   // of the area of a full point; 0 where it is not known
+  KinkCriterion criterion = KinkCriterion::hoop_stress;  // says when tips grow, not where to
+  bool more_begin = false;                               // besides the cracks that the host described
+  std::vector<double> of_crack{};                        // length of each of those [m]
 };
 
 }  // namespace bempd::pd

@@ -195,14 +195,15 @@ std::vector<StartingTip> tips_of_cracks(const Scene& scene, const std::vector<sc
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     const std::vector<Point>& points = cracks[c].points;
     if (d.crack_regions[c] > 0 || points.size() < 2) continue;
-    for (const auto& [end, before] : {std::pair(points.front(), points[1]), std::pair(points.back(), points.end()[-2])})
+    for (const int number : {0, 1}) {
+      const Point& end = number == 0 ? points.front() : points.back();
+      const Point& before = number == 0 ? points[1] : points.end()[-2];
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), end, d.tolerance) != Location::inside) continue;
-        if (std::optional<pd::TipLaw> law = region->tip_law(options)) {
-          law->crack = static_cast<int>(c) + 1;
-          tips.push_back({end, (end - before).normalized(), *law});
-        }
+        if (region->tip_law(options))
+          tips.push_back({end, (end - before).normalized(), region->id(), {static_cast<int>(c) + 1, number}});
       }
+    }
   }
   return tips;
 }

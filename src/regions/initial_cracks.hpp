@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "crack/tip.hpp"
 #include "regions/discretization.hpp"
 
 namespace bempd::regions {
@@ -29,10 +30,11 @@ LatticeCracks cracks_in_lattices(const scene::Scene& scene, const Discretization
 std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, const Discretization& discretization,
                                      std::vector<std::string>& warnings);
 
-// Where cracks that cut bonds end inside a region, and what their growth as a line asks of it.
+// Where cracks that cut bonds end inside a region in which they grow as lines.
 struct StartingTip {
   Point place, direction;
-  pd::TipLaw law;
+  int region;  // id
+  crack::TipId id;
 };
 std::vector<StartingTip> tips_of_cracks(const scene::Scene& scene, const std::vector<scene::Crack>& cracks,
                                         const Discretization& discretization, const scene::Options& options);

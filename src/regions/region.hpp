@@ -217,6 +217,8 @@ class Region {
   // --- Cracks and bonds
 
   virtual bool takes_cracks() const { return false; }
+  // Share of a full cell's area that each of its nodes has; none where it has no cells.
+  virtual std::vector<double> shares_of_cells() const { return {}; }
   // What the growth of a crack as a line asks of it, where it takes such cracks.
   virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return {}; }
   // Whether it puts elements on cracks: those that Preparation::crack_regions gives it. Then it has what is below.

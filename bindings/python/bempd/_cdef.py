@@ -212,6 +212,7 @@ typedef struct bempd_step_report {
   int32_t reserved;
   int64_t closed_places;
   int64_t face_switches;
+  int64_t ties;
 } bempd_step_report;
 bempd_status bempd_step_report_init(bempd_step_report *report, int64_t struct_size);
 bempd_status bempd_prepare(bempd_model *model);
@@ -1388,6 +1389,10 @@ or less than the option stepping.separation_share of the peak""",
 places at which faces of cracks press on each other at the end: about one a spacing in lattices
 (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact)""",
     "bempd_step_report.face_switches": """how often such places have closed or opened in this step""",
+    "bempd_step_report.ties": """\
+tips of cracks, and places where cracks begin, that would have grown at events of this step as soon
+as those that did, but for rounding (1e-9): the crack with the least id grows first, its start
+before its end, and a crack begins at the bond with the least number""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
 

@@ -164,6 +164,7 @@ class StepReport:
     hanging: bool  #: separated, but some bonds still connect what carried the load
     closed_places: int  #: at which faces of cracks in lattices press on each other at the end, about one a spacing
     face_switches: int  #: how often such places have closed or opened in this step
+    ties: int  #: tips and places of new cracks that would have grown in this step as soon as those that did
 
 
 @dataclasses.dataclass(frozen=True)

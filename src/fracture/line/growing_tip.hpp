@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "crack/tip.hpp"
 #include "geometry/point.hpp"
 
 namespace bempd::fracture {
@@ -9,9 +10,11 @@ namespace bempd::fracture {
 // The tip of a crack that grows as a line.
 struct GrowingTip {
   Point place{0, 0}, direction{1, 0};  // of its last step
-  int law = 0;                         // of the run's tip laws
+  int law = 0;                         // of the run's tip laws, that of the region in which it lies
+  crack::TipId id;
+  crack::TipState state = crack::TipState::grows;
   // Of the last steps: energy released over the one that stress intensity factors made expect.
-  std::vector<double> energy_ratios;
+  std::vector<double> energy_ratios{};
 };
 
 }  // namespace bempd::fracture

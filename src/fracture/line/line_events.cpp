@@ -33,11 +33,15 @@ std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_fact
   return Birth{middle, direction, number};
 }
 
-const Event* LineEvents::tell_birth(int bond, const Birth& birth, double load_factor) {
+// Of places that are alike but for rounding that of the bond with the least number.
+const Event* LineEvents::tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor) {
+  const int bond = most.front();
   const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth.law)];
   const Point half = law.spacing / 2 * birth.direction;
   std::vector<int> bonds = steps_.across(birth.middle - half, birth.middle + half, law.horizon);
-  if (!std::binary_search(bonds.begin(), bonds.end(), bond)) return nullptr;
+  const auto is_cut = [&](int b) { return std::binary_search(bonds.begin(), bonds.end(), b); };
+  if (!is_cut(bond)) return nullptr;
+  ties_ = static_cast<int>(std::count_if(most.begin(), most.end(), [&](int b) { return !is_cut(b); }));
   event_ = {load_factor, 0, load_factor, {}};
   event_.reach(body_.ratios().at(static_cast<std::size_t>(bond), load_factor),
                body_.ratios().critical_load_factor(static_cast<std::size_t>(bond), load_factor));
@@ -61,51 +65,52 @@ const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load
   return &event_;
 }
 
-std::optional<double> LineEvents::next_bond(const std::vector<char>& intact, bool path) const {
-  if (path) return body_.ratios().admissible(intact).next(true);
-  return body_.ratios().next_break(intact, body_.state().load_factor, std::numeric_limits<double>::infinity());
+std::optional<double> LineEvents::next_bond(const std::vector<char>& intact, const LoadWay& way) const {
+  if (way.control == Control::path) return body_.ratios().admissible(intact, way.upwards).next(way.upwards);
+  return body_.ratios().next_break(intact, way.present, way.ahead(std::numeric_limits<double>::infinity()));
 }
 
 // Terms that break by themselves, beside these steps, the first of which comes at a load factor.
-std::vector<char> LineEvents::left_to_themselves(const std::vector<LineStep>& steps, double at, bool path) const {
+std::vector<char> LineEvents::left_to_themselves(const std::vector<LineStep>& steps, double at,
+                                                 const LoadWay& way) const {
   const BodyState& state = body_.state();
   std::vector<char> intact = body_.system().intact();
   double first = std::abs(state.load_factor);
-  const auto are_driven = [&] {
-    return std::all_of(steps.begin(), steps.end(), [&](const LineStep& s) { return LineSteps::is_driven(s, first); });
-  };
-  if (!are_driven()) {
-    if (const std::optional<double> bonds = next_bond(intact, path)) at = std::min(at, *bonds);
+  const auto is_driven = [&](const LineStep& step) { return LineSteps::is_driven(step, way, first); };
+  if (!std::all_of(steps.begin(), steps.end(), is_driven)) {
+    const std::optional<double> bonds = next_bond(intact, way);
+    if (bonds && way.ahead(*bonds) < way.ahead(at)) at = *bonds;
     if (std::isfinite(at)) first = std::max(first, std::abs(at));
   }
   for (const LineStep& step : steps)
-    if (LineSteps::is_driven(step, first)) steps_.spare(state.tips[step.tip], intact);
+    if (is_driven(step)) steps_.spare(state.tips[step.tip], intact);
   return intact;
 }
 
 const Event* LineEvents::next(double target, const SteppingOptions& options) {
   step_.reset();
   birth_.reset();
+  ties_ = 0;
   const BodyState& state = body_.state();
-  if (target < state.load_factor) return nullptr;
-  const bool path = options.control == Control::path;
-  const std::vector<LineStep> steps = steps_.all(state.tips, state.displacement, state.load_factor, options.control);
-  double at = std::numeric_limits<double>::infinity();
-  if (const LineStep* first = LineSteps::first_of(steps)) {
-    step_ = *first;
-    at = path ? step_->load_factor : std::max(step_->load_factor, state.load_factor);
+  const LoadWay way{state.load_factor, target >= state.load_factor, options.control};
+  const std::vector<LineStep> steps = steps_.all(state.tips, state.displacement, way);
+  double at = way.ahead(std::numeric_limits<double>::infinity());
+  if (const auto [first, ties] = LineSteps::first_of(steps, state.tips, way); first) {
+    step_ = *first, ties_ = ties;
+    at = way.place_of(step_->load_factor);
   }
   std::vector<char> intact;
   std::optional<double> bonds;
-  if (!laws().of_node.empty()) {
-    intact = left_to_themselves(steps, at, path);
-    bonds = next_bond(intact, path);
+  if (laws().more_begin) {
+    intact = left_to_themselves(steps, at, way);
+    bonds = next_bond(intact, way);
   }
-  if (bonds && *bonds < at) {
+  if (bonds && way.is_before(*bonds, at)) {
     step_.reset();
+    ties_ = 0;
     const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 0);  // alike but for rounding
     const std::optional<Birth> birth = most.empty() ? std::nullopt : birth_at(most.front(), *bonds);
-    const Event* born = birth ? tell_birth(most.front(), *birth, *bonds) : nullptr;
+    const Event* born = birth ? tell_birth(most, *birth, *bonds) : nullptr;
     return born ? born : tell_bonds(intact, *bonds, options);
   }
   return step_ ? tell_step(at) : nullptr;
@@ -120,19 +125,35 @@ const Event* LineEvents::tell_step(double at) {
 }
 
 Outcome LineEvents::perform() {
-  const Outcome outcome = whole_body_.perform(event_);
-  std::vector<GrowingTip>& tips = body_.state().tips;
-  if (birth_) {
-    const Point half = laws().laws[static_cast<std::size_t>(birth_->law)].spacing / 2 * birth_->direction;
-    tips.push_back({birth_->middle + half, birth_->direction, birth_->law, {}});
-    tips.push_back({birth_->middle - half, -birth_->direction, birth_->law, {}});
-  }
+  Outcome outcome = whole_body_.perform(event_);
+  outcome.ties = ties_;
+  if (birth_) begin_crack(outcome);
   if (step_) {
-    const BodyState& state = body_.state();
-    LineSteps::move(*step_, tips);
-    steps_.remember(*step_, event_.ratio, outcome.released_energy, state.displacement, state.load_factor, tips);
+    BodyState& state = body_.state();
+    steps_.move(*step_, state.tips);
+    outcome.extensions = {steps_.remember(*step_, event_.ratio, outcome.released_energy, state.displacement,
+                                          state.load_factor, state.tips)};
   }
   return outcome;
+}
+
+// Its id follows those of all cracks that there are.
+void LineEvents::begin_crack(Outcome& outcome) {
+  std::vector<GrowingTip>& tips = body_.state().tips;
+  int id = static_cast<int>(laws().of_crack.size());
+  for (const GrowingTip& tip : tips) id = std::max(id, tip.id.crack);
+  const pd::TipLaw& law = laws().laws[static_cast<std::size_t>(birth_->law)];
+  for (const int end : {0, 1}) {
+    const Point direction = (end == 0 ? 1 : -1) * birth_->direction;
+    tips.push_back({birth_->middle + law.spacing / 2 * direction, direction, birth_->law, {id + 1, end}});
+    CrackExtension extension = LineSteps::extension_from(birth_->middle, tips.back(), law.spacing / 2);
+    extension.load_factor = body_.state().load_factor;
+    for (double* unknown :
+         {&extension.rate_before, &extension.rate_after, &extension.factor_1, &extension.factor_2})
+      *unknown = std::numeric_limits<double>::quiet_NaN();
+    extension.resistance = law.toughness * law.toughness / law.modulus;
+    outcome.extensions.push_back(extension);
+  }
 }
 
 }  // namespace bempd::fracture

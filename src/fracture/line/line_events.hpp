@@ -31,10 +31,11 @@ class LineEvents final : public EventSource {
 
   const pd::TipLaws& laws() const { return steps_.laws(); }
   std::optional<Birth> birth_at(int bond, double load_factor) const;
-  const Event* tell_birth(int bond, const Birth& birth, double load_factor);
-  std::optional<double> next_bond(const std::vector<char>& intact, bool path) const;
-  std::vector<char> left_to_themselves(const std::vector<LineStep>& steps, double at, bool path) const;
+  const Event* tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor);
+  std::optional<double> next_bond(const std::vector<char>& intact, const LoadWay& way) const;
+  std::vector<char> left_to_themselves(const std::vector<LineStep>& steps, double at, const LoadWay& way) const;
   const Event* tell_step(double at);
+  void begin_crack(Outcome& outcome);
   const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 
   LoadedBody& body_;
@@ -43,6 +44,7 @@ class LineEvents final : public EventSource {
   std::optional<LineStep> step_;  // that the event told is
   std::optional<Birth> birth_;    // likewise
   Event event_;
+  int ties_ = 0;  // others that would have grown as soon
 };
 
 }  // namespace bempd::fracture

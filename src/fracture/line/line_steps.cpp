@@ -26,18 +26,10 @@ constexpr double least_ratio = 0.5, largest_ratio = 2;
 // Within this many horizons of a tip no bond breaks by itself.
 constexpr double guarded_reach = 3;
 
-constexpr int rounds_for_kink = 8;
-
 double correction(const GrowingTip& tip) {
   const double sum = std::accumulate(tip.energy_ratios.begin(), tip.energy_ratios.end(), steps_taken_exact);
   return std::sqrt(sum / (steps_taken_exact + static_cast<double>(tip.energy_ratios.size())));
 }
-
-// A tip that has run into a face keeps its law as the number before -1 that stands for it.
-int ended(int law) { return -1 - law; }
-
-// Its other tip lies closely behind it at first, which the fitted series does not know.
-bool has_begun(const pd::TipLaw& law) { return law.crack == 0; }
 
 // A tip that does not grow before so many times the load factor at which something else happens feels rounding, as one
 // in a part that bears nothing does.
@@ -45,10 +37,10 @@ constexpr double farthest_load = 1e6;
 // Likewise a stress closely ahead that is this share of the one around.
 constexpr double least_stress = 1e-8;
 
-// A load factor beyond the one at which a tip reaches its toughness, if a larger one drives it more at all.
-double beyond_toughness(const AffineIntensity& intensity, const pd::TipLaw& law) {
-  const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
-  return slope > 0 ? 4 * (law.toughness + std::hypot(intensity.one[0], intensity.two[0])) / slope : 0;
+// With the load factor counted on its way.
+AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
+  intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
+  return intensity;
 }
 
 }  // namespace
@@ -56,121 +48,152 @@ double beyond_toughness(const AffineIntensity& intensity, const pd::TipLaw& law)
 LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
     : body_(body),
       system_(body.system()),
-      stress_(body.system(), body.positions()),
-      way_(body.system(), body.positions(), stress_),
-      laws_(std::move(laws)) {}
+      laws_(std::move(laws)),
+      stress_(body.system(), body.positions(), laws_),
+      way_(body.system(), body.positions(), stress_) {}
+
+// Whether its crack began in the run: its other tip lies closely behind it at first, which the fitted series does not
+// know.
+bool LineSteps::has_begun(const GrowingTip& tip) const {
+  return static_cast<std::size_t>(tip.id.crack) > laws_.of_crack.size();
+}
 
 // Where nothing lies ahead, a tip goes straight on.
 AffineIntensity LineSteps::turning_of(const GrowingTip& tip, const AffineIntensity& by_fit,
                                       const coupling::Affine& displacement, double present) const {
   const pd::TipLaw& law = law_of(tip);
-  AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(law.crack));
+  AffineIntensity ahead = stress_.closely_ahead_of(tip, law, displacement, body_.pressure_in(tip.id.crack));
   const auto size = [](const AffineIntensity& one, int part) { return std::hypot(one.one[part], one.two[part]); };
-  const double load_factor = std::max(std::abs(present), law.toughness / size(by_fit, 1));
+  const std::optional<double> critical = load_ratio(law.toughness, size(by_fit, 1));
+  const double load_factor = std::max(std::abs(present), critical.value_or(0));
   const double around = std::max(size(by_fit, 0), load_factor * size(by_fit, 1));
-  for (int part = 0; part < 2; ++part)
+  for (int part = 0; part < (critical ? 2 : 1); ++part)
     if ((part == 0 ? 1 : load_factor) * size(ahead, part) < least_stress * around)
       ahead.one[part] = ahead.two[part] = 0;
   return ahead;
 }
 
 std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std::size_t number,
-                                        const coupling::Affine& displacement, double present, bool path) const {
+                                        const coupling::Affine& displacement, const LoadWay& load_way) const {
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
-  const AffineIntensity intensity = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
-  const AffineIntensity turning = has_begun(law) ? turning_of(tip, intensity, displacement, present) : intensity;
-  LineStep step{number, tip.direction, {}, present, 0, 0};
-  const auto kink_at = [](const AffineIntensity& of, double load_factor) {
-    const Eigen::Vector2d at(1, load_factor);
-    return kink_of({of.one.dot(at), of.two.dot(at)});
-  };
-  const auto aim = [&](double load_factor) {
-    const double kink = kink_at(intensity, load_factor).angle, turn = kink_at(turning, load_factor).angle;
-    const auto share = [&](int part) {
-      return hoop_factor({intensity.one[part], intensity.two[part]}, kink) * correction(tip) / law.toughness;
-    };
-    step.constant = share(0), step.growing = share(1), step.direction = turned(tip.direction, turn);
-    step.load_factor = (1 - step.constant) / step.growing;
-    return step.growing > 0;
-  };
-  // Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and
-  // has these tangents: where they rise they lead to its larger root.
-  const bool proportional =
-      turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
-  bool grows =
-      aim(proportional || present <= 0 ? 1 : present) || (!proportional && aim(beyond_toughness(intensity, law)));
-  for (int round = 1; grows && !proportional && round < rounds_for_kink; ++round) grows = aim(step.load_factor);
-  const bool is_due = !proportional && !path && (!grows || step.load_factor > present) &&
-                      kink_at(intensity, present).equivalent_factor * correction(tip) >= law.toughness;
-  if (is_due) {
-    aim(present);
-    step.load_factor = present;
-  } else if (!grows) {
-    return std::nullopt;
-  }
+  if (std::isinf(law.toughness)) return std::nullopt;
+  const AffineIntensity by_fit = stress_.at(tip, law, displacement, body_.pressure_in(tip.id.crack));
+  const double present = load_way.ahead(load_way.present);
+  const AffineIntensity intensity = on_way(by_fit, load_way);
+  const AffineIntensity turning =
+      has_begun(tip) ? on_way(turning_of(tip, by_fit, displacement, present), load_way) : intensity;
+  const std::optional<LineLoad> load =
+      load_of_growth(intensity, turning, {law.toughness, correction(tip), laws_.criterion, present, load_way.control});
+  if (!load) return std::nullopt;
+  LineStep step;
+  step.tip = number, step.law = tip.law, step.angle = load->angle, step.direction = turned(tip.direction, load->angle);
+  step.factors = {{by_fit.one[0], by_fit.two[0]}, {by_fit.one[1], by_fit.two[1]}};
+  step.load_factor = load_way.ahead(load->load_factor);
+  step.constant = load->constant, step.growing = load_way.ahead(load->growing);
   step.way = way_.next(tip.place, step.direction, law);
   return step.way.bonds.empty() ? std::nullopt : std::optional(std::move(step));
 }
 
 std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                     double load_factor, Control control) const {
+                                     const LoadWay& way) const {
   std::vector<LineStep> steps;
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (has_ended(tips[k])) continue;
-    if (std::optional<LineStep> step = next(tips, k, displacement, load_factor, control == Control::path))
-      steps.push_back(std::move(*step));
+    if (std::optional<LineStep> step = next(tips, k, displacement, way)) steps.push_back(std::move(*step));
   }
   return steps;
 }
 
-const LineStep* LineSteps::first_of(const std::vector<LineStep>& steps) {
-  const LineStep* found = nullptr;
-  for (const LineStep& step : steps)
-    if (!found || step.load_factor < found->load_factor - ratio_rounding * std::abs(found->load_factor)) found = &step;
-  return found;
+LineSteps::First LineSteps::first_of(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
+                                     const LoadWay& way) {
+  std::vector<crack::Candidate> candidates;
+  for (const LineStep& step : steps) {
+    const double ratio = step.ratio_at(way.present);
+    const bool overloaded = way.control == Control::load && ratio > 1 + crack::tie_share;
+    candidates.push_back({tips[step.tip].id, step.load_factor, ratio, overloaded});
+  }
+  const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates, way.upwards);
+  return first ? First{&steps[first->index], first->ties} : First{};
 }
 
-bool LineSteps::is_driven(const LineStep& step, double load_factor) {
-  return step.load_factor <= farthest_load * std::abs(load_factor);
+bool LineSteps::is_driven(const LineStep& step, const LoadWay& way, double load_factor) {
+  return way.ahead(step.load_factor) <= farthest_load * std::abs(load_factor);
 }
 
-double LineSteps::hoop_ratio(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
-  const pd::TipLaw& law = law_of(tip);
+// In another region than the one of the step: as much as makes up the energy release rate there.
+double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                              double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
-  const AffineIntensity found = stress_.at(tip, law, displacement, body_.pressure_in(law.crack));
-  return kink_of({found.one.dot(at), found.two.dot(at)}).equivalent_factor / law.toughness;
+  const AffineIntensity found = stress_.at(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack));
+  const double factor = kink_of({found.one.dot(at), found.two.dot(at)}, laws_.criterion).equivalent_factor;
+  const double modulus = law_of(tip).modulus;
+  return factor / law.toughness * (modulus == law.modulus ? 1 : std::sqrt(law.modulus / modulus));
 }
 
-void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) {
+void LineSteps::move(const LineStep& step, std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   tip.place += step.way.length * step.direction;
   tip.direction = step.direction;
+  if (laws_.laws.size() > 1) tip.law = law_ahead_of(tip);
 }
 
-void LineSteps::remember(const LineStep& step, double ratio, double released_energy,
-                         const coupling::Affine& displacement, double load_factor,
-                         std::vector<GrowingTip>& tips) const {
-  GrowingTip& tip = tips[step.tip];
+// That of the region of the nearest material point ahead; where none is near, the one that the tip had.
+int LineSteps::law_ahead_of(const GrowingTip& tip) const {
   const pd::TipLaw& law = law_of(tip);
+  double nearest = law.horizon;
+  int found = tip.law;
+  for (const int node : stress_.near().about(tip.place, law.horizon)) {
+    const int number = laws_.of_node[static_cast<std::size_t>(node)];
+    const Point way = body_.positions()[static_cast<std::size_t>(node)] - tip.place;
+    if (number < 0 || way.dot(tip.direction) <= rounding_of_places * law.spacing) continue;
+    if (way.norm() >= nearest - rounding_of_places * law.spacing) continue;
+    nearest = way.norm(), found = number;
+  }
+  return found;
+}
+
+CrackExtension LineSteps::remember(const LineStep& step, double ratio, double released_energy,
+                                   const coupling::Affine& displacement, double load_factor,
+                                   std::vector<GrowingTip>& tips) const {
+  GrowingTip& tip = tips[step.tip];
+  const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(step.law)];
   // The ratio of the event holds the correction that was made; what is remembered must not.
   const double before = ratio / correction(tip);
   // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
   // is expected is the mean of the rates at both ends of the step.
-  const double after = step.way.arrives ? before : std::max(hoop_ratio(tip, displacement, load_factor), 0.0);
-  const double rate = law.toughness * law.toughness / law.modulus * (before * before + after * after) / 2;
-  const double released = released_energy / (rate * law.thickness * step.way.length);
+  const bool arrives = step.way.arrives();
+  const double after = arrives ? before : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
+  const double fracture_energy = law.toughness * law.toughness / law.modulus;
+  const double rate = fracture_energy * (before * before + after * after) / 2;
+  const double expected = rate * law.thickness * step.way.length;
+  const double released = expected > 0 ? released_energy / expected : 1;
   // The first step releases more or less by where among the points the crack was described to end.
   const bool is_first = tip.energy_ratios.empty();
   tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
-  if (step.way.arrives) tip.law = ended(tip.law);
+  tip.state = step.way.ends_as;
+  CrackExtension extension = extension_from(tip.place - step.way.length * step.direction, tip, step.way.length);
+  const Point factors = step.factors.at(load_factor);
+  extension.angle = step.angle, extension.load_factor = load_factor;
+  extension.rate_before = fracture_energy * before * before;
+  extension.rate_after = arrives ? 0 : fracture_energy * after * after;
+  extension.factor_1 = factors.x(), extension.factor_2 = factors.y(), extension.resistance = fracture_energy;
+  return extension;
+}
+
+CrackExtension LineSteps::extension_from(const Point& from, const GrowingTip& tip, double length) {
+  CrackExtension extension;
+  extension.crack = tip.id.crack, extension.end = tip.id.end;
+  extension.from_x = from.x(), extension.from_y = from.y(), extension.x = tip.place.x(), extension.y = tip.place.y();
+  extension.length = length, extension.state = tip.state;
+  return extension;
 }
 
 std::vector<int> LineSteps::nodes_asked(const std::vector<GrowingTip>& tips) const {
   std::vector<int> nodes;
   for (const GrowingTip& tip : tips)
-    if (!has_ended(tip)) stress_.add_nodes_asked(tip, law_of(tip), has_begun(law_of(tip)), nodes);
+    if (!has_ended(tip)) stress_.add_nodes_asked(tip, law_of(tip), has_begun(tip), nodes);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;

@@ -109,15 +109,16 @@ std::vector<int> LineWay::across(const Point& from, const Point& to, double hori
 }
 
 LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd::TipLaw& law) const {
-  const auto step_of = [&](double length, bool arrives) {
-    return Step{length, arrives, across(place, place + length * direction, law.horizon)};
+  using crack::TipState;
+  const auto step_of = [&](double length, TipState ends_as) {
+    return Step{length, across(place, place + length * direction, law.horizon), ends_as};
   };
   // As far as the row of points behind the face may lie.
   if (const std::optional<double> face = face_ahead(place, direction, law))
-    return step_of(*face + law.spacing / 2, true);
-  if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, true);
+    return step_of(*face + law.spacing / 2, TipState::at_crack);
+  if (const std::optional<double> edge = edge_ahead(place, direction, law)) return step_of(*edge, TipState::at_edge);
   Step step;
-  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) step = step_of(k * law.spacing, false);
+  for (int k = 1; k <= most_empty_steps && step.bonds.empty(); ++k) step = step_of(k * law.spacing, TipState::grows);
   return step;
 }
 

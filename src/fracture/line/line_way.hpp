@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "crack/tip.hpp"
 #include "fracture/line/tip_stress.hpp"
 #include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"
@@ -17,8 +18,10 @@ class LineWay {
 
   struct Step {
     double length = 0;
-    bool arrives = false;    // at the face of a crack or at an edge
     std::vector<int> bonds;  // across it; none where nothing lies ahead
+    crack::TipState ends_as = crack::TipState::grows;
+
+    bool arrives() const { return crack::has_ended(ends_as); }  // at the face of a crack or at an edge
   };
   Step next(const Point& place, const Point& direction, const pd::TipLaw& law) const;
 

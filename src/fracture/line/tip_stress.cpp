@@ -63,9 +63,8 @@ Eigen::Matrix<double, 3, amplitudes_fitted> williams_stress(double r, double t) 
   return stress;
 }
 
-// Of the area that a point inside has: the bonds of one on the outline pull it inwards under constant stress, as those
-// of a point inside do not.
-std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nodes) {
+// The bonds of a point on the outline pull it inwards under constant stress, as those of a point inside do not.
+std::vector<char> points_on_outline(const coupling::Terms& terms, std::size_t nodes) {
   std::vector<Point> pull(nodes, Point(0, 0));
   std::vector<double> sum(nodes, 0);
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -76,17 +75,19 @@ std::vector<double> shares_of_area(const coupling::Terms& terms, std::size_t nod
     pull[first] += along, pull[second] -= along;
     sum[first] += size, sum[second] += size;
   }
-  std::vector<double> share(nodes, 1);
+  std::vector<char> are_there(nodes, 0);
   for (std::size_t node = 0; node < nodes; ++node)
-    if (pull[node].norm() > outline_pull * sum[node]) share[node] = 0.5;
-  return share;
+    are_there[node] = pull[node].norm() > outline_pull * sum[node] ? 1 : 0;
+  return are_there;
 }
 
 }  // namespace
 
-TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions)
+TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
+                     const pd::TipLaws& laws)
     : system_(system),
       positions_(positions),
+      laws_(laws),
       near_(positions),
       bonds_at_(linalg::make_adjacency(positions.size(),
                                        [&](const auto& add) {
@@ -104,12 +105,12 @@ TipStress::TipStress(const coupling::EquilibriumSystem& system, const std::vecto
                                           terms.for_each_node(static_cast<std::size_t>(t),
                                                               [&](int node) { add(node, t); });
                                       })),
-      share_(shares_of_area(system.terms(), positions.size())) {}
+      on_outline_(points_on_outline(system.terms(), positions.size())) {}
 
 double TipStress::nearest_outline(const Point& place, double at_most) const {
   for (const int number : near_.about(place, at_most)) {
     const auto node = static_cast<std::size_t>(number);
-    if (share_[node] < 1) at_most = std::min(at_most, (positions_[node] - place).norm());
+    if (on_outline_[node]) at_most = std::min(at_most, (positions_[node] - place).norm());
   }
   return at_most;
 }
@@ -162,6 +163,11 @@ Eigen::Vector3d TipStress::moment_about(int node, std::size_t wide, const Point&
 
 TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::TipLaw& law,
                                     const coupling::Affine& displacement) const {
+  return stress_times_volume(node, direction, displacement) / volume_of(node, law);
+}
+
+TipStress::Stress TipStress::stress_times_volume(int node, const Point& direction,
+                                                 const coupling::Affine& displacement) const {
   const coupling::Terms& terms = system_.terms();
   Stress sum = Stress::Zero();
   for_each_term(node, [&](std::size_t t) {
@@ -175,17 +181,30 @@ TipStress::Stress TipStress::stress(int node, const Point& direction, const pd::
     const Eigen::RowVector2d force = tension(t, displacement);
     for (int part = 0; part < 2; ++part) sum.col(part) += force[part] * terms.length[t] / 2 * dyad;
   });
-  return sum / (law.spacing * law.spacing * law.thickness * share_[static_cast<std::size_t>(node)]);
+  return sum;
+}
+
+// Half of a full point's on a straight outline, a quarter at a corner.
+double TipStress::volume_of(int node, const pd::TipLaw& law) const {
+  const auto n = static_cast<std::size_t>(node);
+  const int number = n < laws_.of_node.size() ? laws_.of_node[n] : -1;
+  const pd::TipLaw& own = number < 0 ? law : laws_.laws[static_cast<std::size_t>(number)];
+  const double known = n < laws_.share_of_node.size() ? laws_.share_of_node[n] : 0;
+  const double share = on_outline_[n] ? (known > 0 ? known : 0.5) : 1.0;
+  return own.spacing * own.spacing * own.thickness * share;
 }
 
 Point TipStress::across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement,
                                 double load_factor) const {
   const coupling::Terms& terms = system_.terms();
   const auto b = static_cast<std::size_t>(bond);
-  const Point axis(1, 0);
-  const Eigen::Vector3d s =
-      (stress(terms.first[b], axis, law, displacement) + stress(terms.second[b], axis, law, displacement)) *
-      Eigen::Vector2d(1, load_factor);
+  // The mean of both ends, where a corner counts half: what loads do there is felt by no other point.
+  const auto stress_of = [&](int node) {
+    const double share = on_outline_[static_cast<std::size_t>(node)] ? 0.5 : 1.0;
+    return Stress(stress_times_volume(node, {1, 0}, displacement) /
+                  (law.spacing * law.spacing * law.thickness * share));
+  };
+  const Eigen::Vector3d s = (stress_of(terms.first[b]) + stress_of(terms.second[b])) * Eigen::Vector2d(1, load_factor);
   const double angle = std::atan2(2 * s[2], s[0] - s[1]) / 2;  // of the principal direction
   return {-std::sin(angle), std::cos(angle)};
 }
@@ -196,7 +215,7 @@ TipStress::Fit TipStress::fit_of(const GrowingTip& tip, const pd::TipLaw& law) c
   Reach reach = reach_at(surface, law.horizon);
   Fit fit{terms_beside(sight.nearest_face(), law.horizon), stations(tip, law, reach, fitted_cosine, sight)};
   if (fit.terms < fitted_terms && fit.stations.size() < enough_points) {
-    reach.inner = 0;
+    reach.inner = 2 * rounding_of_places;  // at the tip itself the stress is infinite
     fit.stations = stations(tip, law, reach, fitted_cosine, sight);
   }
   return fit;

@@ -23,7 +23,7 @@ struct AffineIntensity {
 // sees, none of which lies beside its crack.
 class TipStress {
  public:
-  TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
+  TipStress(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions, const pd::TipLaws& laws);
 
   // `pressure`: in its crack, constant and proportional part. The body is looked at under that on all sides besides, by
   // which the crack's faces are free.
@@ -78,11 +78,15 @@ class TipStress {
   Eigen::Vector3d moment_about(int node, std::size_t wide, const Point& direction) const;
   Stress stress(int node, const Point& direction, const pd::TipLaw& law, const coupling::Affine& displacement) const;
 
+  Stress stress_times_volume(int node, const Point& direction, const coupling::Affine& displacement) const;
+  double volume_of(int node, const pd::TipLaw& law) const;  // where its region has none, by this one [m^3]
+
   const coupling::EquilibriumSystem& system_;
   const std::vector<Point>& positions_;
+  const pd::TipLaws& laws_;
   NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
-  std::vector<double> share_;             // of a full point's area, less than 1 on the outline
+  std::vector<char> on_outline_;
 };
 
 }  // namespace bempd::fracture

@@ -32,6 +32,8 @@ struct ForeseenEvent {
   std::optional<FaceState> faces;                   // after it, where there are such
   std::vector<GrowingTip> tips;                     // after it, where cracks grow as lines
   std::vector<GrowingTip> growing;                  // before it, those that have a way
+  std::vector<CrackExtension> extensions;           // by it, likewise
+  int ties = 0;                                     // likewise
 };
 
 // Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those

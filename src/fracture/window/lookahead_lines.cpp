@@ -13,8 +13,9 @@ using coupling::Affine;
 bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor) {
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
   std::vector<WindowPlace::Way> ways;
-  for (const LineStep& step : lines_->all(state.tips, state.displacement, state.load_factor, options_.control)) {
-    if (!LineSteps::is_driven(step, load_factor)) continue;
+  const LoadWay load_way{state.load_factor, true, options_.control};
+  for (const LineStep& step : lines_->all(state.tips, state.displacement, load_way)) {
+    if (!LineSteps::is_driven(step, load_way, load_factor)) continue;
     const GrowingTip& tip = state.tips[step.tip];
     const pd::TipLaw& law = lines_->law_of(tip);
     const Point& from = tip.place;
@@ -37,18 +38,20 @@ Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
 
 std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
-  const std::vector<LineStep> steps = lines_->all(tips, near_tips_, from, options_.control);
-  const LineStep* first = LineSteps::first_of(steps);
+  const LoadWay way{from, true, options_.control};
+  const std::vector<LineStep> steps = lines_->all(tips, near_tips_, way);
+  const auto [first, ties] = LineSteps::first_of(steps, tips, way);
   if (!first) return std::nullopt;
-  const double at = options_.control == Control::path ? first->load_factor : std::max(first->load_factor, from);
-  if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*first, WindowSettings::surely_driven * from)))
+  const double at = way.place_of(first->load_factor);
+  if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;
   foreseen.event = {at, first->ratio_at(at), first->load_factor, {}};
+  foreseen.ties = ties;
   for (const int bond : first->way.bonds)
     foreseen.event.changes.push_back({bond, system_.terms().law_of(static_cast<std::size_t>(bond)).gone()});
   // Another bond may come before all steps: where that might count, none is spared.
   for (const LineStep& step : steps)
-    if (LineSteps::is_driven(step, WindowSettings::surely_driven * std::max(at, from)))
+    if (LineSteps::is_driven(step, way, WindowSettings::surely_driven * std::max(at, from)))
       foreseen.growing.push_back(tips[step.tip]);
   return *first;
 }
@@ -57,9 +60,10 @@ std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& fores
 void Lookahead::take_step(const LineStep& step, ForeseenEvent& foreseen) {
   const Event& event = foreseen.event;
   foreseen.tips = last_tips();
-  LineSteps::move(step, foreseen.tips);
+  lines_->move(step, foreseen.tips);
   near_tips_ = displacement_near(foreseen.tips);
-  lines_->remember(step, event.ratio, foreseen.released, near_tips_, event.load_factor, foreseen.tips);
+  foreseen.extensions = {
+      lines_->remember(step, event.ratio, foreseen.released, near_tips_, event.load_factor, foreseen.tips)};
 }
 
 void Lookahead::narrow(double load_factor) {
@@ -75,7 +79,7 @@ void Lookahead::narrow(double load_factor) {
 
 // How many of the events come before a bond away from tips breaks; where nothing begins there, all.
 int Lookahead::steps_as_foreseen() const {
-  if (lines_->laws().of_node.empty()) return static_cast<int>(events_.size());
+  if (!lines_->laws().more_begin) return static_cast<int>(events_.size());
   std::vector<AwayFromTips::Step> steps;
   for (const ForeseenEvent& e : events_) steps.push_back({e.event.load_factor, e.growing, &e.event.changes});
   return away_from_tips_->first_break(states_, steps);

@@ -164,6 +164,8 @@ Outcome WindowEvents::perform() {
   outcome.switches = foreseen.switches;
   outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
   outcome.work = foreseen.work;
+  outcome.extensions = foreseen.extensions;
+  outcome.ties = foreseen.ties;
   outcome.released_energy = foreseen.released;
   outcome.bond_energy = foreseen.released / (event.ratio * event.ratio);
   outcome.stored_energy = foreseen.after.at(event.load_factor);

@@ -140,17 +140,17 @@ def signed(body: bytes) -> bytes:
     return body + struct.pack("<Q", found)
 
 
-@pytest.mark.parametrize("what,place,value", [("place", 0, math.nan), ("direction", 16, 3.0), ("law", 32, 1), ("law", 32, -7)])
+@pytest.mark.parametrize("what,place,value", [("place", 0, math.nan), ("direction", 16, 3.0), ("law", 32, 1), ("law", 32, -7), ("crack", 44, 0), ("end", 48, 2)])
 def test_altered_tips_of_a_window_are_refused(what: str, place: int, value: float) -> None:
     """The last of a state's bytes: of the tip with which the window was opened, at first, and of no energies."""
     model, _ = plate("window")
     for _ in range(3):
         model.step_to_next_event(1e6)
     body = model.save().to_bytes()[:-8]
-    tip = len(body) - 4 * 8 - 4 - 8
-    assert struct.unpack("<q4diq", body[tip - 8:]) == (1, WIDTH / 4, 0.513, 1, 0, 0, 0)
+    tip = len(body) - 4 * 8 - 4 - 8 - 4 - 4 - 1
+    assert struct.unpack("<q4diqiiB", body[tip - 8:]) == (1, WIDTH / 4, 0.513, 1, 0, 0, 0, 1, 1, 0)
     assert bempd.State.from_bytes(signed(body)).to_bytes()[:-8] == body
-    packed = struct.pack("<i" if what == "law" else "<d", value)
+    packed = struct.pack("<d" if what in ("place", "direction") else "<i", value)
     altered = body[:tip + place] + packed + body[tip + place + len(packed):]
     with pytest.raises(bempd.ArgumentError):
         model.restore(bempd.State.from_bytes(signed(altered)))

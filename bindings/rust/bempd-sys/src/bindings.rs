@@ -1478,6 +1478,10 @@ pub struct bempd_step_report {
     pub closed_places: i64,
     /// how often such places have closed or opened in this step
     pub face_switches: i64,
+    /// tips of cracks, and places where cracks begin, that would have grown at events of this step
+    /// as soon as those that did, but for rounding (1e-9): the crack with the least id grows first,
+    /// its start before its end, and a crack begins at the bond with the least number
+    pub ties: i64,
 }
 extern "C" {
     /// Set struct_size and zeros.

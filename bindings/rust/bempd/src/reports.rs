@@ -279,6 +279,8 @@ mirror! {
         closed_places: i64,
         /// How often such places have closed or opened in this step.
         face_switches: i64,
+        /// Tips and places of new cracks that would have grown in this step as soon as those that did.
+        ties: i64,
     }
 }
 

@@ -1,0 +1,126 @@
+#include "fracture/line/line_load.hpp"
+
+#include <cmath>
+
+#include "crack/growth_law.hpp"
+#include "fracture/event_source.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+constexpr int rounds_for_kink = 8;
+
+// Load factors and intensities above are beyond what can be multiplied and squared.
+constexpr double largest_ratio_of_loads = 1e150;
+
+Kink kink_at(const AffineIntensity& of, double load_factor) {
+  const Eigen::Vector2d at(1, load_factor);
+  return kink_of({of.one.dot(at), of.two.dot(at)});
+}
+
+bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& turning) {
+  return turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
+}
+
+// A load factor beyond the one at which a tip reaches its toughness, if a larger one drives it more at all.
+double beyond_toughness(const AffineIntensity& intensity, double toughness) {
+  const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
+  const double size = toughness + std::hypot(intensity.one[0], intensity.two[0]);
+  return slope > 0 ? load_ratio(4 * size, slope).value_or(0) : 0;
+}
+
+// Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and has
+// tangents, one for each kink: where they rise they lead to its larger root.
+class ByHoopStress {
+ public:
+  ByHoopStress(const AffineIntensity& intensity, const AffineIntensity& turning, const LineCriterion& criterion)
+      : intensity_(intensity),
+        turning_(turning),
+        criterion_(criterion),
+        proportional_(are_proportional(intensity, turning)) {}
+
+  std::optional<LineLoad> load() {
+    const double present = criterion_.present;
+    bool grows = aim(proportional_ || present <= 0 ? 1 : present) ||
+                 (!proportional_ && aim(beyond_toughness(intensity_, criterion_.toughness)));
+    for (int round = 1; grows && !proportional_ && round < rounds_for_kink; ++round) grows = aim(found_.load_factor);
+    if (is_due(grows)) {
+      aim(present);
+      found_.load_factor = present;
+      return found_;
+    }
+    return grows ? std::optional(found_) : std::nullopt;
+  }
+
+ private:
+  bool aim(double load_factor) {
+    const double kink = kink_at(intensity_, load_factor).angle;
+    const auto share = [&](int part) {
+      return hoop_factor({intensity_.one[part], intensity_.two[part]}, kink) * criterion_.correction /
+             criterion_.toughness;
+    };
+    found_.constant = share(0), found_.growing = share(1), found_.angle = kink_at(turning_, load_factor).angle;
+    if (!(found_.growing > 0)) return false;
+    const std::optional<double> root = load_ratio(1 - found_.constant, found_.growing);
+    found_.load_factor = root.value_or(0);
+    return root.has_value();
+  }
+
+  // Whether the tip is overloaded where the way begins, although it does not grow further on: where the load factor has
+  // turned, or the tangents lead to the smaller root.
+  bool is_due(bool grows) const {
+    const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
+    return (!proportional_ || present < 0) && criterion_.control == Control::load &&
+           (!grows || found_.load_factor > present) &&
+           kink_at(intensity_, present).equivalent_factor * criterion_.correction >= least * criterion_.toughness;
+  }
+
+  const AffineIntensity &intensity_, &turning_;
+  const LineCriterion& criterion_;
+  bool proportional_;
+  LineLoad found_;
+};
+
+std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const AffineIntensity& turning,
+                                       const LineCriterion& criterion) {
+  const crack::AffineFactors factors{{intensity.one[0], intensity.two[0]}, {intensity.one[1], intensity.two[1]}};
+  const double toughness = criterion.toughness / criterion.correction, present = criterion.present;
+  const crack::GrowthRange range = growth_range(factors, toughness, criterion.measure);
+  const auto ratio_at = [&](double load_factor) {
+    return crack::growth_ratio(factors, load_factor, toughness, criterion.measure);
+  };
+  const bool holds_load = criterion.control == Control::load;
+  if (range.is_empty() && !holds_load) return std::nullopt;
+  LineLoad found;
+  if (holds_load && (range.is_empty() || range.lowest - present > ratio_rounding * std::abs(present))) {
+    found.load_factor = present, found.constant = ratio_at(present);
+  } else if (std::abs(range.highest) < largest_ratio_of_loads) {
+    found.load_factor = range.highest;
+    // Through what it is here, if that is more.
+    const double ratio = holds_load && present > range.highest ? ratio_at(present) : 1;
+    found.growing = ratio > 1 ? (ratio - 1) / (present - range.highest) : 0;
+    found.constant = 1 - range.highest * found.growing;
+  } else {
+    return std::nullopt;
+  }
+  found.angle = kink_at(turning, found.load_factor).angle;
+  return found;
+}
+
+}  // namespace
+
+std::optional<double> load_ratio(double dividend, double divisor) {
+  const double size = std::abs(divisor);
+  if (!(size > 0) || (size < 1 && std::abs(dividend) >= largest_ratio_of_loads * size)) return std::nullopt;
+  return dividend / divisor;
+}
+
+std::optional<LineLoad> load_of_growth(const AffineIntensity& intensity, const AffineIntensity& turning,
+                                       const LineCriterion& criterion) {
+  if (!(criterion.toughness > 0) || std::isinf(criterion.toughness)) return std::nullopt;
+  if (criterion.measure == KinkCriterion::energy_release_rate) return load_by_energy(intensity, turning, criterion);
+  return ByHoopStress(intensity, turning, criterion).load();
+}
+
+}  // namespace bempd::fracture

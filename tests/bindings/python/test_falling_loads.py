@@ -1,0 +1,98 @@
+"""Cracks that grow as lines while the load factor falls: what they do under loads of the other sign while it rises."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import bempd
+
+MIRRORED = ("load_factor", "critical_load_factor")
+COLUMNS = ("total_broken_bonds", "stored_energy", "released_energy", "work", "stretch_ratio", *MIRRORED)
+
+
+def strip(sign: float, **options: str) -> bempd.Model:
+    """README's, whose end is moved by `sign` micrometres per unit of load factor."""
+    model = bempd.Model(options={name.replace("_", ".", 1): word for name, word in options.items()})
+    acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
+    left = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.02, 0.02), element_length=0.005)
+    model.add_pd_region(acrylic, bempd.rectangle(0.02, 0, 0.04, 0.02), spacing=0.001, horizon_ratio=4)
+    right = model.add_bem_region(acrylic, bempd.rectangle(0.04, 0, 0.06, 0.02), element_length=0.005)
+    model.add_crack([(0.0295, 0), (0.0295, 0.0045)])
+    model.fix_edge(left, 4)
+    model.prescribe_edge(right, 2, "x", sign * 1e-6)
+    return model
+
+
+def plate(sign: float, constant: float, crack: bool, **options: str) -> bempd.Model:
+    """Constant tractions along its right edge and proportional ones across it, with a hole where there is no crack."""
+    model = bempd.Model(options={name.replace("_", ".", 1): word for name, word in options.items()})
+    glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
+    body = model.add_pd_region(glass, bempd.rectangle(0, 0, 24, 17), 1, 3)
+    if crack:
+        model.add_crack([(11.4, 13.5), (14.4, 8.2)])
+    else:
+        model.add_circular_hole(body, (12, 8.3), 3)
+    model.fix_edge(body, 4, "x")
+    model.fix_point((0, 0), "y")
+    model.add_traction(body, 2, "y", 0, constant=constant)
+    model.add_traction(body, 2, "x", sign * 1e-3)
+    return model
+
+
+def followed(model: bempd.Model, targets: list[float]) -> np.ndarray:
+    for target in targets:
+        for _ in range(12):
+            if model.step_to_next_event(target).stop_reason != bempd.StopReason.EVENT:
+                break
+    return model.history()
+
+
+def expect_mirrored(up: np.ndarray, down: np.ndarray) -> None:
+    assert len(up) == len(down)
+    for name in COLUMNS:
+        sign = -1 if name in MIRRORED else 1
+        assert np.array_equal(up[name], sign * down[name]), name
+
+
+def test_a_strip_pulled_by_a_falling_load_factor_separates_where_it_does_by_a_rising_one() -> None:
+    up, down = strip(1).run_to_separation(1e4), strip(-1).run_to_separation(-1e4)
+    print("load factors at separation", up.load_factor, down.load_factor)
+    assert up.stop_reason == down.stop_reason == bempd.StopReason.SEPARATED
+    assert abs(down.load_factor + up.load_factor) < 1e-9 * up.load_factor
+    assert down.total_broken_bonds == up.total_broken_bonds and down.total_events == up.total_events
+
+
+@pytest.mark.parametrize("control", ["load", "path"])
+def test_with_loads_and_load_factors_negated_all_events_are_the_same(control: str) -> None:
+    up, down = (strip(sign, stepping_solver="plain", stepping_control=control) for sign in (1, -1))
+    expect_mirrored(followed(up, [1e4]), followed(down, [-1e4]))
+
+
+@pytest.mark.parametrize("crack", [True, False])
+@pytest.mark.parametrize("constant", [0, 3e-5])
+@pytest.mark.parametrize("control", ["load", "path"])
+def test_constant_loads_and_loads_that_reverse(crack: bool, constant: float, control: str) -> None:
+    up, down = (plate(sign, constant, crack, stepping_solver="plain", stepping_control=control) for sign in (1, -1))
+    targets = [0.2, -1.0, 50.0]
+    a, b = followed(up, targets), followed(down, [-t for t in targets])
+    assert a["total_broken_bonds"][-1] > 0 and a["load_factor"].min() < 0 < a["load_factor"].max()
+    expect_mirrored(a, b)
+
+
+@pytest.mark.parametrize("crack", [True, False])
+def test_what_has_not_grown_on_the_way_up_grows_on_the_way_down(crack: bool) -> None:
+    """Pressed first, and pulled while the load factor falls: as pulled at once."""
+    pulled = plate(1, 0, crack).step_to_next_event(1e3)
+    model = plate(-1, 0, crack)
+    assert model.step(0.1 * pulled.load_factor).total_events == 0
+    found = model.step_to_next_event(-1e3)
+    assert abs(found.load_factor + pulled.load_factor) < 1e-9 * pulled.load_factor
+    assert found.total_broken_bonds == pulled.total_broken_bonds
+
+
+def test_a_tip_that_is_overloaded_goes_on_wherever_the_load_factor_goes() -> None:
+    model = plate(1, 0, True)
+    first = model.step_to_next_event(1e3)
+    back = model.step_to_next_event(-1e3)
+    assert back.stop_reason == bempd.StopReason.EVENT and back.load_factor == first.load_factor
