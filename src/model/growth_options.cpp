@@ -6,10 +6,13 @@ namespace {
 
 const scene::OptionGroup growth_group(scene::OptionPlace::growth, [] {
   return std::vector<scene::OptionDescription>{
-      scene::text_option("growth.criterion",
-                         "What decides when a crack of a BEM region grows and in which direction: hoop, the largest "
-                         "hoop stress before it turns; energy, the largest energy release rate after it has.",
-                         "hoop | energy", "hoop"),
+      scene::text_option(
+          "growth.criterion",
+          "What decides when a crack of a BEM region grows and in which direction: hoop, the largest "
+          "hoop stress before it turns; energy, the largest energy release rate after it has. A crack that "
+          "grows as a line in a lattice takes the load from it and always turns to the largest hoop "
+          "stress.",
+          "hoop | energy", "hoop"),
       scene::text_option("growth.direction",
                          "Direction of an extension: tip, that at its start; chord, turned by half the angle by which "
                          "its end would turn on, as the chord of a curved path, for one solution more.",

@@ -18,7 +18,8 @@ const scene::OptionGroup stepping_group(scene::OptionPlace::stepping, [] {
           "Increment of the load factor in the stepping mode paper; its multiples and the ends of steps count.", 1,
           1e-300, 1e300, false),
       scene::number_option("stepping.tie_band",
-                           "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one.",
+                           "Bonds within this share of the largest stretch ratio break together; 0 breaks one by one. "
+                           "Not for lines, which grow by one tip at an event: within 1e-9 the least number goes first.",
                            1e-3, 0, 0.5, false),
       scene::text_option(
           "stepping.solver",

@@ -43,8 +43,9 @@ struct Lattice {
     const std::vector<Point>& first = parted.cracks.front().points;
     tip.place = first.back();
     tip.direction = (first.back() - first[first.size() - 2]).normalized();
-    law = {1, static_cast<double>(horizon_ratio), elasticity.thickness, plane_modulus(elasticity), 1, 1};
-    stress = std::make_unique<fracture::TipStress>(*system, d.positions);
+    law = {1, static_cast<double>(horizon_ratio), elasticity.thickness, plane_modulus(elasticity), 1};
+    laws.laws = {law};
+    stress = std::make_unique<fracture::TipStress>(*system, d.positions, laws);
     way = std::make_unique<fracture::LineWay>(*system, d.positions, *stress);
   }
 
@@ -72,6 +73,7 @@ struct Lattice {
   std::unique_ptr<fracture::LineWay> way;
   fracture::GrowingTip tip;
   pd::TipLaw law;
+  pd::TipLaws laws;
 };
 
 // Largest error of K = 1 in either mode, and K in the terms without a singularity, each as large as K a horizon away.
@@ -167,7 +169,7 @@ TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
   };
   const fracture::LineWay::Step inside = next(far, 0);
   EXPECT_EQ(inside.length, 1);
-  EXPECT_FALSE(inside.arrives);
+  EXPECT_FALSE(inside.arrives());
   // Of the bonds (i, j) shorter than the horizon |j| each cross a spacing of the way.
   int crossing = 0;
   for (int i = -m; i <= m; ++i)
@@ -175,13 +177,13 @@ TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
   EXPECT_EQ(static_cast<int>(inside.bonds.size()), crossing);
   // A ligament of a horizon and a spacing before a free edge is torn at one step; a longer one is not.
   const fracture::LineWay::Step last = next(m + 1, 0), before = next(m + 3, 0);
-  EXPECT_TRUE(last.arrives);
+  EXPECT_TRUE(last.arrives());
   EXPECT_NEAR(last.length, m + 0.5, 1);
-  EXPECT_FALSE(before.arrives);
+  EXPECT_FALSE(before.arrives());
   EXPECT_EQ(before.length, 1);
   // At the face of a crack a spacing ahead it arrives.
   const fracture::LineWay::Step at_face = next(far, 1.5);
-  EXPECT_TRUE(at_face.arrives);
+  EXPECT_TRUE(at_face.arrives());
   EXPECT_LE(at_face.length, 1.5);
 }
 
