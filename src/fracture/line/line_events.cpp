@@ -148,8 +148,7 @@ void LineEvents::begin_crack(Outcome& outcome) {
     tips.push_back({birth_->middle + law.spacing / 2 * direction, direction, birth_->law, {id + 1, end}});
     CrackExtension extension = LineSteps::extension_from(birth_->middle, tips.back(), law.spacing / 2);
     extension.load_factor = body_.state().load_factor;
-    for (double* unknown :
-         {&extension.rate_before, &extension.rate_after, &extension.factor_1, &extension.factor_2})
+    for (double* unknown : {&extension.rate_before, &extension.rate_after, &extension.factor_1, &extension.factor_2})
       *unknown = std::numeric_limits<double>::quiet_NaN();
     extension.resistance = law.toughness * law.toughness / law.modulus;
     outcome.extensions.push_back(extension);
