@@ -543,7 +543,7 @@ BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crac
 /** @brief Add a uniform pressure in a crack, of a fluid in it say, that follows wherever it grows; give it a new value
  * with bempd_set_load_values().
  *
- * In BEM regions it acts on the crack and what bempd_grow_cracks() adds. In PD regions it acts in place of all bonds
+ * In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of all bonds
  * that the crack cuts, and of those that break from there on and continue it: each pushes its points apart as it would
  * hold them together under a pressure on all sides, so that a straight crack of any direction feels the pressure times
  * its length. It reaches what breaks at once, does not care whether faces touch, and acts no more on pieces that have
@@ -1332,7 +1332,8 @@ BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bemp
  * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
 
-/** @brief What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with bempd_crack_extension_init(). @since 0.3 */
+/** @brief What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
+ * bempd_crack_extension_init(). @since 0.3 */
 typedef struct bempd_crack_extension {
   int64_t struct_size;               /**< sizeof(bempd_crack_extension), set by bempd_crack_extension_init() */
   int64_t event;                     /**< event of the history that it was part of */
@@ -1410,8 +1411,7 @@ typedef struct bempd_history_entry {
   int64_t total_broken_bonds;  /**< bonds broken so far */
   double load_factor;          /**< load factor [-] */
   double stretch_ratio;        /**< largest bond stretch over its critical stretch just before the break, or of a
-                                    tip in a lattice its intensity over its toughness [-]; 1 where
-                                    bempd_grow_cracks() was called */
+                                    tip its intensity over its toughness [-] */
   double stored_energy;        /**< elastic energy [J] */
   double released_energy;      /**< energy released by breaking bonds and growing cracks so far [J] */
   double work;                 /**< work of loads and supports so far [J] */

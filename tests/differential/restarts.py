@@ -71,12 +71,25 @@ def heated_bar(**options: object) -> bempd.Model:
 
 
 def boundary_crack(points: tuple = ((0, 10), (3, 10.4)), **options: object) -> bempd.Model:
-    model = bempd.Model(options={"threads": 1, **options})
+    model = bempd.Model(options={"threads": 1, **{name.replace("__", "."): value for name, value in options.items()}})
     material = model.add_material(young_modulus=1, poisson_ratio=0.3, fracture_energy=1e-6)
     plate = model.add_bem_region(material, bempd.rectangle(0, 0, 10, 20), 2)
     model.add_crack(points)
     model.fix_edge(plate, 1)
     model.prescribe_edge(plate, 3, "y", 1e-2)
+    return model
+
+
+def cracked_halves(**options: object) -> bempd.Model:
+    """A crack in boundary elements below and one in a lattice above, which grow in turn."""
+    model = bempd.Model(options={"threads": 1, **{name.replace("__", "."): value for name, value in options.items()}})
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1e-6)
+    below = model.add_bem_region(material, bempd.rectangle(0, 0, 16, 8), 2)
+    above = model.add_pd_region(material, bempd.rectangle(0, 8, 16, 20), 1, 3)
+    model.add_crack([(0, 4), (5, 4.2)])
+    model.add_crack([(16, 14.5), (11.5, 14.5)])
+    model.fix_edge(below, 1)
+    model.prescribe_edge(above, 3, "y", 1e-2)
     return model
 
 
@@ -143,6 +156,10 @@ SCENES: dict[str, tuple[Build, list[Call]]] = {
         lambda model: model.set_tip_frozen(1, bempd.TipEnd.START), *[lambda model: model.grow_cracks(0.7)] * 2,
         lambda model: model.set_tip_frozen(1, bempd.TipEnd.END), lambda model: model.set_tip_frozen(1, 1, False),
         lambda model: model.grow_cracks(0.7)]),
+    "driven crack": (boundary_crack, steps(0.1) + events(6)),
+    "driven crack on the path": (lambda: boundary_crack(((3, 9.7), (6, 10.4)), stepping__control="path"), events(6)),
+    "driven crack beside a lattice": (cracked_halves, events(14)),
+    "driven crack beside a lattice, on the path": (lambda: cracked_halves(stepping__control="path"), events(14)),
     "scheme paper": (lambda: torn_plate(scheme="paper"), events(20)),
 }
 

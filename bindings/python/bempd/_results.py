@@ -318,7 +318,7 @@ class Results:
         self._open().call("bempd_set_tip_frozen", crack, int(end), int(frozen))
 
     def extensions(self) -> list[CrackExtension]:
-        """What every tip did in every call of `grow_cracks`, in order."""
+        """What every tip did at every event, in order."""
         found = []
         for index in range(int(self._number("bempd_extension_count", "int64_t"))):
             struct = new_struct("bempd_crack_extension", "bempd_crack_extension_init")
