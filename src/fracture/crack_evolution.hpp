@@ -21,6 +21,7 @@ struct Growth {
   double surface_energy = 0;        // fracture energy times new area [J]
   double beyond_path = 0;           // of the energy released, as released_beyond_path() has it [J]
   std::vector<CrackExtension> extensions;
+  int ties = 0;  // tips that would have grown as soon
 };
 
 enum class Goal { load_factor, next_event, separation };
@@ -101,6 +102,9 @@ class CrackEvolution {
 
   // After StopReason::growth, as long as nothing else was done: the run is where it was before that advance().
   void take_back() noexcept;
+
+  // A tip of a line goes no further, as it has come to an interface.
+  void stop_line(const crack::TipId& tip);
 
   // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
   // node the one that was there before, or one close by. book() has to follow.

@@ -33,6 +33,16 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
+void CrackEvolution::stop_line(const crack::TipId& tip) {
+  sources_.refresh();
+  sources_.settle();
+  for (GrowingTip& one : state_.tips)
+    if (one.id == tip) one.state = crack::TipState::at_interface;
+  const auto last = std::find_if(state_.extensions.rbegin(), state_.extensions.rend(),
+                                 [&](const CrackExtension& e) { return e.crack == tip.crack && e.end == tip.end; });
+  if (last != state_.extensions.rend()) last->state = crack::TipState::at_interface;
+}
+
 namespace {
 
 // Loads of nodes that have lost them since did nothing more.
@@ -146,6 +156,7 @@ void CrackEvolution::book(const Growth& growth) {
   growth_.work -= growth.beyond_path;
   growth_.released_energy -= growth.beyond_path;
   growth_.bond_energy = growth.surface_energy;
+  growth_.ties = growth.ties;
   growth_.critical_stored_energy = body_.stored_energy_at(event.critical_load_factor);
   book(event, growth_, {});
   for (const CrackExtension& extension : growth.extensions) {

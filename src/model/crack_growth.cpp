@@ -70,7 +70,8 @@ std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues
     const double ratio = overloaded ? crack::growth_ratio(factors_of(tip), 0, tip.toughness, criterion_of(options)) : 1;
     candidates.push_back({{tip.crack, tip.end}, load_factor, ratio, overloaded});
   }
-  const std::size_t first = crack::first_to_grow(candidates, true)->index;
+  const crack::FirstToGrow found = *crack::first_to_grow(candidates, true);
+  const std::size_t first = found.index;
   if (!std::isfinite(candidates[first].load_factor))
     fail(Failure::unsolvable,
          "no crack grows however large the load factor is; give their materials a fracture_energy, "

@@ -5,6 +5,7 @@
 
 #include "cancellation.hpp"
 #include "error.hpp"
+#include "geometry/outline.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
@@ -31,7 +32,7 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   for (;;) {
     const fracture::StopReason reason =
         prepared_->evolution->advance(run.target, run.goal, run.stepping, run.on_event, run.on_end);
-    if (reason != fracture::StopReason::growth) return reason;
+    if (reason != fracture::StopReason::growth) return with_stopped_lines(reason, run);
     check_cancelled();
     if (!grow_next(tips, run)) return fracture::StopReason::crack_stopped;
     const fracture::EvolutionState& state = prepared_->evolution->progress();
@@ -45,9 +46,46 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   }
 }
 
+// Whether a tip among bonds has come to where boundary elements begin: there it would run along the interface.
+bool Model::leaves_lattice(const fracture::CrackExtension& e) const {
+  constexpr double closely = 0.25;  // of a step
+  const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
+  const auto& regions = prepared_->discretization.regions;
+  const double tolerance = prepared_->discretization.tolerance;
+  const auto is_in = [&](const regions::Region& region, const Point& place) {
+    return locate(scene_.region(region.id()).outline(), place, tolerance) != Location::outside;
+  };
+  return std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return r->bonds() && is_in(*r, from); }) &&
+         std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return !r->bonds() && is_in(*r, ahead); });
+}
+
+// The step ends where one does.
+void Model::look_after_lines(DrivenRun& run) {
+  const std::vector<fracture::CrackExtension>& all = prepared_->evolution->progress().extensions;
+  for (; run.extensions_seen < all.size(); ++run.extensions_seen) {
+    const fracture::CrackExtension& e = all[run.extensions_seen];
+    if (!e.has_ended() && leaves_lattice(e)) run.stopped_lines.push_back({e.crack, e.end});
+  }
+  if (!run.stopped_lines.empty()) stop_requested_ = true;
+}
+
+fracture::StopReason Model::with_stopped_lines(fracture::StopReason reason, const DrivenRun& run) {
+  using fracture::StopReason;
+  if (run.stopped_lines.empty()) return reason;
+  for (const crack::TipId& tip : run.stopped_lines) prepared_->evolution->stop_line(tip);
+  say([&] {
+    for (const crack::TipId& tip : run.stopped_lines)
+      log(1, text("crack ", tip.crack,
+                  " has come to the border of its lattice, where it cannot go on into a boundary "
+                  "element region; give the peridynamic region more room there if it should"));
+  });
+  return reason == StopReason::requested || reason == StopReason::event ? StopReason::crack_stopped : reason;
+}
+
 // False if the crack would cut its region in two.
 bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
   Growing growing = growing_with(tips.tips(), tips.first(), load_factor(), options_);
+  growing.ties = tips.ties();
   set_lengths(growing, chosen_length(scene_, growing, options_), options_);
   const std::vector<scene::Crack> before = scene_.cracks();
   Grown next;

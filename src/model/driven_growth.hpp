@@ -30,7 +30,9 @@ struct DrivenRun {
   std::unique_ptr<PreparedScene> start;  // null: no crack has grown yet
   std::vector<scene::Crack> cracks;      // as they were
   bool crack_stopped = false;            // by the last growth
-  Seconds seconds;                       // of the present scene before the run, less those of scenes before it
+  std::size_t extensions_seen = 0;
+  std::vector<crack::TipId> stopped_lines;  // among bonds, at the border of their lattice
+  Seconds seconds;                          // of the present scene before the run, less those of scenes before it
 };
 
 }  // namespace bempd::model

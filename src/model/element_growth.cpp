@@ -161,8 +161,8 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
 // known. On the path of equilibrium the rate is all along what it was at first.
 fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& after,
                         const std::vector<double>& thickness, double released, std::optional<double> beyond_path) {
-  fracture::Growth growth{growing.ratio, growing.critical_load_factor, 0, beyond_path.value_or(0),
-                          std::move(growing.extensions)};
+  fracture::Growth growth{growing.ratio,           growing.critical_load_factor,  0,
+                          beyond_path.value_or(0), std::move(growing.extensions), growing.ties};
   double left = released, ended_length = 0;
   for (std::size_t k = 0; k < growth.extensions.size(); ++k) {
     fracture::CrackExtension& e = growth.extensions[k];

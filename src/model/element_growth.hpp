@@ -18,6 +18,7 @@ struct Growing {
   double load_factor = 0;
   double ratio = 1;                 // of the first tip: equivalent factor over toughness
   double critical_load_factor = 0;  // at which that tip just reaches its toughness
+  int ties = 0;                     // others that would have grown as soon
   std::vector<regions::TipValues> tips;
   std::vector<fracture::CrackExtension> extensions;
   std::vector<double> lengths;

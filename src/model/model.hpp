@@ -241,6 +241,9 @@ class Model {
   fracture::StopReason advance_growing(DrivenRun& run);
   bool grow_next(ElementTips& tips, DrivenRun& run);
   void take_back(DrivenRun& run) noexcept;
+  bool leaves_lattice(const fracture::CrackExtension& extension) const;
+  void look_after_lines(DrivenRun& run);
+  fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
   std::unique_ptr<PreparedScene> as_grown(std::vector<fracture::CrackExtension> extensions);
   void check_mechanism(const PreparedScene& prepared) const;

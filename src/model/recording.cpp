@@ -22,11 +22,13 @@ void Model::run_recording(DrivenRun& run, StepResult& result) {
         fail(Failure::cancelled, "the progress callback asked to stop; the model is back at the start of the step");
       if (cancel_requested_)
         fail(Failure::cancelled, "cancelled on request; the model is back at the start of the step");
+      look_after_lines(run);
     };
     run.on_end = [&] {
       if (every > 0 && prepared_->evolution->progress().history.back().event == 0) record_tips();
       result.hanging = hangs();
     };
+    run.extensions_seen = prepared_->evolution->progress().extensions.size();
     result.reason = advance_growing(run);
   } catch (...) {
     tip_history_.erase(tip_history_.begin() + recorded, tip_history_.end());
