@@ -1191,7 +1191,14 @@ BEMPD_API bempd_status bempd_get_singularity(bempd_model* model, int64_t index, 
 typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
 
 /** @brief What the values of a tip come from. @since 0.3 */
-typedef enum bempd_tip_method { BEMPD_TIP_ELEMENTS = 1, BEMPD_TIP_CONTOURS = 2 } bempd_tip_method;
+typedef enum bempd_tip_method {
+  /** Boundary elements on the crack. */
+  BEMPD_TIP_ELEMENTS = 1,
+  /** Rings around the tip in a lattice. */
+  BEMPD_TIP_CONTOURS = 2,
+  /** The stress ahead of the tip in a lattice, by which its crack grows as a line. */
+  BEMPD_TIP_STRESS = 3
+} bempd_tip_method;
 
 /** @brief The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
  *
@@ -1205,18 +1212,24 @@ typedef enum bempd_tip_method { BEMPD_TIP_ELEMENTS = 1, BEMPD_TIP_CONTOURS = 2 }
  * and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20
  * spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
  * factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two horizons
- * around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring fits:
- * `contours` is 0, and all that follows from rings is NaN, not known.
+ * around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring fits and
+ * `contours` is 0. Of a crack that grows as a line the factors and G are then those by which it grows, fitted to the
+ * stress ahead (BEMPD_TIP_STRESS), which were within 9 % of K of boundary elements behind kinks and 13 % beside steep
+ * cracks; T, the error and felt_ahead, and bond by bond the factors too, are NaN: not known.
  *
  * A tip stays where it is while the load factor lies between `critical_load_factor_down` and `critical_load_factor`,
  * and grows at either: there it reaches its toughness in the direction in which it goes on, by the option
- * growth.criterion. A tip that is beyond them already grows at the present load factor, unless stepping.control is
- * path. If it grows at every load factor the first is the largest double and the second minus that.
+ * growth.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
+ * grows at the present load factor, unless stepping.control is path. If it grows at every load factor the first is the
+ * largest double and the second minus that.
  *
- * Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it. Then it has grown:
- * to the middle of the lattice cell that lies farthest along the cells which such bonds join to the end. Cracks that
- * begin away from initial ones, and branches beside the farthest one, have no tips here; `branched` tells of the
- * latter. @since 0.3 */
+ * In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those that grow, also of
+ * cracks that began in the run; the load factors and angles of growth are what the next step will do. Bond by bond
+ * (pd.crack_rule = "bond") tips are looked for among broken bonds: a tip is at the crack's end until bonds between
+ * nearest neighbours have broken next to it, and then in the middle of the lattice cell that lies farthest along the
+ * cells which such bonds join to the end; its load factors are those of its stress intensity factors. Cracks that begin
+ * away from initial ones, and branches beside the farthest one, have no tips there; `branched` tells of the latter.
+ * @since 0.3 */
 typedef struct bempd_crack_tip {
   int64_t struct_size;         /**< sizeof(bempd_crack_tip), set by bempd_crack_tip_init() */
   int32_t crack;               /**< id of the crack */
@@ -1282,15 +1295,61 @@ BEMPD_API bempd_status bempd_tip_history_count(const bempd_model* model, int64_t
 BEMPD_API bempd_status bempd_get_tip_history(const bempd_model* model, int64_t index, int64_t* event,
                                              int64_t* total_broken_bonds, double* load_factor, bempd_crack_tip* tip);
 
-/** @brief Openings of a crack in a BEM region at the present load factor: displacement of the face on its left, seen
- * from its first point, less that of the face on its right.
- * @param[in] model the model @param[in] crack id of a crack @param[in] count number of places
- * @param[in] fractions shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+/** @brief Openings of a crack at the present load factor: displacement of the face on its left, seen from its first
+ * point, less that of the face on its right.
+ *
+ * In BEM regions they are unknowns of the equations. In peridynamic regions (since 0.3) each face has the value, on the
+ * crack's path, of a quadratic fitted to the material points on its side within three spacings: four spacings from a
+ * tip and farther the opening of a centre crack is that of boundary elements within 0.7 %, of a crack as long as the
+ * lattice's is felt (`felt_ahead`); at two spacings within 2 %, nearer up to 15 % off. NaN where one side has too few
+ * points.
+ * @param[in] model the model @param[in] crack id of a crack, in lattices also of one that began in the run
+ * @param[in] count number of places
+ * @param[in] fractions shape [count], places as fractions of the crack's length (bempd_crack_length()), 0 .. 1 [-]
  * @param[out] normal shape [count], positive if it is open, negative if its faces overlap, which they
  * do with the option bem.contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
  * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                            double* normal, double* tangential);
+
+/** @brief Number of cracks: those that were described, also removed ones, and those that began in the run, which have
+ * the next ids, by order of beginning. Cracks that grow bond by bond (pd.crack_rule = "bond") begin without an id.
+ * @param[in] model the model @param[out] count number of cracks @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_count(const bempd_model* model, int64_t* count);
+
+/** @brief Length of a crack's path, with what it has grown by. @param[in] model the model
+ * @param[in] crack id of a crack; 0: of all cracks together @param[out] length its length [m]
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_length(const bempd_model* model, int32_t crack, double* length);
+
+/** @brief A vertex of a crack's path. Fill it with bempd_path_vertex_init(). @since 0.3 */
+typedef struct bempd_path_vertex {
+  int64_t struct_size;        /**< sizeof(bempd_path_vertex), set by bempd_path_vertex_init() */
+  int64_t event;              /**< event of the history at which the crack grew to here; 0: it was described */
+  int32_t end;                /**< which end grew, a bempd_tip_end; 0: none, it was described or is where it began */
+  double x;                   /**< place [m] */
+  double y;                   /**< [m] */
+  double load_factor;         /**< at which it grew to here; NaN if it was described, as all that follows [-] */
+  double stress_intensity_1;  /**< K_I of the tip just before [Pa m^(1/2)]; NaN also where the crack began */
+  double stress_intensity_2;  /**< K_II [Pa m^(1/2)]; NaN likewise */
+  double energy_release_rate; /**< G in the direction to here just before [J/m^2]; NaN likewise */
+  double resistance;          /**< fracture energy that was met on the way to here [J/m^2]; NaN likewise */
+} bempd_path_vertex;
+
+/** @brief Set struct_size and zeros. @param[out] vertex the struct to fill
+ * @param[in] struct_size sizeof(bempd_path_vertex) as the caller was compiled: older programs keep working when it
+ * grows @return status @since 0.3 */
+BEMPD_API bempd_status bempd_path_vertex_init(bempd_path_vertex* vertex, int64_t struct_size);
+
+/** @brief Number of vertices of a crack's path. @param[in] model the model @param[in] crack id of a crack
+ * @param[out] count number of vertices; 0 for a crack that was removed @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_path_count(const bempd_model* model, int32_t crack, int64_t* count);
+
+/** @brief A vertex of a crack's path, from its start to its end: the described points, in lattices where the crack was
+ * cut, and those to which it has grown. @param[in] model the model @param[in] crack id of a crack
+ * @param[in] index 0 .. count-1 @param[in,out] vertex struct_size in, the rest out @return status @since 0.3 */
+BEMPD_API bempd_status bempd_crack_path(const bempd_model* model, int32_t crack, int64_t index,
+                                        bempd_path_vertex* vertex);
 
 /** @brief What bempd_grow_cracks() did. Fill it with bempd_growth_init(). @since 0.3 */
 typedef struct bempd_growth {
@@ -1332,8 +1391,24 @@ BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bemp
  * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
 
-/** @brief What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
- * bempd_crack_extension_init(). @since 0.3 */
+/** @brief What became of an end of a crack. @since 0.3 */
+typedef enum bempd_tip_state {
+  /** It is a tip, and grows where its toughness is reached. */
+  BEMPD_TIP_GROWS = 0,
+  /** It has reached the outer boundary of the body. */
+  BEMPD_TIP_AT_EDGE = 1,
+  /** It has reached a hole. */
+  BEMPD_TIP_AT_HOLE = 2,
+  /** It has reached a crack. */
+  BEMPD_TIP_AT_CRACK = 3,
+  /** It has stopped at another material, or where its region ends. */
+  BEMPD_TIP_AT_INTERFACE = 4,
+  /** What lay ahead of it has come apart. */
+  BEMPD_TIP_SEPARATED = 5
+} bempd_tip_state;
+
+/** @brief What one tip did at an event of a step, or in a call of bempd_grow_cracks(). A crack that begins in a
+ * lattice does so as two extensions from its middle. Fill it with bempd_crack_extension_init(). @since 0.3 */
 typedef struct bempd_crack_extension {
   int64_t struct_size;               /**< sizeof(bempd_crack_extension), set by bempd_crack_extension_init() */
   int64_t event;                     /**< event of the history that it was part of */
@@ -1351,6 +1426,13 @@ typedef struct bempd_crack_extension {
   double energy_release_rate_after;  /**< when it had arrived [J/m^2]; 0 if it has ended */
   double released_energy;            /**< mean of both times the way and the thickness; of a tip that has ended, what
                                         the others of the event leave of the history's [J] */
+  double from_x;                     /**< where it began (since 0.3, as all that follows) [m] */
+  double from_y;                     /**< [m] */
+  double stress_intensity_1;         /**< K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)] */
+  double stress_intensity_2;         /**< K_II; NaN likewise [Pa m^(1/2)] */
+  double resistance;                 /**< fracture energy of what it went through [J/m^2] */
+  int32_t state;                     /**< what became of the end, a bempd_tip_state */
+  int32_t reserved;                  /**< 0 */
 } bempd_crack_extension;
 
 /** @brief Set struct_size and zeros. @param[out] extension the struct to fill

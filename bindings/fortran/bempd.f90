@@ -28,7 +28,9 @@ module bempd
     BEMPD_SINGULAR_CORNER, BEMPD_SINGULAR_INTERFACE, BEMPD_SINGULAR_CRACK, BEMPD_SINGULAR_POINT, bempd_singularity, &
     bempd_piece, &
     BEMPD_BOND_INTACT, BEMPD_BOND_BROKEN, BEMPD_BOND_CUT, BEMPD_PRESSURE, BEMPD_SHEAR, BEMPD_CRACK_START, &
-    BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, bempd_step_report, bempd_statistics, &
+    BEMPD_CRACK_END, BEMPD_TIP_ELEMENTS, BEMPD_TIP_CONTOURS, BEMPD_TIP_STRESS, bempd_path_vertex, &
+    BEMPD_TIP_GROWS, BEMPD_TIP_AT_EDGE, BEMPD_TIP_AT_HOLE, BEMPD_TIP_AT_CRACK, BEMPD_TIP_AT_INTERFACE, BEMPD_TIP_SEPARATED, &
+    bempd_step_report, bempd_statistics, &
     bempd_history_entry, bempd_crack_tip, bempd_growth, bempd_crack_extension, &
     bempd_boundary_function, bempd_progress_function, bempd_phase_function, bempd_log_function
   implicit none
@@ -53,6 +55,7 @@ module bempd
     procedure :: add_traction, add_traction_function, add_pressure, add_point_force
     procedure :: add_crack_pressure, add_body_force, add_rotation, add_temperature, add_temperature_function, set_load_values
     procedure :: set_support_values
+    procedure :: crack_count, crack_length, crack_path
     procedure :: add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, extensions
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
@@ -103,7 +106,7 @@ module bempd
     reaction_moment, evaluate, &
     get_statistics, &
     history, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
-    extensions, &
+    extensions, crack_count, crack_length, crack_path, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, write_state_file, read_state_file, refuse_copy_of_state, finalize_state
 
@@ -802,6 +805,29 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine extensions
+    !> Of cracks that were described and of those that began in the run.
+    module subroutine crack_count(self, count, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int64_t), intent(out) :: count
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine crack_count
+    !> Of the path of a crack, or with 0 of all cracks together [m].
+    module subroutine crack_length(self, crack, length, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack
+      real(c_double), intent(out) :: length
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine crack_length
+    !> Vertices of a crack from its start to its end, as bempd_crack_path has them.
+    module subroutine crack_path(self, crack, vertices, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int32_t), intent(in) :: crack
+      type(bempd_path_vertex), allocatable, intent(out) :: vertices(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine crack_path
     module subroutine crack_opening(self, crack, fractions, normal, tangential, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: crack

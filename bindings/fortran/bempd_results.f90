@@ -400,6 +400,31 @@ contains
     call finish(self, status, stat, errmsg)
   end procedure extensions
 
+  module procedure crack_count
+    count = 0
+    call finish(self, bempd_crack_count(self%handle, count), stat, errmsg)
+  end procedure crack_count
+
+  module procedure crack_length
+    length = 0
+    call finish(self, bempd_crack_length(self%handle, crack, length), stat, errmsg)
+  end procedure crack_length
+
+  module procedure crack_path
+    integer(c_int64_t) :: count, k
+    integer(c_int) :: status
+
+    count = 0
+    status = bempd_crack_path_count(self%handle, crack, count)
+    allocate (vertices(count))
+    do k = 1, count
+      status = bempd_path_vertex_init(vertices(k), c_sizeof(vertices(k)))
+      status = bempd_crack_path(self%handle, crack, k - 1, vertices(k))
+      if (status /= BEMPD_OK) exit
+    end do
+    call finish(self, status, stat, errmsg)
+  end procedure crack_path
+
   module procedure crack_opening
     real(c_double), allocatable, target :: n(:), t(:)
 

@@ -154,6 +154,13 @@ class CrackEvolution {
   bool can_have(const GrownFace& face) const { return body_.faces().can_have(face); }
   double seconds_search() { return body_.seconds_search(); }
 
+  // Whether cracks among bonds grow as lines, and what their tips do next under the present loads.
+  bool grows_lines() const { return sources_.grows_lines(); }
+  std::vector<TipProspect> tip_prospects() {
+    look();
+    return sources_.tip_prospects();
+  }
+
   // In the present state of the bonds, under the present loads.
   LoadInterval admissible_load_factors() {
     look();

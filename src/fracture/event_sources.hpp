@@ -27,6 +27,10 @@ class EventSources {
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
 
+  // Of cracks that grow as lines, of a state that is up to date; none where they do not.
+  bool grows_lines() const { return lines_.has_value(); }
+  std::vector<TipProspect> tip_prospects() const { return lines_ ? lines_->prospects() : std::vector<TipProspect>(); }
+
   // Displacements and forces in the body's state, which fall behind while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
   void show() { window_.show(); }  // for someone who looks: nothing later depends on it

@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "crack/growth_law.hpp"
 #include "elasticity/griffith.hpp"
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
+#include "geometry/segment.hpp"
 #include "model/growth_options.hpp"
 #include "model/model.hpp"
 #include "number_range.hpp"
+#include "regions/tips/lattice_openings.hpp"
 #include "regions/tips/lattice_pictures.hpp"
 #include "regions/tips/lattice_tips.hpp"
 
@@ -25,6 +28,16 @@ void complete(regions::TipValues& tip, KinkCriterion criterion) {
   tip.critical_load_factor_down = in_range(range.lowest);
   if (std::isfinite(range.highest)) tip.critical_kink_angle = kink_of(factors.at(range.highest), criterion).angle;
   tip.straight_load_factor = straight_load_factor(factors.constant, factors.proportional, tip.toughness);
+}
+
+// Where no ring fits: the factors by which the tip grows.
+void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& tip, double load_factor) {
+  if (!tip.factors.at(load_factor).allFinite()) return;
+  values.method = regions::TipMethod::stress_ahead;
+  values.constant_factors = tip.factors.constant, values.proportional_factors = tip.factors.proportional;
+  values.factors = tip.factors.at(load_factor);
+  values.toughness = tip.toughness, values.plane_modulus = tip.modulus;
+  values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.modulus);
 }
 
 }  // namespace
@@ -56,10 +69,47 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
 
 std::vector<regions::TipValues> Model::compute_tips() const {
   std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
-  std::vector<regions::TipValues> in_lattices = regions::lattice_tips(bonded_body(), solution(), options_);
-  for (regions::TipValues& tip : in_lattices) complete(tip, growth_criterion(options_));
+  const std::vector<regions::TipValues> in_lattices =
+      prepared_->evolution->grows_lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
   return all;
+}
+
+// Looked for among broken bonds.
+std::vector<regions::TipValues> Model::tips_in_lattices() const {
+  const regions::BondedBody body = bonded_body();
+  std::vector<regions::TipValues> tips =
+      regions::lattice_tips(body, regions::find_lattice_tips(body), solution(), options_);
+  for (regions::TipValues& tip : tips) complete(tip, growth_criterion(options_));
+  return tips;
+}
+
+// Those that grow, where and as they do.
+std::vector<regions::TipValues> Model::tips_of_lines() const {
+  const std::vector<fracture::TipProspect> prospects = prepared_->evolution->tip_prospects();
+  std::vector<regions::KnownTip> known;
+  for (const fracture::TipProspect& tip : prospects) {
+    std::vector<Point> path = places_of(crack_path(tip.id.crack));
+    if (tip.id.end == 0) std::reverse(path.begin(), path.end());
+    const std::span<const fracture::CrackExtension> all = extensions();
+    const bool grown = std::any_of(all.begin(), all.end(), [&](const fracture::CrackExtension& e) {
+      return crack::TipId{e.crack, e.end} == tip.id;
+    });
+    known.push_back({tip.id.crack, tip.id.end, tip.direction, std::move(path), grown});
+  }
+  const regions::BondedBody body = bonded_body();
+  std::vector<regions::TipValues> tips =
+      regions::lattice_tips(body, regions::lattice_tips_at(body, known), solution(), options_);
+  for (std::size_t k = 0; k < tips.size(); ++k) {
+    const fracture::TipProspect& tip = prospects[k];
+    regions::TipValues& values = tips[k];
+    if (values.contours == 0) take_stress_ahead(values, tip, load_factor());
+    complete(values, growth_criterion(options_));
+    values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
+    values.critical_load_factor = in_range(tip.range.highest);
+    values.critical_load_factor_down = in_range(tip.range.lowest);
+  }
+  return tips;
 }
 
 const std::vector<regions::TipValues>& Model::tips() {
@@ -76,23 +126,72 @@ std::vector<regions::CrackPicture> Model::crack_pictures() const {
     const auto pictures = region->crack_pictures(solution());
     cracks.insert(cracks.end(), pictures.begin(), pictures.end());
   }
-  const auto in_lattices = regions::lattice_crack_pictures(bonded_body(), solution().displacement);
+  const std::vector<std::vector<Point>> paths = paths_in_lattices();
+  const auto in_lattices = regions::lattice_crack_pictures(
+      bonded_body(), solution().displacement, [&](const Point& place) { return crack_nearest(place, paths); });
   cracks.insert(cracks.end(), in_lattices.begin(), in_lattices.end());
   return cracks;
 }
 
 std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& fractions) {
-  scene_.crack(crack);
+  crack_path(crack);  // throws for a crack that there is not
   for (const double fraction : fractions)
     require(fraction >= 0 && fraction <= 1, "a fraction of the crack's length is ", fraction,
             "; it must lie between 0 and 1");
   prepare();
-  const int region = prepared_->discretization.crack_regions[static_cast<std::size_t>(crack) - 1];
-  require(region > 0, "crack ", crack,
-          " lies in a peridynamic region, where it has no opening of its own; ask for "
-          "displacements on both sides of it");
   ensure_equilibrium();
-  return this->region(region).crack_openings(crack, fractions, solution());
+  const std::vector<int>& region_of = prepared_->discretization.crack_regions;
+  const auto number = static_cast<std::size_t>(crack) - 1;
+  if (number < region_of.size() && region_of[number] > 0)
+    return region(region_of[number]).crack_openings(crack, fractions, solution());
+  const std::vector<std::vector<Point>> paths = paths_in_lattices();
+  require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
+  return regions::lattice_openings(bonded_body(), paths, number, fractions, solution().displacement);
+}
+
+int Model::crack_count() const {
+  int count = static_cast<int>(scene_.cracks().size());
+  for (const fracture::CrackExtension& e : extensions()) count = std::max(count, e.crack);
+  return count;
+}
+
+std::vector<PathVertex> Model::crack_path(int crack) const {
+  const auto described = static_cast<int>(scene_.cracks().size());
+  if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
+  if (crack > described) return path_of(crack, {}, extensions());
+  const auto number = static_cast<std::size_t>(crack) - 1;
+  const bool in_lattice = prepared_ && prepared_->discretization.crack_regions[number] == 0;
+  const scene::Crack& found = in_lattice ? prepared_->cracks[number] : scene_.cracks()[number];
+  if (found.points.empty()) return {};
+  return path_of(crack, found.given(), extensions());
+}
+
+double Model::crack_length(int crack) const {
+  if (crack != 0) return length_of(crack_path(crack));
+  double sum = 0;
+  for (int id = 1; id <= crack_count(); ++id) sum += length_of(crack_path(id));
+  return sum;
+}
+
+std::vector<std::vector<Point>> Model::paths_in_lattices() const {
+  const std::vector<int>& region_of = prepared_->discretization.crack_regions;
+  std::vector<std::vector<Point>> paths(static_cast<std::size_t>(crack_count()));
+  for (std::size_t c = 0; c < paths.size(); ++c)
+    if (c >= region_of.size() || region_of[c] == 0) paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
+  return paths;
+}
+
+// Among bonds; of all that were described if none is.
+int Model::crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const {
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < paths.size(); ++c) {
+    for (std::size_t i = 0; i + 1 < paths[c].size(); ++i) {
+      const double away = distance(Segment{paths[c][i], paths[c][i + 1]}, place);
+      if (away < least) least = away, nearest = static_cast<int>(c) + 1;
+    }
+  }
+  return nearest;
 }
 
 bool Model::has_crack_elements() const {

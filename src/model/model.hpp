@@ -17,6 +17,7 @@
 #include "fracture/crack_evolution.hpp"
 #include "fracture/interface_bonds.hpp"
 #include "model/answers.hpp"
+#include "model/crack_paths.hpp"
 #include "model/fingerprint.hpp"
 #include "model/host_listener.hpp"
 #include "model/saved_state.hpp"
@@ -157,6 +158,10 @@ class Model {
   // (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
   const std::vector<results::TipRecord>& tip_history() const { return tip_history_; }
+  // Cracks that were described and, with the next ids, those that began in the run; their paths (crack_results.cpp).
+  int crack_count() const;
+  std::vector<PathVertex> crack_path(int crack) const;
+  double crack_length(int crack) const;  // 0: of all
   // Openings along a crack and normal to it [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
@@ -218,6 +223,10 @@ class Model {
   void run_recording(DrivenRun& run, StepResult& result);
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
+  std::vector<regions::TipValues> tips_in_lattices() const;
+  std::vector<regions::TipValues> tips_of_lines() const;
+  std::vector<std::vector<Point>> paths_in_lattices() const;  // none of a crack with elements
+  int crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const;
   std::vector<regions::CrackPicture> crack_pictures() const;
   // `before`: one whose cracks were shorter, of which regions keep what has not changed.
   std::unique_ptr<PreparedScene> build(const PreparedScene* before) const;

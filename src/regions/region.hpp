@@ -51,7 +51,7 @@ struct LeadingElements {
   std::vector<int> nodes;  // of the scene
 };
 
-enum class TipMethod { elements = 1, contours = 2 };
+enum class TipMethod { elements = 1, contours = 2, stress_ahead = 3 };
 
 // The tip of a crack. What is not known is NaN.
 struct TipValues {

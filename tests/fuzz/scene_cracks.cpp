@@ -88,10 +88,9 @@ void Scene::read_tips() {
   const auto require_tip = [&](const char* call) {
     const std::array places = {tip.x, tip.y, tip.direction_x, tip.direction_y, tip.contour_radius};
     require_finite(call, places.data(), places.size());
-    // Where no ring fits nothing else is known; the angle of growth is not where the tip never grows.
-    if (std::isnan(tip.stress_intensity_1)) {
-      require_true(tip.method == BEMPD_TIP_CONTOURS && std::isnan(tip.critical_load_factor), call,
-                   "a tip is known in part");
+    // Where no ring fits less is known, or nothing; the angle of growth is not where the tip never grows.
+    if (tip.method != BEMPD_TIP_ELEMENTS && tip.contours == 0) {
+      require_true(std::isnan(tip.error) && std::isnan(tip.t_stress), call, "rings that do not fit tell");
       return;
     }
     const std::array numbers = {tip.stress_intensity_1,
@@ -116,7 +115,10 @@ void Scene::read_tips() {
   const std::array fractions = {0.0, 0.3, 1.0};
   std::array<double, 6> openings;
   if (FUZZ_CALL(bempd_crack_opening, model_, 1 + bytes_.pick(2), 3, fractions.data(), openings.data(), &openings[3]))
-    require_finite("bempd_crack_opening", openings.data(), openings.size());
+    for (const double opening : openings)
+      require_true(!std::isinf(opening), "bempd_crack_opening", "an opening is infinite");
+  double length = 0;
+  if (FUZZ_CALL(bempd_crack_length, model_, bytes_.pick(3), &length)) require_finite("bempd_crack_length", &length, 1);
   if (!FUZZ_CALL(bempd_extension_count, model_, &count)) return;
   for (std::int64_t k = 0; k <= count; ++k) {
     bempd_crack_extension e;

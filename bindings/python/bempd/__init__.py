@@ -41,6 +41,7 @@ from .reports import (
     EdgePlaces,
     EdgeReaction,
     Growth,
+    PathVertex,
     Piece,
     PointValues,
     Singularity,
@@ -51,6 +52,7 @@ from .reports import (
     TipEnd,
     TipMethod,
     TipRecord,
+    TipState,
 )
 from .state import State
 
@@ -59,7 +61,7 @@ __version__ = version()
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
-    "OutOfMemoryError", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
-    "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "UnknownOptionError", "UnsolvableError",
+    "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
+    "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

@@ -335,7 +335,8 @@ typedef enum bempd_tip_end {
 } bempd_tip_end;
 typedef enum bempd_tip_method {
   BEMPD_TIP_ELEMENTS = 1,
-  BEMPD_TIP_CONTOURS = 2
+  BEMPD_TIP_CONTOURS = 2,
+  BEMPD_TIP_STRESS = 3
 } bempd_tip_method;
 typedef struct bempd_crack_tip {
   int64_t struct_size;
@@ -370,6 +371,24 @@ bempd_status bempd_get_tip_history(const bempd_model *model, int64_t index, int6
     int64_t *total_broken_bonds, double *load_factor, bempd_crack_tip *tip);
 bempd_status bempd_crack_opening(bempd_model *model, int32_t crack, int64_t count,
     const double *fractions, double *normal, double *tangential);
+bempd_status bempd_crack_count(const bempd_model *model, int64_t *count);
+bempd_status bempd_crack_length(const bempd_model *model, int32_t crack, double *length);
+typedef struct bempd_path_vertex {
+  int64_t struct_size;
+  int64_t event;
+  int32_t end;
+  double x;
+  double y;
+  double load_factor;
+  double stress_intensity_1;
+  double stress_intensity_2;
+  double energy_release_rate;
+  double resistance;
+} bempd_path_vertex;
+bempd_status bempd_path_vertex_init(bempd_path_vertex *vertex, int64_t struct_size);
+bempd_status bempd_crack_path_count(const bempd_model *model, int32_t crack, int64_t *count);
+bempd_status bempd_crack_path(const bempd_model *model, int32_t crack, int64_t index,
+    bempd_path_vertex *vertex);
 typedef struct bempd_growth {
   int64_t struct_size;
   int32_t tips;
@@ -381,6 +400,14 @@ typedef struct bempd_growth {
 bempd_status bempd_growth_init(bempd_growth *growth, int64_t struct_size);
 bempd_status bempd_grow_cracks(bempd_model *model, double length, bempd_growth *growth);
 bempd_status bempd_set_tip_frozen(bempd_model *model, int32_t crack, int32_t end, int32_t frozen);
+typedef enum bempd_tip_state {
+  BEMPD_TIP_GROWS = 0,
+  BEMPD_TIP_AT_EDGE = 1,
+  BEMPD_TIP_AT_HOLE = 2,
+  BEMPD_TIP_AT_CRACK = 3,
+  BEMPD_TIP_AT_INTERFACE = 4,
+  BEMPD_TIP_SEPARATED = 5
+} bempd_tip_state;
 typedef struct bempd_crack_extension {
   int64_t struct_size;
   int64_t event;
@@ -397,6 +424,13 @@ typedef struct bempd_crack_extension {
   double energy_release_rate_before;
   double energy_release_rate_after;
   double released_energy;
+  double from_x;
+  double from_y;
+  double stress_intensity_1;
+  double stress_intensity_2;
+  double resistance;
+  int32_t state;
+  int32_t reserved;
 } bempd_crack_extension;
 bempd_status bempd_crack_extension_init(bempd_crack_extension *extension, int64_t struct_size);
 bempd_status bempd_extension_count(const bempd_model *model, int64_t *count);
@@ -1105,13 +1139,13 @@ since: 0.3""",
 Add a uniform pressure in a crack, of a fluid in it say, that follows wherever it grows; give it a
 new value with bempd_set_load_values().
 
-In BEM regions it acts on the crack and what bempd_grow_cracks() adds. In PD regions it acts in
-place of all bonds that the crack cuts, and of those that break from there on and continue it: each
-pushes its points apart as it would hold them together under a pressure on all sides, so that a
-straight crack of any direction feels the pressure times its length. It reaches what breaks at once,
-does not care whether faces touch, and acts no more on pieces that have come loose. Events are found
-in the whole body then, without windows. How far a crack has grown is seen where bonds one spacing
-long are broken, which the last row of points beside a slanted or round outline does not have.
+In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of all
+bonds that the crack cuts, and of those that break from there on and continue it: each pushes its
+points apart as it would hold them together under a pressure on all sides, so that a straight crack
+of any direction feels the pressure times its length. It reaches what breaks at once, does not care
+whether faces touch, and acts no more on pieces that have come loose. Events are found in the whole
+body then, without windows. How far a crack has grown is seen where bonds one spacing long are
+broken, which the last row of points beside a slanted or round outline does not have.
 
 model [in]: the model
 crack [in]: id of a crack
@@ -1926,6 +1960,9 @@ since: 0.3""",
     "bempd_tip_method": """What the values of a tip come from.
 
 since: 0.3""",
+    "BEMPD_TIP_ELEMENTS": """Boundary elements on the crack.""",
+    "BEMPD_TIP_CONTOURS": """Rings around the tip in a lattice.""",
+    "BEMPD_TIP_STRESS": """The stress ahead of the tip in a lattice, by which its crack grows as a line.""",
     "bempd_crack_tip": """\
 The tip of a crack at the present load factor. Fill it with bempd_crack_tip_init().
 
@@ -1941,18 +1978,25 @@ region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 
 middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
 factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
 two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is
-shorter, no ring fits: `contours` is 0, and all that follows from rings is NaN, not known.
+shorter, no ring fits and `contours` is 0. Of a crack that grows as a line the factors and G are
+then those by which it grows, fitted to the stress ahead (BEMPD_TIP_STRESS), which were within 9 %
+of K of boundary elements behind kinks and 13 % beside steep cracks; T, the error and felt_ahead,
+and bond by bond the factors too, are NaN: not known.
 
 A tip stays where it is while the load factor lies between `critical_load_factor_down` and
 `critical_load_factor`, and grows at either: there it reaches its toughness in the direction in
-which it goes on, by the option growth.criterion. A tip that is beyond them already grows at the
-present load factor, unless stepping.control is path. If it grows at every load factor the first is
-the largest double and the second minus that.
+which it goes on, by the option growth.criterion, if until then no faces close or open and nothing
+else grows. A tip that is beyond them already grows at the present load factor, unless
+stepping.control is path. If it grows at every load factor the first is the largest double and the
+second minus that.
 
-Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to it.
-Then it has grown: to the middle of the lattice cell that lies farthest along the cells which such
-bonds join to the end. Cracks that begin away from initial ones, and branches beside the farthest
-one, have no tips here; `branched` tells of the latter.
+In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those that
+grow, also of cracks that began in the run; the load factors and angles of growth are what the next
+step will do. Bond by bond (pd.crack_rule = "bond") tips are looked for among broken bonds: a tip is
+at the crack's end until bonds between nearest neighbours have broken next to it, and then in the
+middle of the lattice cell that lies farthest along the cells which such bonds join to the end; its
+load factors are those of its stress intensity factors. Cracks that begin away from initial ones,
+and branches beside the farthest one, have no tips there; `branched` tells of the latter.
 
 since: 0.3""",
     "bempd_crack_tip.struct_size": """sizeof(bempd_crack_tip), set by bempd_crack_tip_init()""",
@@ -2041,17 +2085,82 @@ tip [in,out]: struct_size in, the rest out
 return: status
 since: 0.3""",
     "bempd_crack_opening": """\
-Openings of a crack in a BEM region at the present load factor: displacement of the face on its
-left, seen from its first point, less that of the face on its right.
+Openings of a crack at the present load factor: displacement of the face on its left, seen from its
+first point, less that of the face on its right.
+
+In BEM regions they are unknowns of the equations. In peridynamic regions (since 0.3) each face has
+the value, on the crack's path, of a quadratic fitted to the material points on its side within
+three spacings: four spacings from a tip and farther the opening of a centre crack is that of
+boundary elements within 0.7 %, of a crack as long as the lattice's is felt (`felt_ahead`); at two
+spacings within 2 %, nearer up to 15 % off. NaN where one side has too few points.
 
 model [in]: the model
-crack [in]: id of a crack
+crack [in]: id of a crack, in lattices also of one that began in the run
 count [in]: number of places
-fractions [in]: shape [count], places as fractions of the crack's length, 0 .. 1 [-]
+fractions [in]: shape [count], places as fractions of the crack's length (bempd_crack_length()), 0
+  .. 1 [-]
 normal [out]: shape [count], positive if it is open, negative if its faces overlap, which they do
   with the option bem.contact = none, and between nodes of elements beside closed ones a little [m];
   may be NULL
 tangential [out]: shape [count], along the crack [m]; may be NULL
+return: status
+since: 0.3""",
+    "bempd_crack_count": """\
+Number of cracks: those that were described, also removed ones, and those that began in the run,
+which have the next ids, by order of beginning. Cracks that grow bond by bond (pd.crack_rule =
+"bond") begin without an id.
+
+model [in]: the model
+count [out]: number of cracks
+return: status
+since: 0.3""",
+    "bempd_crack_length": """\
+Length of a crack's path, with what it has grown by.
+
+model [in]: the model
+crack [in]: id of a crack; 0: of all cracks together
+length [out]: its length [m]
+return: status
+since: 0.3""",
+    "bempd_path_vertex": """A vertex of a crack's path. Fill it with bempd_path_vertex_init().
+
+since: 0.3""",
+    "bempd_path_vertex.struct_size": """sizeof(bempd_path_vertex), set by bempd_path_vertex_init()""",
+    "bempd_path_vertex.event": """event of the history at which the crack grew to here; 0: it was described""",
+    "bempd_path_vertex.end": """which end grew, a bempd_tip_end; 0: none, it was described or is where it began""",
+    "bempd_path_vertex.x": """place [m]""",
+    "bempd_path_vertex.y": """[m]""",
+    "bempd_path_vertex.load_factor": """\
+at which it grew to here; NaN if it was described, as all that follows [-]""",
+    "bempd_path_vertex.stress_intensity_1": """\
+K_I of the tip just before [Pa m^(1/2)]; NaN also where the crack began""",
+    "bempd_path_vertex.stress_intensity_2": """K_II [Pa m^(1/2)]; NaN likewise""",
+    "bempd_path_vertex.energy_release_rate": """G in the direction to here just before [J/m^2]; NaN likewise""",
+    "bempd_path_vertex.resistance": """fracture energy that was met on the way to here [J/m^2]; NaN likewise""",
+    "bempd_path_vertex_init": """\
+Set struct_size and zeros.
+
+vertex [out]: the struct to fill
+struct_size [in]: sizeof(bempd_path_vertex) as the caller was compiled: older programs keep working
+  when it grows
+return: status
+since: 0.3""",
+    "bempd_crack_path_count": """\
+Number of vertices of a crack's path.
+
+model [in]: the model
+crack [in]: id of a crack
+count [out]: number of vertices; 0 for a crack that was removed
+return: status
+since: 0.3""",
+    "bempd_crack_path": """\
+A vertex of a crack's path, from its start to its end: the described points, in lattices where the
+crack was cut, and those to which it has grown.
+
+model [in]: the model
+crack [in]: id of a crack
+index [in]: 0 .. count-1
+vertex [in,out]: struct_size in, the rest out
 return: status
 since: 0.3""",
     "bempd_growth": """What bempd_grow_cracks() did. Fill it with bempd_growth_init().
@@ -2106,9 +2215,18 @@ end [in]: a bempd_tip_end
 frozen [in]: 1: it does not grow; 0: it does
 return: status
 since: 0.3""",
+    "bempd_tip_state": """What became of an end of a crack.
+
+since: 0.3""",
+    "BEMPD_TIP_GROWS": """It is a tip, and grows where its toughness is reached.""",
+    "BEMPD_TIP_AT_EDGE": """It has reached the outer boundary of the body.""",
+    "BEMPD_TIP_AT_HOLE": """It has reached a hole.""",
+    "BEMPD_TIP_AT_CRACK": """It has reached a crack.""",
+    "BEMPD_TIP_AT_INTERFACE": """It has stopped at another material, or where its region ends.""",
+    "BEMPD_TIP_SEPARATED": """What lay ahead of it has come apart.""",
     "bempd_crack_extension": """\
-What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
-bempd_crack_extension_init().
+What one tip did at an event of a step, or in a call of bempd_grow_cracks(). A crack that begins in
+a lattice does so as two extensions from its middle. Fill it with bempd_crack_extension_init().
 
 since: 0.3""",
     "bempd_crack_extension.struct_size": """sizeof(bempd_crack_extension), set by bempd_crack_extension_init()""",
@@ -2128,6 +2246,14 @@ since: 0.3""",
     "bempd_crack_extension.released_energy": """\
 mean of both times the way and the thickness; of a tip that has ended, what the others of the event
 leave of the history's [J]""",
+    "bempd_crack_extension.from_x": """where it began (since 0.3, as all that follows) [m]""",
+    "bempd_crack_extension.from_y": """[m]""",
+    "bempd_crack_extension.stress_intensity_1": """\
+K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)]""",
+    "bempd_crack_extension.stress_intensity_2": """K_II; NaN likewise [Pa m^(1/2)]""",
+    "bempd_crack_extension.resistance": """fracture energy of what it went through [J/m^2]""",
+    "bempd_crack_extension.state": """what became of the end, a bempd_tip_state""",
+    "bempd_crack_extension.reserved": """0""",
     "bempd_crack_extension_init": """\
 Set struct_size and zeros.
 
@@ -2205,8 +2331,8 @@ since: 0.1""",
     "bempd_history_entry.total_broken_bonds": """bonds broken so far""",
     "bempd_history_entry.load_factor": """load factor [-]""",
     "bempd_history_entry.stretch_ratio": """\
-largest bond stretch over its critical stretch just before the break, or of a tip in a lattice its
-intensity over its toughness [-]; 1 where bempd_grow_cracks() was called""",
+largest bond stretch over its critical stretch just before the break, or of a tip its intensity over
+its toughness [-]""",
     "bempd_history_entry.stored_energy": """elastic energy [J]""",
     "bempd_history_entry.released_energy": """energy released by breaking bonds and growing cracks so far [J]""",
     "bempd_history_entry.work": """work of loads and supports so far [J]""",

@@ -21,6 +21,7 @@ from .reports import (
     CrackTip,
     EdgeReaction,
     Growth,
+    PathVertex,
     Piece,
     PointValues,
     Singularity,
@@ -29,6 +30,7 @@ from .reports import (
     TipRecord,
     crack_extension,
     crack_tip,
+    path_vertex,
     rows,
     singularity,
     values_of,
@@ -326,8 +328,41 @@ class Results:
             found.append(crack_extension(struct))
         return found
 
+    def crack_count(self) -> int:
+        """Number of cracks: those that were described and, with the next ids, those that began in the run."""
+        return int(self._number("bempd_crack_count", "int64_t"))
+
+    def crack_length(self, crack: int = 0) -> float:
+        """Length [m] of a crack's path with what it has grown by; without a crack that of all together."""
+        length = ffi.new("double *")
+        self._open().call("bempd_crack_length", crack, length)
+        return float(length[0])
+
+    def crack_path(self, crack: int) -> list[PathVertex]:
+        """Vertices of a crack from its start to its end: the described points, and those to which it has grown.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
+        >>> crack = model.add_crack([(-1, 0), (0, 0)])
+        >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
+        >>> loads = model.add_traction(plate, 3, "y", 1e6), model.add_traction(plate, 1, "y", -1e6)
+        >>> growth = model.grow_cracks(0.1)
+        >>> [(round(vertex.x, 6), vertex.event) for vertex in model.crack_path(crack)]
+        [(-1.0, 0), (0.0, 0), (0.1, 1)]
+        """
+        count = ffi.new("int64_t *")
+        self._open().call("bempd_crack_path_count", crack, count)
+        found = []
+        for index in range(int(count[0])):
+            struct = new_struct("bempd_path_vertex", "bempd_path_vertex_init")
+            self._open().call("bempd_crack_path", crack, index, struct)
+            found.append(path_vertex(struct))
+        return found
+
     def crack_opening(self, crack: int, fractions: npt.ArrayLike) -> CrackOpening:
-        """Openings [m] of a crack in a BEM region at places given as fractions of its length."""
+        """Openings [m] of a crack at places given as fractions of its length; NaN where they are not known."""
         places = np.ascontiguousarray(np.atleast_1d(fractions), dtype=np.float64)
         if places.ndim != 1:
             raise ArgumentError(f"crack_opening: fractions has shape {places.shape}; give a row of numbers")

@@ -40,11 +40,23 @@ class TipEnd(enum.IntEnum):
     END = 2
 
 
+class TipState(enum.IntEnum):
+    """What became of an end of a crack."""
+
+    GROWS = 0  #: it is a tip
+    AT_EDGE = 1  #: of the outer boundary
+    AT_HOLE = 2
+    AT_CRACK = 3
+    AT_INTERFACE = 4  #: of another material, or the end of its region
+    SEPARATED = 5  #: what lay ahead of it has come apart
+
+
 class TipMethod(enum.IntEnum):
     """What the values of a tip come from."""
 
     ELEMENTS = 1  #: boundary elements on the crack
     CONTOURS = 2  #: rings around the tip in a peridynamic region
+    STRESS = 3  #: the stress ahead of a crack that grows as a line, where no ring fits
 
 
 class SingularityKind(enum.IntEnum):
@@ -134,6 +146,27 @@ class CrackExtension:
     energy_release_rate_before: float  #: when it set out in the new direction [J/m^2]
     energy_release_rate_after: float  #: when it had arrived; 0 if it has ended
     released_energy: float  #: mean of both times way and thickness, or what the others leave [J]
+    from_x: float  #: where it began [m]
+    from_y: float
+    stress_intensity_1: float  #: K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)]
+    stress_intensity_2: float  #: K_II
+    resistance: float  #: fracture energy of what it went through [J/m^2]
+    state: TipState  #: what became of the end
+
+
+@dataclasses.dataclass(frozen=True)
+class PathVertex:
+    """A vertex of a crack's path; what is not known of one that was described, or where the crack began, is NaN."""
+
+    event: int  #: at which the crack grew to here; 0: it was described
+    end: Optional[TipEnd]  #: that grew; None if none did
+    x: float  #: place [m]
+    y: float
+    load_factor: float  #: at which it grew to here
+    stress_intensity_1: float  #: K_I of the tip just before [Pa m^(1/2)]
+    stress_intensity_2: float  #: K_II
+    energy_release_rate: float  #: in the direction to here, just before [J/m^2]
+    resistance: float  #: fracture energy that was met on the way to here [J/m^2]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -288,8 +321,15 @@ def crack_extension(struct: Any) -> CrackExtension:
     """An extension as a value."""
     values = values_of(struct, "bempd_crack_extension", CrackExtension)
     values["end"] = TipEnd(values["end"])
-    values["ended"] = bool(values["ended"])
+    values["ended"], values["state"] = bool(values["ended"]), TipState(values["state"])
     return CrackExtension(**values)
+
+
+def path_vertex(struct: Any) -> PathVertex:
+    """A vertex as a value."""
+    values = values_of(struct, "bempd_path_vertex", PathVertex)
+    values["end"] = TipEnd(values["end"]) if values["end"] else None
+    return PathVertex(**values)
 
 
 def rows(structs: Any, name: str) -> npt.NDArray[Any]:

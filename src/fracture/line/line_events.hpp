@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fracture/line/line_steps.hpp"
+#include "fracture/line/tip_prospect.hpp"
 #include "fracture/whole_body_events.hpp"
 
 namespace bempd::fracture {
@@ -21,6 +22,8 @@ class LineEvents final : public EventSource {
   Outcome perform() override;
 
   const LineSteps& steps() const { return steps_; }
+  // Of all tips that have not ended, by crack and end.
+  std::vector<TipProspect> prospects() const;
   bool tells_step() const { return step_.has_value(); }  // and no crack begins
 
  private:

@@ -70,6 +70,9 @@ class LineSteps {
   // Whether what drives the tip is more than rounding, where something happens at this load factor.
   static bool is_driven(const LineStep& step, const LoadWay& way, double load_factor);
 
+  // By how much a tip that grows at a load factor turns, counter-clockwise [rad].
+  double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
+
   // The tip moves. Then, of an event with this ratio that released this energy and has led to these displacements:
   // the tip remembers it, or ends.
   void move(const LineStep& step, std::vector<GrowingTip>& tips) const;

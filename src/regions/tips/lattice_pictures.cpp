@@ -21,7 +21,8 @@ std::vector<double> spacings(const BondedBody& body) {
 
 }  // namespace
 
-std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const Eigen::VectorXd& displacement) {
+std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const Eigen::VectorXd& displacement,
+                                                 const std::function<int(const Point&)>& nearest_crack) {
   const std::vector<double> spacing = spacings(body);
   std::map<int, CrackPicture> pictures;
   for (std::size_t b = 0; b < body.bonds.size(); ++b) {
@@ -33,7 +34,7 @@ std::vector<CrackPicture> lattice_crack_pictures(const BondedBody& body, const E
     // The second point lies on the left of the line that leads from here to there.
     const Point half = 0.5 * length * Point(body.bonds.sine[b], -body.bonds.cosine[b]);
     const Point of_low = displacement.segment<2>(2 * low), of_high = displacement.segment<2>(2 * high);
-    const int crack = body.scene.crack_nearest(middle);
+    const int crack = nearest_crack(middle);
     CrackPicture& picture = pictures.try_emplace(crack, CrackPicture{crack, {}, {}, {}}).first->second;
     picture.places.insert(picture.places.end(), {middle - half, middle, middle + half});
     picture.openings.insert(picture.openings.end(), 3, of_high - of_low);

@@ -112,11 +112,13 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
 
 }  // namespace
 
-std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution, const scene::Options& options) {
+std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<LatticeTip>& tips,
+                                    const Solution& solution, const scene::Options& options) {
   std::vector<TipValues> values;
-  for (const LatticeTip& tip : find_lattice_tips(body)) {
+  for (const LatticeTip& tip : tips) {
     check_cancelled();
-    const std::optional<pd::TipLaw> law = body.discretization.region(tip.region).tip_law(options);
+    const std::optional<pd::TipLaw> law =
+        tip.region > 0 ? body.discretization.region(tip.region).tip_law(options) : std::nullopt;
     values.push_back(values_of(body, tip, law ? law->toughness : 0, solution));
   }
   return values;

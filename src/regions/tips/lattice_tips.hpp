@@ -6,7 +6,8 @@
 
 namespace bempd::regions {
 
-// What the tips of cracks among bonds carry.
-std::vector<TipValues> lattice_tips(const BondedBody& body, const Solution& solution, const scene::Options& options);
+// What tips of cracks among bonds carry.
+std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<LatticeTip>& tips,
+                                    const Solution& solution, const scene::Options& options);
 
 }  // namespace bempd::regions

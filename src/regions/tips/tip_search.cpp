@@ -176,6 +176,19 @@ class TipSearch {
     tips.push_back(std::move(tip));
   }
 
+  // Outside of all lattices nothing is known of what it carries.
+  LatticeTip at(const KnownTip& known) {
+    const Point& place = known.path.back();
+    LatticeTip tip{known.crack, known.end, 0, {place, known.direction, known.path, 1, {}}, 1, 0, known.grown, false};
+    const Region* region = region_at(place);
+    if (!region || known.path.size() < 2) return tip;
+    const LatticeGrid grid = *region->lattice_grid();
+    tip.region = region->id(), tip.horizon = grid.horizon;
+    tip.axes.spacing = grid.spacing, tip.axes.elasticity = region->elasticity();
+    tip.clear = clear_radius(tip, faces_of(*region, grid).middles());
+    return tip;
+  }
+
  private:
   const Region* region_at(const Point& place) const {
     for (const auto& region : body_.discretization.regions)
@@ -204,6 +217,13 @@ std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
     search.add(static_cast<int>(c) + 1, 0, reversed, tips);
     search.add(static_cast<int>(c) + 1, 1, points, tips);
   }
+  return tips;
+}
+
+std::vector<LatticeTip> lattice_tips_at(const BondedBody& body, const std::vector<KnownTip>& known) {
+  std::vector<LatticeTip> tips;
+  TipSearch search(body);
+  for (const KnownTip& tip : known) tips.push_back(search.at(tip));
   return tips;
 }
 

@@ -25,4 +25,13 @@ struct LatticeTip {
 // is the end as described.
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
 
+// An end of a crack among bonds whose path is known, and which is a tip.
+struct KnownTip {
+  int crack, end;  // as above
+  Point direction;
+  std::vector<Point> path;  // ending at the tip
+  bool grown;
+};
+std::vector<LatticeTip> lattice_tips_at(const BondedBody& body, const std::vector<KnownTip>& known);
+
 }  // namespace bempd::regions

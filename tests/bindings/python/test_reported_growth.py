@@ -1,4 +1,4 @@
-"""What tips tell of their growth against what the run does: load factor and direction, to the digit."""
+"""What tips tell of their growth against what the run does: load factor and direction, to rounding."""
 
 from __future__ import annotations
 
@@ -48,6 +48,20 @@ def test_elements_grow_where_their_tips_tell(angle: float) -> None:
         assert grown.y - first.y == pytest.approx(0.5 * math.sin(turned), abs=1e-12)
 
 
+@pytest.mark.parametrize("angle", ANGLES[1:-1])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_steps_grow_elements_where_their_tips_tell(angle: float, sign: float) -> None:
+    model = elements(angle, sign, stepping__control="path", bem__contact="none")
+    model.step(0)
+    for _ in range(2):
+        first = first_of(model, sign > 0)
+        report = model.step_to_next_event(sign * 1e9)
+        told = first.critical_load_factor if sign > 0 else first.critical_load_factor_down
+        assert report.load_factor == pytest.approx(told, rel=1e-12)
+        extension = model.extensions()[-1]
+        assert (extension.crack, extension.end) == (first.crack, first.end)
+
+
 @pytest.mark.parametrize("angle", ANGLES[2:-2])
 def test_of_loads_that_are_turned_round_the_falling_load_factor_makes_them_grow(angle: float) -> None:
     pulled, pressed = elements(angle), elements(angle, -1)
@@ -70,3 +84,124 @@ def test_of_growth_straight_on_both_load_factors_agree() -> None:
     for tip in model.tips():
         assert tip.critical_load_factor == pytest.approx(tip.straight_load_factor, rel=1e-6)
         assert tip.critical_load_factor_down == -LARGEST
+
+
+def lattice(angle: float, sign: float = 1, constant: float = 0, **properties: float) -> bempd.Model:
+    """The same crack in a lattice; `properties` of its material, a fracture energy of 1 without."""
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, **(properties or {"fracture_energy": 1.0}))
+    plate = model.add_pd_region(material, bempd.rectangle(-20, -20, 20, 20), 1.0, 3)
+    along = np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle))])
+    model.add_crack([-7 * along + [0, 0.04], 7.4 * along + [0.3, 0.24]])
+    model.fix_point((-20, -20))
+    model.fix_point((20, -20), "y")
+    model.add_traction(plate, 3, "y", sign, constant=constant)
+    model.add_traction(plate, 1, "y", -sign, constant=-constant)
+    return model
+
+
+def first_of(model: bempd.Model, upwards: bool) -> bempd.reports.CrackTip:
+    if upwards:
+        return min(model.tips(), key=lambda tip: tip.critical_load_factor)
+    return max(model.tips(), key=lambda tip: tip.critical_load_factor_down)
+
+
+@pytest.mark.parametrize("angle", ANGLES[1:-1])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_lines_grow_where_their_tips_tell(angle: float, sign: float) -> None:
+    for constant in (0.0, 0.02):
+        model = lattice(angle, sign, constant)
+        model.options["stepping.control"] = "path"
+        model.options["pd.crack_rule"] = "tips"
+        model.options["pd.contact"] = "none"  # faces that close on the way change what tips carry
+        model.step(0)
+        for _ in range(3):
+            first = first_of(model, sign > 0)
+            report = model.step_to_next_event(sign * 1e9)
+            told = first.critical_load_factor if sign > 0 else first.critical_load_factor_down
+            assert report.load_factor == pytest.approx(told, rel=1e-12)
+            grown = next(tip for tip in model.tips() if (tip.crack, tip.end) == (first.crack, first.end))
+            assert grown.grown
+            if sign < 0:
+                continue
+            turned = math.atan2(first.direction_y, first.direction_x) + first.critical_kink_angle
+            way = math.hypot(grown.x - first.x, grown.y - first.y)
+            assert way == pytest.approx(1, abs=0.6)
+            assert grown.x - first.x == pytest.approx(way * math.cos(turned), abs=1e-9)
+            assert grown.y - first.y == pytest.approx(way * math.sin(turned), abs=1e-9)
+
+
+def test_a_critical_stretch_is_a_toughness_too() -> None:
+    model = lattice(30, critical_stretch=0.02)
+    model.step(1e-3)
+    told = first_of(model, True).critical_load_factor
+    assert told < 1e9
+    assert model.step_to_next_event(1e9).load_factor == pytest.approx(told, rel=1e-12)
+
+
+def test_tips_of_lines_are_where_the_crack_has_come_to() -> None:
+    model = lattice(45)
+    for step in range(1, 13):
+        model.step_to_next_event(1e9)
+        for tip in model.tips():
+            path = model.crack_path(tip.crack)
+            vertex = path[0 if tip.end == bempd.TipEnd.START else -1]
+            assert (tip.x, tip.y) == (vertex.x, vertex.y)
+            assert not math.isnan(tip.stress_intensity_1)
+            if not tip.contours:
+                assert tip.method == bempd.TipMethod.STRESS
+                assert math.isnan(tip.t_stress) and math.isnan(tip.error) and math.isnan(tip.felt_ahead)
+        assert len(model.crack_path(1)) == 2 + step
+
+
+def test_a_crack_that_begins_has_tips_a_path_and_a_length() -> None:
+    model = bempd.Model()
+    material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1.0)
+    plate = model.add_pd_region(material, bempd.rectangle(-20, -20, 20, 20), 1.0, 3)
+    model.add_circular_hole(plate, (0, 0), 6)
+    model.fix_point((-20, -20))
+    model.fix_point((20, -20), "y")
+    model.add_traction(plate, 3, "y", 1)
+    model.add_traction(plate, 1, "y", -1)
+    model.options["stepping.control"] = "path"
+    assert model.crack_count() == 0 and not model.tips()
+    born = model.step_to_next_event(1e9)
+    assert model.crack_count() == 1
+    path = model.crack_path(1)
+    assert [vertex.end for vertex in path] == [bempd.TipEnd.START, None, bempd.TipEnd.END]
+    assert all(vertex.event == 1 and vertex.load_factor == born.load_factor for vertex in path)
+    assert model.crack_length(1) == pytest.approx(1)
+    for _ in range(4):
+        tips = [(tip.crack, tip.end) for tip in model.tips()]
+        assert tips and tips == sorted(tips)
+        model.step_to_next_event(1e9)
+    assert model.crack_count() >= 1
+    assert model.crack_length() == pytest.approx(sum(model.crack_length(c + 1) for c in range(model.crack_count())))
+    grown = [vertex for vertex in model.crack_path(1) if vertex.event > 1]
+    if grown:
+        assert all(vertex.energy_release_rate > 0 and vertex.resistance == pytest.approx(1, rel=0.05) for vertex in grown)
+
+
+def test_openings_in_a_lattice_are_those_of_boundary_elements() -> None:
+    half, openings = 10.0, {}
+    fractions = np.array([0.1, 0.2, 0.35, 0.5])
+    felt = 0.0
+    for kind in ("lattice", "elements"):
+        model = bempd.Model()
+        material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1.0)
+        box = bempd.rectangle(-30.5, -30.5, 30.5, 30.5)
+        lattice_here = kind == "lattice"
+        plate = model.add_pd_region(material, box, 1.0, 3) if lattice_here else model.add_bem_region(material, box, 8)
+        crack = model.add_crack([(-half - felt, 0), (half + felt, 0)])
+        model.fix_point((-30.5, -30.5))
+        model.fix_point((30.5, -30.5), "y")
+        model.add_traction(plate, 3, "y", 1)
+        model.add_traction(plate, 1, "y", -1)
+        model.step(1e-3)
+        places = (2 * half * fractions + felt) / (2 * half + 2 * felt)
+        openings[kind] = model.crack_opening(crack, places)
+        felt = model.tips()[0].felt_ahead
+    ratio = openings["lattice"].normal / openings["elements"].normal
+    print("opening over that of boundary elements", ratio)
+    assert np.all(np.abs(ratio - 1) < [2e-2, 7e-3, 7e-3, 7e-3])
+    assert np.all(np.abs(openings["lattice"].tangential) < 1e-9 * openings["lattice"].normal)

@@ -1052,14 +1052,14 @@ extern "C" {
     /// Add a uniform pressure in a crack, of a fluid in it say, that follows wherever it grows;
     /// give it a new value with bempd_set_load_values().
     ///
-    /// In BEM regions it acts on the crack and what bempd_grow_cracks() adds. In PD regions it acts
-    /// in place of all bonds that the crack cuts, and of those that break from there on and
-    /// continue it: each pushes its points apart as it would hold them together under a pressure on
-    /// all sides, so that a straight crack of any direction feels the pressure times its length. It
-    /// reaches what breaks at once, does not care whether faces touch, and acts no more on pieces
-    /// that have come loose. Events are found in the whole body then, without windows. How far a
-    /// crack has grown is seen where bonds one spacing long are broken, which the last row of
-    /// points beside a slanted or round outline does not have.
+    /// In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of
+    /// all bonds that the crack cuts, and of those that break from there on and continue it: each
+    /// pushes its points apart as it would hold them together under a pressure on all sides, so
+    /// that a straight crack of any direction feels the pressure times its length. It reaches what
+    /// breaks at once, does not care whether faces touch, and acts no more on pieces that have come
+    /// loose. Events are found in the whole body then, without windows. How far a crack has grown
+    /// is seen where bonds one spacing long are broken, which the last row of points beside a
+    /// slanted or round outline does not have.
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
@@ -2299,8 +2299,12 @@ pub const BEMPD_CRACK_END: bempd_tip_end = 2;
 ///
 /// * since: 0.3
 pub type bempd_tip_end = ::std::os::raw::c_uint;
+/// Boundary elements on the crack.
 pub const BEMPD_TIP_ELEMENTS: bempd_tip_method = 1;
+/// Rings around the tip in a lattice.
 pub const BEMPD_TIP_CONTOURS: bempd_tip_method = 2;
+/// The stress ahead of the tip in a lattice, by which its crack grows as a line.
+pub const BEMPD_TIP_STRESS: bempd_tip_method = 3;
 /// What the values of a tip come from.
 ///
 /// * since: 0.3
@@ -2319,19 +2323,26 @@ pub type bempd_tip_method = ::std::os::raw::c_uint;
 /// its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which
 /// makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that.
 /// Where less than two horizons around a tip are free of other cracks, bends and branches, or the
-/// crack behind it is shorter, no ring fits: `contours` is 0, and all that follows from rings is
-/// NaN, not known.
+/// crack behind it is shorter, no ring fits and `contours` is 0. Of a crack that grows as a line
+/// the factors and G are then those by which it grows, fitted to the stress ahead
+/// (BEMPD_TIP_STRESS), which were within 9 % of K of boundary elements behind kinks and 13 % beside
+/// steep cracks; T, the error and felt_ahead, and bond by bond the factors too, are NaN: not known.
 ///
 /// A tip stays where it is while the load factor lies between `critical_load_factor_down` and
 /// `critical_load_factor`, and grows at either: there it reaches its toughness in the direction in
-/// which it goes on, by the option growth.criterion. A tip that is beyond them already grows at the
-/// present load factor, unless stepping.control is path. If it grows at every load factor the first
-/// is the largest double and the second minus that.
+/// which it goes on, by the option growth.criterion, if until then no faces close or open and
+/// nothing else grows. A tip that is beyond them already grows at the present load factor, unless
+/// stepping.control is path. If it grows at every load factor the first is the largest double and
+/// the second minus that.
 ///
-/// Where a tip is: at the crack's end until bonds between nearest neighbours have broken next to
-/// it. Then it has grown: to the middle of the lattice cell that lies farthest along the cells
-/// which such bonds join to the end. Cracks that begin away from initial ones, and branches beside
-/// the farthest one, have no tips here; `branched` tells of the latter.
+/// In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those
+/// that grow, also of cracks that began in the run; the load factors and angles of growth are what
+/// the next step will do. Bond by bond (pd.crack_rule = "bond") tips are looked for among broken
+/// bonds: a tip is at the crack's end until bonds between nearest neighbours have broken next to
+/// it, and then in the middle of the lattice cell that lies farthest along the cells which such
+/// bonds join to the end; its load factors are those of its stress intensity factors. Cracks that
+/// begin away from initial ones, and branches beside the farthest one, have no tips there;
+/// `branched` tells of the latter.
 ///
 /// * since: 0.3
 #[repr(C)]
@@ -2461,13 +2472,21 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Openings of a crack in a BEM region at the present load factor: displacement of the face on
-    /// its left, seen from its first point, less that of the face on its right.
+    /// Openings of a crack at the present load factor: displacement of the face on its left, seen
+    /// from its first point, less that of the face on its right.
+    ///
+    /// In BEM regions they are unknowns of the equations. In peridynamic regions (since 0.3) each
+    /// face has the value, on the crack's path, of a quadratic fitted to the material points on its
+    /// side within three spacings: four spacings from a tip and farther the opening of a centre
+    /// crack is that of boundary elements within 0.7 %, of a crack as long as the lattice's is felt
+    /// (`felt_ahead`); at two spacings within 2 %, nearer up to 15 % off. NaN where one side has
+    /// too few points.
     ///
     /// * model \[in\]: the model
-    /// * crack \[in\]: id of a crack
+    /// * crack \[in\]: id of a crack, in lattices also of one that began in the run
     /// * count \[in\]: number of places
-    /// * fractions \[in\]: shape \[count\], places as fractions of the crack's length, 0 .. 1 \[-\]
+    /// * fractions \[in\]: shape \[count\], places as fractions of the crack's length
+    ///   (bempd_crack_length()), 0 .. 1 \[-\]
     /// * normal \[out\]: shape \[count\], positive if it is open, negative if its faces overlap, which
     ///   they do with the option bem.contact = none, and between nodes of elements beside closed
     ///   ones a little \[m\]; may be NULL
@@ -2481,6 +2500,100 @@ extern "C" {
         fractions: *const f64,
         normal: *mut f64,
         tangential: *mut f64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// Number of cracks: those that were described, also removed ones, and those that began in the
+    /// run, which have the next ids, by order of beginning. Cracks that grow bond by bond
+    /// (pd.crack_rule = "bond") begin without an id.
+    ///
+    /// * model \[in\]: the model
+    /// * count \[out\]: number of cracks
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_crack_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
+}
+extern "C" {
+    /// Length of a crack's path, with what it has grown by.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack; 0: of all cracks together
+    /// * length \[out\]: its length \[m\]
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_crack_length(
+        model: *const bempd_model,
+        crack: i32,
+        length: *mut f64,
+    ) -> bempd_status;
+}
+/// A vertex of a crack's path. Fill it with bempd_path_vertex_init().
+///
+/// * since: 0.3
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct bempd_path_vertex {
+    /// sizeof(bempd_path_vertex), set by bempd_path_vertex_init()
+    pub struct_size: i64,
+    /// event of the history at which the crack grew to here; 0: it was described
+    pub event: i64,
+    /// which end grew, a bempd_tip_end; 0: none, it was described or is where it began
+    pub end: i32,
+    /// place \[m\]
+    pub x: f64,
+    /// \[m\]
+    pub y: f64,
+    /// at which it grew to here; NaN if it was described, as all that follows \[-\]
+    pub load_factor: f64,
+    /// K_I of the tip just before \[Pa m^(1/2)\]; NaN also where the crack began
+    pub stress_intensity_1: f64,
+    /// K_II \[Pa m^(1/2)\]; NaN likewise
+    pub stress_intensity_2: f64,
+    /// G in the direction to here just before \[J/m^2\]; NaN likewise
+    pub energy_release_rate: f64,
+    /// fracture energy that was met on the way to here \[J/m^2\]; NaN likewise
+    pub resistance: f64,
+}
+extern "C" {
+    /// Set struct_size and zeros.
+    ///
+    /// * vertex \[out\]: the struct to fill
+    /// * struct_size \[in\]: sizeof(bempd_path_vertex) as the caller was compiled: older programs keep
+    ///   working when it grows
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_path_vertex_init(vertex: *mut bempd_path_vertex, struct_size: i64)
+        -> bempd_status;
+}
+extern "C" {
+    /// Number of vertices of a crack's path.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * count \[out\]: number of vertices; 0 for a crack that was removed
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_crack_path_count(
+        model: *const bempd_model,
+        crack: i32,
+        count: *mut i64,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// A vertex of a crack's path, from its start to its end: the described points, in lattices
+    /// where the crack was cut, and those to which it has grown.
+    ///
+    /// * model \[in\]: the model
+    /// * crack \[in\]: id of a crack
+    /// * index \[in\]: 0 .. count-1
+    /// * vertex \[in,out\]: struct_size in, the rest out
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_crack_path(
+        model: *const bempd_model,
+        crack: i32,
+        index: i64,
+        vertex: *mut bempd_path_vertex,
     ) -> bempd_status;
 }
 /// What bempd_grow_cracks() did. Fill it with bempd_growth_init().
@@ -2559,7 +2672,24 @@ extern "C" {
         frozen: i32,
     ) -> bempd_status;
 }
-/// What one tip did at an event of a step, or in a call of bempd_grow_cracks(). Fill it with
+/// It is a tip, and grows where its toughness is reached.
+pub const BEMPD_TIP_GROWS: bempd_tip_state = 0;
+/// It has reached the outer boundary of the body.
+pub const BEMPD_TIP_AT_EDGE: bempd_tip_state = 1;
+/// It has reached a hole.
+pub const BEMPD_TIP_AT_HOLE: bempd_tip_state = 2;
+/// It has reached a crack.
+pub const BEMPD_TIP_AT_CRACK: bempd_tip_state = 3;
+/// It has stopped at another material, or where its region ends.
+pub const BEMPD_TIP_AT_INTERFACE: bempd_tip_state = 4;
+/// What lay ahead of it has come apart.
+pub const BEMPD_TIP_SEPARATED: bempd_tip_state = 5;
+/// What became of an end of a crack.
+///
+/// * since: 0.3
+pub type bempd_tip_state = ::std::os::raw::c_uint;
+/// What one tip did at an event of a step, or in a call of bempd_grow_cracks(). A crack that begins
+/// in a lattice does so as two extensions from its middle. Fill it with
 /// bempd_crack_extension_init().
 ///
 /// * since: 0.3
@@ -2597,6 +2727,20 @@ pub struct bempd_crack_extension {
     /// mean of both times the way and the thickness; of a tip that has ended, what the others of
     /// the event leave of the history's \[J\]
     pub released_energy: f64,
+    /// where it began (since 0.3, as all that follows) \[m\]
+    pub from_x: f64,
+    /// \[m\]
+    pub from_y: f64,
+    /// K_I of the tip as it grew; NaN where a crack began \[Pa m^(1/2)\]
+    pub stress_intensity_1: f64,
+    /// K_II; NaN likewise \[Pa m^(1/2)\]
+    pub stress_intensity_2: f64,
+    /// fracture energy of what it went through \[J/m^2\]
+    pub resistance: f64,
+    /// what became of the end, a bempd_tip_state
+    pub state: i32,
+    /// 0
+    pub reserved: i32,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -2728,8 +2872,8 @@ pub struct bempd_history_entry {
     pub total_broken_bonds: i64,
     /// load factor \[-\]
     pub load_factor: f64,
-    /// largest bond stretch over its critical stretch just before the break, or of a tip in a
-    /// lattice its intensity over its toughness \[-\]; 1 where bempd_grow_cracks() was called
+    /// largest bond stretch over its critical stretch just before the break, or of a tip its
+    /// intensity over its toughness \[-\]
     pub stretch_ratio: f64,
     /// elastic energy \[J\]
     pub stored_energy: f64,

@@ -156,6 +156,8 @@ pub enum TipMethod {
     Elements,
     /// Rings around the tip in a peridynamic region.
     Contours,
+    /// The stress ahead of a crack that grows as a line, where no ring fits.
+    Stress,
     /// One that this version of the crate does not know.
     Other(i32),
 }
@@ -165,6 +167,7 @@ impl TipMethod {
         match method as sys::bempd_tip_method {
             sys::BEMPD_TIP_ELEMENTS => TipMethod::Elements,
             sys::BEMPD_TIP_CONTOURS => TipMethod::Contours,
+            sys::BEMPD_TIP_STRESS => TipMethod::Stress,
             _ => TipMethod::Other(method),
         }
     }

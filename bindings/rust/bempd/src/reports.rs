@@ -193,6 +193,30 @@ mirror! {
 }
 
 mirror! {
+    /// A vertex of a crack's path; what is not known of one that was described, or where the crack began, is NaN.
+    PathVertex of bempd_path_vertex {
+        /// Event of the history at which the crack grew to here; 0: it was described.
+        event: i64,
+        /// Which end grew, 1 the start and 2 the end; 0: none.
+        end: i32,
+        /// Place [m].
+        x: f64,
+        /// Place [m].
+        y: f64,
+        /// Load factor at which it grew to here [-].
+        load_factor: f64,
+        /// K_I of the tip just before [Pa m^(1/2)].
+        stress_intensity_1: f64,
+        /// K_II of the tip just before [Pa m^(1/2)].
+        stress_intensity_2: f64,
+        /// In the direction to here, just before [J/m^2].
+        energy_release_rate: f64,
+        /// Fracture energy that was met on the way to here [J/m^2].
+        resistance: f64,
+    }
+}
+
+mirror! {
     /// What one tip did when cracks grew.
     CrackExtension of bempd_crack_extension {
         /// Event of the history that it was part of.
@@ -223,6 +247,18 @@ mirror! {
         energy_release_rate_after: f64,
         /// Mean of both times way and thickness, or what the others of the event leave [J].
         released_energy: f64,
+        /// Where it began [m].
+        from_x: f64,
+        /// [m].
+        from_y: f64,
+        /// K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)].
+        stress_intensity_1: f64,
+        /// K_II of the tip as it grew [Pa m^(1/2)].
+        stress_intensity_2: f64,
+        /// Fracture energy of what it went through [J/m^2].
+        resistance: f64,
+        /// What became of the end: 0 it is a tip, 1 at an edge, 2 a hole, 3 a crack, 4 an interface, 5 separated.
+        state: i32,
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::{
-    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, LoadId, Model, Piece, RegionId,
+    BondState, CrackExtension, CrackId, CrackTip, Face, Field, Growth, HistoryEntry, LoadId, Model, PathVertex, Piece, RegionId,
     Result, Singularity, Statistics, SupportId, TipEnd, TipRecord, View,
 };
 
@@ -303,7 +303,51 @@ impl Model {
             .collect()
     }
 
-    /// Openings of a crack in a boundary element region at places given as fractions of its length.
+    /// Number of cracks: those that were described and, with the next ids, those that began in the run.
+    pub fn crack_count(&self) -> Result<i64> {
+        self.handle.crack_count()
+    }
+
+    /// Length of a crack's path with what it has grown by [m].
+    pub fn crack_length(&self, crack: CrackId) -> Result<f64> {
+        self.handle.crack_length(crack.0)
+    }
+
+    /// Length of all cracks together [m].
+    pub fn total_crack_length(&self) -> Result<f64> {
+        self.handle.crack_length(0)
+    }
+
+    /// Vertices of a crack from its start to its end: the described points, and those to which it has grown.
+    ///
+    /// ```
+    /// use bempd::{Component, Material, Model, Values};
+    ///
+    /// # fn main() -> bempd::Result<()> {
+    /// let mut model = Model::new()?;
+    /// let glass = model.add_material(&Material { fracture_energy: 1.0, ..Material::new(1.0, 0.2) })?;
+    /// let plate = model.add_bem_region(glass, &[[-1.0, -3.0], [1.0, -3.0], [1.0, 3.0], [-1.0, 3.0]], 0.5)?;
+    /// let crack = model.add_crack(&[[-1.0, 0.0], [0.0, 0.0]])?;
+    /// model.fix_point([-1.0, -3.0], Component::Both)?;
+    /// model.fix_point([1.0, -3.0], Component::Y)?;
+    /// model.add_traction(plate, 3, .., Component::Y, Values::proportional(&[1.0]))?;
+    /// model.add_traction(plate, 1, .., Component::Y, Values::proportional(&[-1.0]))?;
+    /// model.grow_cracks(0.1)?;
+    ///
+    /// let path = model.crack_path(crack)?;
+    /// assert_eq!((path.len(), path[2].event, model.crack_count()?), (3, 1, 1));
+    /// assert!(path[1].load_factor.is_nan() && (model.crack_length(crack)? - 1.1).abs() < 1e-6);
+    /// assert_eq!(model.total_crack_length()?, model.crack_length(crack)?);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn crack_path(&self, crack: CrackId) -> Result<Vec<PathVertex>> {
+        (0..self.handle.crack_path_count(crack.0)?)
+            .map(|index| Ok(PathVertex::from_raw(&self.handle.crack_path(crack.0, index)?)))
+            .collect()
+    }
+
+    /// Openings of a crack at places given as fractions of its length; NaN where they are not known.
     pub fn crack_opening(&self, crack: CrackId, fractions: &[f64]) -> Result<CrackOpening> {
         let (normal, tangential) = self.handle.crack_opening(crack.0, fractions)?;
         Ok(CrackOpening { normal, tangential })

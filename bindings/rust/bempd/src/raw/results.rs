@@ -246,6 +246,24 @@ impl Handle {
         Ok(extension)
     }
 
+    pub(crate) fn crack_count(&self) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_crack_count(model, count) })
+    }
+
+    pub(crate) fn crack_length(&self, crack: i32) -> Result<f64> {
+        self.output(|model, length| unsafe { sys::bempd_crack_length(model, crack, length) })
+    }
+
+    pub(crate) fn crack_path_count(&self, crack: i32) -> Result<i64> {
+        self.output(|model, count| unsafe { sys::bempd_crack_path_count(model, crack, count) })
+    }
+
+    pub(crate) fn crack_path(&self, crack: i32, index: i64) -> Result<sys::bempd_path_vertex> {
+        let mut vertex = filled(sys::bempd_path_vertex_init)?;
+        self.call(|model| unsafe { sys::bempd_crack_path(model, crack, index, &mut vertex) })?;
+        Ok(vertex)
+    }
+
     /// Normal and tangential.
     pub(crate) fn crack_opening(&self, crack: i32, fractions: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
         let (mut normal, mut tangential) = (vec![0.0; fractions.len()], vec![0.0; fractions.len()]);

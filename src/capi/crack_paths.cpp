@@ -1,0 +1,37 @@
+#include "capi/guard.hpp"
+
+using namespace bempd;
+using namespace bempd::capi;
+
+bempd_status bempd_crack_count(const bempd_model* model, int64_t* count) {
+  return with_model(model, __func__, [&](const model::Model& m) { out(count, "count") = m.crack_count(); });
+}
+
+bempd_status bempd_crack_length(const bempd_model* model, int32_t crack, double* length) {
+  return with_model(model, __func__, [&](const model::Model& m) { out(length, "length") = m.crack_length(crack); });
+}
+
+bempd_status bempd_path_vertex_init(bempd_path_vertex* vertex, int64_t struct_size) {
+  return init_struct(__func__, "vertex", vertex, struct_size, bempd_path_vertex{});
+}
+
+bempd_status bempd_crack_path_count(const bempd_model* model, int32_t crack, int64_t* count) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    out(count, "count") = static_cast<int64_t>(m.crack_path(crack).size());
+  });
+}
+
+bempd_status bempd_crack_path(const bempd_model* model, int32_t crack, int64_t index, bempd_path_vertex* vertex) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    struct_bytes(vertex, "vertex", sizeof(int64_t));
+    const std::vector<model::PathVertex> path = m.crack_path(crack);
+    const auto count = static_cast<int64_t>(path.size());
+    require(index >= 0 && index < count, "index is ", index, "; the path of crack ", crack, " has ", count,
+            " vertices");
+    const model::PathVertex& v = path[static_cast<std::size_t>(index)];
+    write_struct(vertex,
+                 bempd_path_vertex{sizeof(bempd_path_vertex), v.event, v.end + 1, v.place.x(), v.place.y(),
+                                   v.load_factor, v.factors.x(), v.factors.y(), v.energy_release_rate, v.resistance},
+                 "vertex");
+  });
+}

@@ -1,0 +1,45 @@
+#include <algorithm>
+
+#include "elasticity/kinked_tip.hpp"
+#include "fracture/line/line_events.hpp"
+
+namespace bempd::fracture {
+
+double LineSteps::kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
+  const AffineIntensity fit = stress_.at(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack));
+  const AffineIntensity turning = has_begun(tip) ? turning_of(tip, fit, displacement, load_factor) : fit;
+  const Eigen::Vector2d at(1, load_factor);
+  return kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
+}
+
+// The critical load factors do not depend on what is held on the way, nor on where it begins; of the path none lies
+// behind the present one because of that.
+std::vector<TipProspect> LineEvents::prospects() const {
+  const BodyState& state = body_.state();
+  std::vector<TipProspect> found(state.tips.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const GrowingTip& tip = state.tips[k];
+    const pd::TipLaw& law = steps_.law_of(tip);
+    found[k].id = tip.id, found[k].place = tip.place, found[k].direction = tip.direction;
+    found[k].toughness = law.toughness, found[k].modulus = law.modulus;
+    if (LineSteps::has_ended(tip)) continue;
+    const AffineIntensity fit = steps_.stress().at(tip, law, state.displacement, body_.pressure_in(tip.id.crack));
+    found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};
+    found[k].kink_angle = steps_.kink_at(tip, state.displacement, state.load_factor);
+  }
+  for (const bool upwards : {true, false}) {
+    const LoadWay way{state.load_factor, upwards, Control::path};
+    for (const LineStep& step : steps_.all(state.tips, state.displacement, way)) {
+      (upwards ? found[step.tip].range.highest : found[step.tip].range.lowest) = step.load_factor;
+      if (upwards) found[step.tip].critical_kink_angle = step.angle;
+    }
+  }
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (!LineSteps::has_ended(state.tips[k])) found[left++] = found[k];
+  found.resize(left);
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return found;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "fracture/evolution_state.hpp"
+
+namespace bempd::model {
+
+// A vertex of a crack's path. Of one that was described, or in whose place the crack began, no growth is known: NaN.
+struct PathVertex {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  Point place{0, 0};
+  std::int64_t event = 0;  // at which the crack grew to here; 0: it was described
+  int end = -1;            // that grew; -1: none
+  double load_factor = unknown;
+  Point factors{unknown, unknown};                             // K_I and K_II of the tip just before [Pa m^(1/2)]
+  double energy_release_rate = unknown, resistance = unknown;  // in its direction, and met there [J/m^2]
+};
+
+// The path of a crack from its start to its end: the described points, none for one that began in the run, and what it
+// grew by.
+std::vector<PathVertex> path_of(int crack, std::span<const Point> described,
+                                std::span<const fracture::CrackExtension> extensions);
+
+std::vector<Point> places_of(const std::vector<PathVertex>& path);
+double length_of(const std::vector<PathVertex>& path);
+
+}  // namespace bempd::model

@@ -1,0 +1,150 @@
+#include "regions/tips/lattice_openings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/segment.hpp"
+#include "linalg/least_squares.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// Points of a side lie within an ellipse about the place, in spacings along the crack and off it; where these are too
+// few in a larger one.
+constexpr double along = 2.5, off = 3, larger = 1.5;
+constexpr int most_ellipses = 3;
+constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
+
+// How far beside the path, in spacings, a place on one of its sides is.
+constexpr double beside = 1e-3;
+
+class OpeningsOfCrack {
+ public:
+  OpeningsOfCrack(const BondedBody& body, const std::vector<std::vector<Point>>& paths, std::size_t crack)
+      : body_(body), paths_(paths), path_(paths[crack]) {
+    for (const auto& region : body.discretization.regions) {
+      const std::optional<LatticeGrid> grid = region->lattice_grid();
+      if (!grid) continue;
+      nodes_.insert(nodes_.end(), region->nodes().begin(), region->nodes().end());
+      spacing_ = std::min(spacing_, grid->spacing);
+    }
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    for (std::size_t i = 0; i + 1 < path_.size(); ++i) length_ += (path_[i + 1] - path_[i]).norm();
+    has_start_ = is_inside(path_.front()), has_end_ = is_inside(path_.back());
+  }
+
+  Point at(double fraction, const Eigen::VectorXd& displacement) const {
+    const Place place = place_at(fraction);
+    const Point jump = face(place, 1, displacement) - face(place, -1, displacement);
+    return {place.tangent.dot(jump), place.normal().dot(jump)};
+  }
+
+ private:
+  struct Place {
+    Point at, tangent;
+    Point normal() const { return {-tangent.y(), tangent.x()}; }  // to the left
+  };
+
+  // A tip; other ends are mouths.
+  bool is_inside(const Point& end) const {
+    return std::any_of(
+        body_.discretization.regions.begin(), body_.discretization.regions.end(), [&](const auto& region) {
+          return locate(body_.scene.region(region->id()).outline(), end, body_.discretization.tolerance) ==
+                 Location::inside;
+        });
+  }
+
+  Place place_at(double fraction) const {
+    double left = fraction * length_;
+    for (std::size_t i = 0;; ++i) {
+      const Point way = path_[i + 1] - path_[i];
+      const double length = way.norm();
+      if (left <= length || i + 2 == path_.size()) return {path_[i] + std::min(left / length, 1.0) * way, way / length};
+      left -= length;
+    }
+  }
+
+  // Whether a crack lies between.
+  bool is_hidden(const Point& from, const Point& to) const {
+    const Segment sight{from, to};
+    for (const std::vector<Point>& path : paths_)
+      for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        if (proper_crossing(sight, Segment{path[i], path[i + 1]})) return true;
+    return false;
+  }
+
+  // Points ahead of a tip are on no side of it.
+  bool is_ahead_of_end(const Point& point) const {
+    const auto is_ahead = [&](const Point& end, const Point& before) { return (point - end).dot(end - before) > 0; };
+    return (has_start_ && is_ahead(path_.front(), path_[1])) || (has_end_ && is_ahead(path_.back(), path_.end()[-2]));
+  }
+
+  Point face(const Place& place, double side, const Eigen::VectorXd& displacement) const {
+    double reach = 1;
+    for (int k = 0; k < most_ellipses; ++k, reach *= larger) {
+      const std::vector<int> found = points(place, side, reach);
+      const bool last = k + 1 == most_ellipses;
+      if (found.size() >= enough_for_quadratic || (last && found.size() >= enough_for_linear))
+        return fitted(place, reach, found, displacement);
+    }
+    return Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  std::vector<int> points(const Place& place, double side, double reach) const {
+    const Point normal = place.normal(), from = place.at + side * beside * spacing_ * normal;
+    std::vector<int> found;
+    for (const int node : nodes_) {
+      const Point& point = body_.discretization.positions[static_cast<std::size_t>(node)];
+      const Point arm = (point - place.at) / spacing_;
+      if (weight(place, arm, reach) <= 0 || side * arm.dot(normal) <= beside || is_ahead_of_end(point)) continue;
+      if (!is_hidden(from, point)) found.push_back(node);
+    }
+    return found;
+  }
+
+  static double weight(const Place& place, const Point& arm, double reach) {
+    const double x = arm.dot(place.tangent) / (along * reach), y = arm.dot(place.normal()) / (off * reach);
+    return std::sqrt(std::max(0.0, 1 - x * x - y * y));
+  }
+
+  Point fitted(const Place& place, double reach, const std::vector<int>& nodes,
+               const Eigen::VectorXd& displacement) const {
+    const bool quadratic = nodes.size() >= enough_for_quadratic;
+    Eigen::MatrixXd terms(static_cast<Eigen::Index>(nodes.size()), quadratic ? 6 : 3);
+    Eigen::MatrixXd values(terms.rows(), 2);
+    for (Eigen::Index i = 0; i < terms.rows(); ++i) {
+      const int node = nodes[static_cast<std::size_t>(i)];
+      const Point arm = (body_.discretization.positions[static_cast<std::size_t>(node)] - place.at) / spacing_;
+      const double x = arm.dot(place.tangent), y = arm.dot(place.normal()), w = weight(place, arm, reach);
+      terms.row(i).head<3>() << w, w * x, w * y;
+      if (quadratic) terms.row(i).tail<3>() << w * x * x, w * x * y, w * y * y;
+      values.row(i) = w * displacement.segment<2>(2 * node).transpose();
+    }
+    return linalg::LeastSquares(terms).solve(values).row(0).transpose();
+  }
+
+  const BondedBody& body_;
+  const std::vector<std::vector<Point>>& paths_;
+  const std::vector<Point>& path_;
+  std::vector<int> nodes_;  // of lattices
+  double spacing_ = std::numeric_limits<double>::infinity(), length_ = 0;
+  bool has_start_ = false, has_end_ = false;  // tips there
+};
+
+}  // namespace
+
+std::vector<Point> lattice_openings(const BondedBody& body, const std::vector<std::vector<Point>>& paths,
+                                    std::size_t crack, const std::vector<double>& fractions,
+                                    const Eigen::VectorXd& displacement) {
+  const OpeningsOfCrack openings(body, paths, crack);
+  std::vector<Point> values;
+  values.reserve(fractions.size());
+  for (const double fraction : fractions) values.push_back(openings.at(fraction, displacement));
+  return values;
+}
+
+}  // namespace bempd::regions
