@@ -6,6 +6,7 @@
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "model/crack_way.hpp"
+#include "model/driven_growth.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
@@ -170,8 +171,8 @@ std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Cr
 }
 
 // The scene with longer cracks, whose growth is in its books, and its tips.
-Model::Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen,
-                          const scene::SceneValues* on_way) {
+Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen,
+                   const scene::SceneValues* on_way) {
   constexpr double turns = 0.01, turns_too_much = 0.35;  // [rad]
   constexpr int most_halvings = 4;
   const std::vector<double> angles = [&] {

@@ -12,6 +12,22 @@
 // Steps that let cracks with boundary elements grow on their way.
 namespace bempd::model {
 
+namespace {
+
+// Whether a tip among bonds has come to where boundary elements begin: there it would run along the interface.
+bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
+  constexpr double closely = 0.25;  // of a step
+  const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
+  const auto& regions = d.regions;
+  const auto is_in = [&](const regions::Region& region, const Point& place) {
+    return locate(scene.region(region.id()).outline(), place, d.tolerance) != Location::outside;
+  };
+  return std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return r->bonds() && is_in(*r, from); }) &&
+         std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return !r->bonds() && is_in(*r, ahead); });
+}
+
+}  // namespace
+
 // A material without a fracture energy has stationary cracks.
 bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
   if (stepping.mode != fracture::SteppingMode::events) return false;
@@ -27,6 +43,7 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
     run.stepping.other_tips = &tips;
     run.cracks = scene_.cracks();
     tips.follow(*prepared_->evolution);
+    say([&] { tell_of_whole_body(); });
   }
   const std::int64_t before = prepared_->evolution->progress().events;
   for (;;) {
@@ -46,25 +63,13 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   }
 }
 
-// Whether a tip among bonds has come to where boundary elements begin: there it would run along the interface.
-bool Model::leaves_lattice(const fracture::CrackExtension& e) const {
-  constexpr double closely = 0.25;  // of a step
-  const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
-  const auto& regions = prepared_->discretization.regions;
-  const double tolerance = prepared_->discretization.tolerance;
-  const auto is_in = [&](const regions::Region& region, const Point& place) {
-    return locate(scene_.region(region.id()).outline(), place, tolerance) != Location::outside;
-  };
-  return std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return r->bonds() && is_in(*r, from); }) &&
-         std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return !r->bonds() && is_in(*r, ahead); });
-}
-
 // The step ends where one does.
 void Model::look_after_lines(DrivenRun& run) {
   const std::vector<fracture::CrackExtension>& all = prepared_->evolution->progress().extensions;
   for (; run.extensions_seen < all.size(); ++run.extensions_seen) {
     const fracture::CrackExtension& e = all[run.extensions_seen];
-    if (!e.has_ended() && leaves_lattice(e)) run.stopped_lines.push_back({e.crack, e.end});
+    if (!e.has_ended() && leaves_lattice(e, scene_, prepared_->discretization))
+      run.stopped_lines.push_back({e.crack, e.end});
   }
   if (!run.stopped_lines.empty()) stop_requested_ = true;
 }
@@ -104,9 +109,9 @@ bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
   run.seconds.solve -= spent.solve, run.seconds.update -= spent.update, run.seconds.search -= spent.search;
   prepared_.swap(next.scene);
   ++generation_;
-  if (!run.start) run.start = std::move(next.scene);
   tips.follow(*prepared_->evolution);
-  say([&] { tell_of_growth(next.growth); });
+  say([&] { tell_of_growth(next.growth, *next.scene); });
+  if (!run.start) run.start = std::move(next.scene);
   return true;
 }
 

@@ -5,12 +5,20 @@
 #include <vector>
 
 #include "model/element_tips.hpp"
+#include "regions/region.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_values.hpp"
 
 namespace bempd::model {
 
 struct PreparedScene;
+
+// A scene with longer cracks, whose growth is in its books, and its tips.
+struct Grown {
+  std::unique_ptr<PreparedScene> scene;
+  std::vector<regions::TipValues> tips;
+  fracture::Growth growth;
+};
 
 // That a scene has taken so far.
 struct Seconds {

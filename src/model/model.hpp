@@ -54,6 +54,7 @@ struct PreparedScene {
 };
 
 struct Growing;
+struct Grown;
 class ElementTips;
 struct DrivenRun;
 
@@ -237,20 +238,13 @@ class Model {
   Growing go_to_growth(double length);
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);
-  struct Grown {
-    std::unique_ptr<PreparedScene> scene;
-    std::vector<regions::TipValues> tips;
-    fracture::Growth growth;
-  };
-  // `chosen`: the library has chosen the lengths, and may shorten them. `on_way`: values that act; null: those that
-  // were set.
+  // `chosen`: the library has chosen the lengths, and may shorten them.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
   // Whether steps have to look after tips with elements (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
   bool grow_next(ElementTips& tips, DrivenRun& run);
   void take_back(DrivenRun& run) noexcept;
-  bool leaves_lattice(const fracture::CrackExtension& extension) const;
   void look_after_lines(DrivenRun& run);
   fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
@@ -278,7 +272,8 @@ class Model {
   }
   void tell_of_preparation() const;
   void tell_of_step(const StepResult& result, std::int64_t new_fragments);
-  void tell_of_growth(const fracture::Growth& growth) const;
+  void tell_of_growth(const fracture::Growth& growth, const PreparedScene& before) const;
+  void tell_of_whole_body();
 
   scene::Options options_;
   scene::Scene scene_;
@@ -299,7 +294,7 @@ class Model {
   std::set<std::pair<int, int>> frozen_tips_;  // crack and end
   TipFactors tip_factors_;
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
-  bool warned_of_interface_ = false, warned_of_hinge_ = false;
+  bool warned_of_interface_ = false, warned_of_hinge_ = false, told_of_whole_body_ = false;
 };
 
 }  // namespace bempd::model

@@ -113,8 +113,10 @@ void Model::tell_of_hinge() {
               " of the largest force so far, less than the option stepping.separation_share"));
 }
 
-void Model::tell_of_growth(const fracture::Growth& growth) const {
-  for (const std::string& warning : prepared_->discretization.warnings) log(1, warning);
+void Model::tell_of_growth(const fracture::Growth& growth, const PreparedScene& before) const {
+  const std::vector<std::string>& told = before.discretization.warnings;
+  for (const std::string& warning : prepared_->discretization.warnings)
+    if (std::find(told.begin(), told.end(), warning) == told.end()) log(1, warning);
   for (const fracture::CrackExtension& e : growth.extensions) {
     log(2, text("load factor ", e.load_factor, ": crack ", e.crack, " has grown by ", e.length, " to (", e.x, ", ", e.y,
                 ")"));
@@ -122,6 +124,14 @@ void Model::tell_of_growth(const fracture::Growth& growth) const {
       log(1, text("crack ", e.crack, " has stopped at (", e.x, ", ", e.y,
                   "), before an interface of its region, across which it cannot go on"));
   }
+}
+
+// Windows know nothing of tips with elements.
+void Model::tell_of_whole_body() {
+  if (told_of_whole_body_ || prepared_->system->terms().size() == 0) return;
+  told_of_whole_body_ = true;
+  log(2,
+      "cracks of boundary element regions grow beside lattices: events are found in the whole body, without windows");
 }
 
 void Model::tell_of_step(const StepResult& result, std::int64_t new_fragments) {
