@@ -225,20 +225,38 @@ def is_separated(history, reaction):
     return bool(load[-1] < 0.01 * load.max())
 
 
+def load_curve(history, reaction):
+    """Load factors and forces from zero through all rows, each event with the state just before it, where its bonds just
+    reach what they bear; and which points are before and after the event of each row."""
+    before = history.get(reaction.replace("reaction_", "reaction_before_", 1))
+    points, rows = [(0.0, 0.0)], []
+    for row, (load_factor, force) in enumerate(zip(history["load_factor"], history[reaction])):
+        if before is not None and history["event"][row] > 0:
+            (start, force_there), critical = points[-1], history["critical_load_factor"][row]
+            in_balance = history["stretch_ratio"][row] <= 1 + 1e-9
+            share = 1.0 if in_balance else (critical - start) / (load_factor - start) if load_factor != start else 0.0
+            if 0 < share <= 1:
+                points.append((start + share * (load_factor - start), force_there + share * (before[row] - force_there)))
+        points.append((load_factor, force))
+        rows.append((len(points) - 2 if before is not None and history["event"][row] > 0 else len(points) - 1, len(points) - 1))
+    load_factors, forces = np.array(points).T
+    return load_factors, forces, rows
+
+
 def draw_load_displacement(axes, history, reaction, displacement, displacement_label):
     """Reaction of a plate of 1 m thickness against imposed displacement, with the first break and the end of growth."""
-    imposed = displacement * history["load_factor"]
-    load = history[reaction]
+    load_factors, load, points = load_curve(history, reaction)
+    imposed = displacement * load_factors
     load = load * np.sign(load[np.argmax(np.abs(load))])
     to_length, length_unit = engineering(np.abs(imposed).max(), "m")
     to_force, force_unit = engineering(np.abs(load).max(), "N/m")
-    x, y = np.append(0, imposed) * to_length, np.append(0, load) * to_force
+    x, y = imposed * to_length, load * to_force
     axes.plot(x, y, color=CURVE, linewidth=1.3, zorder=2)
     rows = growth_rows(history)
     if rows:
         end = "complete" if is_separated(history, reaction) else "end of growth"
-        for row, text, marker in ((rows[0], "first break", "o"), (rows[1], end, "s")):
-            at = (imposed[row] * to_length, load[row] * to_force)
+        for point, text, marker in ((points[rows[0]][0], "first break", "o"), (points[rows[1]][1], end, "s")):
+            at = (x[point], y[point])
             axes.plot(*at, marker, color=MARK, markersize=5, zorder=3, clip_on=False,
                       label=f"{text}: {at[0]:.3g} {length_unit}, {0 if at[1] < 1e-6 * y.max() else at[1]:.3g} {force_unit}")
         axes.legend(loc="upper left", handletextpad=0.3, borderaxespad=0.3)

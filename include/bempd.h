@@ -703,7 +703,8 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_EVENT = 2,
   /** The body is separated: what carried load between supports and loads, proportional or constant, bears nothing any
    * more; or less than the option stepping.separation_share of the largest force so far, and the bonds that are left
-   * break under larger loads only (`hanging`). */
+   * break under larger loads only (`hanging`); or a part has taken its loads along which other loads had balanced, so
+   * that supports that had borne a tenth of the loads at most would have to bear more. */
   BEMPD_STOP_SEPARATED = 3,
   /** No bond can break however far the load factor goes in this direction. */
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
@@ -761,7 +762,8 @@ typedef struct bempd_step_report {
                              stretched beyond what they bear; 0 if each event was in equilibrium */
   double resistance;      /**< force that the body bore after the last event: half of the sum of the magnitudes of all
                              support forces and nodal loads, the pull in a tensile test; 0 before the first event [N] */
-  double peak_resistance; /**< the largest that it bore in equilibrium just before an event [N] */
+  double peak_resistance; /**< the largest that it bore in equilibrium just before an event, until it is separated: the
+                             largest resistance_before of the history [N] */
   int32_t hanging;        /**< 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which
                              bears nothing, or less than the option stepping.separation_share of the peak */
   int32_t reserved;       /**< 0 */
@@ -1506,6 +1508,15 @@ typedef struct bempd_history_entry {
   double critical_stored_energy; /**< elastic energy at that load factor, after the event [J] */
   double bond_energy;            /**< energy that bonds broken so far take where they just reach their critical
                                     stretch [J] */
+  /* Since 0.3: the state just before the event, at its load factor; at the end of a step the state there. A
+   * load-displacement curve has its peak there. */
+  double load_factor_before;   /**< load factor [-] */
+  double stored_energy_before; /**< elastic energy [J] */
+  double work_before;          /**< work of loads and supports until then [J] */
+  double resistance_before;    /**< force that the body bears in equilibrium: half of the sum of the magnitudes of all
+                                  support forces and nodal loads, divided by stretch_ratio where that is above 1; the
+                                  largest before the body is separated is peak_resistance of reports [N] */
+  double resistance;           /**< the same sum after the event [N] */
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill
@@ -1520,6 +1531,17 @@ BEMPD_API bempd_status bempd_history_count(const bempd_model* model, int64_t* co
 /** @brief A line of the history. @param[in] model the model @param[in] index 0 .. count-1
  * @param[in,out] entry struct_size in, the rest out @return status @since 0.2 */
 BEMPD_API bempd_status bempd_get_history_entry(const bempd_model* model, int64_t index, bempd_history_entry* entry);
+
+/** @brief What a support did at a line of the history. Its displacement just before the line's event is the same as at
+ * the line: events happen at constant load.
+ * @param[in] model the model @param[in] index 0 .. count-1 @param[in] support id of a support
+ * @param[out] displacement shape [2], by which it moves the body, the mean over its nodes; NaN for a component that it
+ * leaves free [m]; may be NULL
+ * @param[out] force shape [2], resultant that it exerts on the body, as bempd_reaction() [N]; may be NULL
+ * @param[out] force_before shape [2], the same just before the line's event, beyond equilibrium where stretch_ratio is
+ * above 1; at the end of a step as force [N]; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_get_history_support(const bempd_model* model, int64_t index, int32_t support,
+                                                 double* displacement, double* force, double* force_before);
 
 /** @brief The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
  * @param[in] model the model @param[in] index 0 .. count-1
@@ -1611,7 +1633,8 @@ BEMPD_API bempd_status bempd_state_read(const char* path, bempd_state** state);
  * 0.1 */
 BEMPD_API bempd_status bempd_write_snapshot(bempd_model* model, const char* prefix);
 
-/** @brief Write the history with the reactions of all supports as comma-separated values.
+/** @brief Write the history as comma-separated values: the members of bempd_history_entry, and of every support what
+ * bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on).
  * @param[in] model the model @param[in] path file name, UTF-8 @return status @since 0.1 */
 BEMPD_API bempd_status bempd_write_history(const bempd_model* model, const char* path);
 

@@ -64,7 +64,7 @@ module bempd
     procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
     procedure :: set_load_values_at, fractions_on_edge, edge_nodes, edge_elements, edge_forces
     procedure :: piece_count, piece, node_pieces, support_piece, load_piece, are_connected
-    procedure :: get_statistics, history, state_save, state_restore, write_snapshot, write_history
+    procedure :: get_statistics, history, history_support, state_save, state_restore, write_snapshot, write_history
     final :: finalize_model
   end type bempd_model
 
@@ -105,7 +105,7 @@ module bempd
     reaction, &
     reaction_moment, evaluate, &
     get_statistics, &
-    history, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
+    history, history_support, add_crack_traction, tips, tip_history, write_tips, crack_opening, grow_cracks, set_tip_frozen, &
     extensions, crack_count, crack_length, crack_path, &
     state_save, state_restore, write_snapshot, write_history, finalize_model, free_state, to_bytes, &
     from_bytes, write_state_file, read_state_file, refuse_copy_of_state, finalize_state
@@ -842,6 +842,15 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine history
+    !> What a support did at a line of the history, from 1, as bempd_get_history_support has it.
+    module subroutine history_support(self, line, support, displacement, force, force_before, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      integer(c_int64_t), intent(in) :: line
+      integer(c_int32_t), intent(in) :: support
+      real(c_double), intent(out) :: displacement(2), force(2), force_before(2)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine history_support
 
     ! State and files.
     !> With values=.true. it contains those of loads and supports, which restoring brings back.

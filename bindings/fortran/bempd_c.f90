@@ -83,7 +83,8 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_STOP_EVENT = 2
   !> The body is separated: what carried load between supports and loads, proportional or constant, bears nothing any
   !> more; or less than the option stepping.separation_share of the largest force so far, and the bonds that are left
-  !> break under larger loads only (`hanging`).
+  !> break under larger loads only (`hanging`); or a part has taken its loads along which other loads had balanced, so
+  !> that supports that had borne a tenth of the loads at most would have to bear more.
   integer(c_int), parameter :: BEMPD_STOP_SEPARATED = 3
   !> No bond can break however far the load factor goes in this direction.
   integer(c_int), parameter :: BEMPD_STOP_NO_FURTHER_EVENT = 4
@@ -354,7 +355,8 @@ module bempd_c
     !> force that the body bore after the last event: half of the sum of the magnitudes of all support forces and nodal
     !> loads, the pull in a tensile test; 0 before the first event [N]
     real(c_double) :: resistance
-    !> the largest that it bore in equilibrium just before an event [N]
+    !> the largest that it bore in equilibrium just before an event, until it is separated: the largest
+    !> resistance_before of the history [N]
     real(c_double) :: peak_resistance
     !> 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears nothing, or less than
     !> the option stepping.separation_share of the peak
@@ -698,6 +700,18 @@ module bempd_c
     real(c_double) :: critical_stored_energy
     !> energy that bonds broken so far take where they just reach their critical stretch [J]
     real(c_double) :: bond_energy
+    !> load factor [-]
+    real(c_double) :: load_factor_before
+    !> elastic energy [J]
+    real(c_double) :: stored_energy_before
+    !> work of loads and supports until then [J]
+    real(c_double) :: work_before
+    !> force that the body bears in equilibrium: half of the sum of the magnitudes of all support forces and nodal
+    !> loads, divided by stretch_ratio where that is above 1; the largest before the body is separated is
+    !> peak_resistance of reports [N]
+    real(c_double) :: resistance_before
+    !> the same sum after the event [N]
+    real(c_double) :: resistance
   end type bempd_history_entry
 
   abstract interface
@@ -3089,6 +3103,31 @@ module bempd_c
       integer(c_int) :: bempd_get_history_entry
     end function bempd_get_history_entry
 
+    !> What a support did at a line of the history. Its displacement just before the line's event is the same as at the
+    !> line: events happen at constant load.
+    !>
+    !> model [in]: the model
+    !> index [in]: 0 .. count-1
+    !> support [in]: id of a support
+    !> displacement [out]: shape [2], by which it moves the body, the mean over its nodes; NaN for a component that it
+    !>   leaves free [m]; may be NULL
+    !> force [out]: shape [2], resultant that it exerts on the body, as bempd_reaction() [N]; may be NULL
+    !> force_before [out]: shape [2], the same just before the line's event, beyond equilibrium where stretch_ratio is
+    !>   above 1; at the end of a step as force [N]; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_get_history_support(model, index, support, displacement, force, force_before) &
+        bind(c, name="bempd_get_history_support")
+      import :: c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: index
+      integer(c_int32_t), value :: support
+      type(c_ptr), value :: displacement
+      type(c_ptr), value :: force
+      type(c_ptr), value :: force_before
+      integer(c_int) :: bempd_get_history_support
+    end function bempd_get_history_support
+
     !> The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
     !>
     !> model [in]: the model
@@ -3255,7 +3294,8 @@ module bempd_c
       integer(c_int) :: bempd_write_snapshot
     end function bempd_write_snapshot
 
-    !> Write the history with the reactions of all supports as comma-separated values.
+    !> Write the history as comma-separated values: the members of bempd_history_entry, and of every support what
+    !> bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1 and so on).
     !>
     !> model [in]: the model
     !> path [in]: file name, UTF-8

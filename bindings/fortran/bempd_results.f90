@@ -135,6 +135,17 @@ contains
     call finish(self, bempd_write_snapshot(self%handle, c_string(prefix)), stat, errmsg)
   end procedure write_snapshot
 
+  module procedure history_support
+    real(c_double), target :: values(2, 3)
+
+    values = 0
+    call finish(self, bempd_get_history_support(self%handle, line - 1, support, c_loc(values(1, 1)), c_loc(values(1, 2)), &
+      c_loc(values(1, 3))), stat, errmsg)
+    displacement = values(:, 1)
+    force = values(:, 2)
+    force_before = values(:, 3)
+  end procedure history_support
+
   module procedure write_history
     call finish(self, bempd_write_history(self%handle, c_string(path)), stat, errmsg)
   end procedure write_history

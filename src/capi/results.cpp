@@ -19,17 +19,23 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* wh
   require(capacity >= needed, "capacity is ", capacity, "; ", needed, " ", what, " are needed");
 }
 
+// A run whose history has this line.
+const fracture::EvolutionState& with_line(const model::Model& m, std::int64_t index) {
+  const model::PreparedScene* p = m.prepared_or_null();
+  const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
+  require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
+  return p->evolution->progress();
+}
+
 bempd_status get_history_entry(const bempd_model* model, const char* function, std::int64_t index,
                                bempd_history_entry* entry) {
   return with_model(model, function, [&](const model::Model& m) {
-    const model::PreparedScene* p = m.prepared_or_null();
-    const auto count = p ? static_cast<int64_t>(p->evolution->progress().history.size()) : 0;
-    require(index >= 0 && index < count, "index is ", index, "; the history has ", count, " lines");
-    const fracture::HistoryEntry& h = p->evolution->progress().history[static_cast<std::size_t>(index)];
+    const fracture::HistoryEntry& h = with_line(m, index).history[static_cast<std::size_t>(index)];
     write_struct(entry,
                  {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
                   h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual,
-                  h.critical_load_factor, h.critical_stored_energy, h.bond_energy},
+                  h.critical_load_factor, h.critical_stored_energy, h.bond_energy, h.load_factor_before,
+                  h.stored_energy_before, h.work_before, h.resistance_before, h.resistance},
                  "entry");
   });
 }
@@ -226,6 +232,24 @@ bempd_status bempd_history_count(const bempd_model* model, int64_t* count) {
 
 bempd_status bempd_get_history_entry(const bempd_model* model, int64_t index, bempd_history_entry* entry) {
   return get_history_entry(model, __func__, index, entry);
+}
+
+bempd_status bempd_get_history_support(const bempd_model* model, int64_t index, int32_t support, double* displacement,
+                                       double* force, double* force_before) {
+  return with_model(model, __func__, [&](const model::Model& m) {
+    const std::vector<scene::Condition>& supports = m.scene().supports();
+    require(support >= 1 && support <= static_cast<int>(supports.size()), "support ", support,
+            " does not exist; there are ", supports.size());
+    require(!supports[static_cast<std::size_t>(support) - 1].removed(), "support ", support, " was removed");
+    const fracture::EvolutionState& state = with_line(m, index);
+    const auto at = 2 * (static_cast<std::ptrdiff_t>(supports.size()) * index + support - 1);
+    const auto give = [&](const std::vector<double>& values, double* target) {
+      if (target) std::copy_n(values.begin() + at, 2, target);
+    };
+    give(state.support_displacements, displacement);
+    give(state.reactions, force);
+    give(state.reactions_before, force_before);
+  });
 }
 
 bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry) {

@@ -12,6 +12,10 @@ namespace {
 // Elastic energy of the proportional load relative to the undamaged scene at which nothing resists it any more.
 constexpr double separated_energy_ratio = 1e-10;
 
+// Share of loads that supports bear where these only keep a body from moving; more is what they are there for. A spall
+// takes less than that along, half of a plate all of it.
+constexpr double bystanders_share = 0.1;
+
 // What next to nothing resists at all: the energy of moving supports against the largest stiffness, up to rounding.
 constexpr double energy_rounding = 1e-14;
 
@@ -43,6 +47,10 @@ bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy,
   const double moved = std::max(system.support_motion(), system.rest_motion());
   const double rounding = energy_rounding * system.largest_stiffness() * moved * moved;
   return unit_energy < std::max(separated_energy_ratio * first_unit_energy, std::min(rounding, first_unit_energy));
+}
+
+bool is_balance_lost(const LostBalance& balance) {
+  return balance.before <= bystanders_share && balance.after > bystanders_share;
 }
 
 void fail_out_of_range() {

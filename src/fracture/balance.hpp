@@ -3,11 +3,16 @@
 #include <Eigen/Core>
 
 #include "coupling/equilibrium_system.hpp"
+#include "fracture/event_source.hpp"
 
 namespace bempd::fracture {
 
 // True if nothing resists the proportional load any more, given its energy and that in the undamaged scene.
 bool is_separated(const coupling::EquilibriumSystem& system, double unit_energy, double first_unit_energy);
+
+// True if a part has taken its loads along and nothing but supports balances those that stay, which loads alone had
+// balanced before: what carried load from the ones to the others is gone.
+bool is_balance_lost(const LostBalance& balance);
 
 [[noreturn]] void fail_out_of_range();
 

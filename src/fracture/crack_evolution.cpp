@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "error.hpp"
-#include "fracture/balance.hpp"
 #include "fracture/other_tips.hpp"
 #include "fracture/resistance.hpp"
 #include "number_range.hpp"
@@ -174,14 +173,20 @@ bool CrackEvolution::has_come_apart(const Event* next, double target, const Step
 // False if no equilibrium is left after the event, and what was reached before it is to be kept: then it did not
 // happen.
 bool CrackEvolution::perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached) {
+  const auto perform_and_book = [&] {
+    const double within_before = within(event.load_factor);
+    Outcome outcome = sources_.perform();
+    outcome.within_before = within_before;
+    book(event, outcome, options);
+  };
   if (!keep_what_was_reached) {
-    book(event, sources_.perform(), options);
+    perform_and_book();
     return true;
   }
   BodyState before = state_;
   const Start start = this->start();
   try {
-    book(event, sources_.perform(), options);
+    perform_and_book();
     return true;
   } catch (const Error& error) {
     if (error.failure() != Failure::unsolvable) throw;
@@ -191,92 +196,6 @@ bool CrackEvolution::perform(const Event& event, const SteppingOptions& options,
     sources_.refresh();
     return false;
   }
-}
-
-// What loads give in an event beyond equilibrium, and bonds do not take: it sets the body in motion, and is neither
-// released by breaking nor work of a quasi-static run.
-double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
-  if (options.mode != SteppingMode::events || !event.is_out_of_balance()) {
-    state_.work_out_of_balance = 0;
-    return 0;
-  }
-  const double given = std::max(0.0, state_.work_out_of_balance + outcome.work);
-  const double moved = std::clamp(outcome.released_energy - outcome.bond_energy, 0.0, given);
-  state_.work_out_of_balance = given - moved;
-  return moved;
-}
-
-void CrackEvolution::book(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
-  const double moved = work_that_moves(event, outcome, options);
-  state_.work += outcome.work_before;
-  state_.work = in_range(state_.work + (outcome.work - moved));
-  state_.released_energy = in_range(state_.released_energy + (outcome.released_energy - moved));
-  state_.bond_energy = in_range(state_.bond_energy + outcome.bond_energy);
-  ++state_.events;
-  state_.broken_bonds += outcome.broken;
-  state_.fragments += outcome.fragments;
-  state_.contact_switches += outcome.switches;
-  state_.ties += outcome.ties;
-  book_lines(outcome, outcome.released_energy - moved);
-  add(state_.resistance, event, outcome);
-  if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
-  HistoryEntry line;
-  line.event = state_.events;
-  line.stretch_ratio = event.ratio;
-  line.stored_energy = outcome.stored_energy;
-  line.critical_load_factor = event.critical_load_factor;
-  line.critical_stored_energy = in_range(outcome.critical_stored_energy + within(event.critical_load_factor));
-  line.residual = outcome.residual;
-  write_line(line, outcome.energy_scale, outcome.reactions);
-}
-
-// On the way between two events, where nothing breaks.
-void CrackEvolution::pass(const Outcome& outcome) {
-  state_.work = in_range(state_.work + outcome.work_before);
-  measure_work();
-  state_.contact_switches += outcome.switches;
-  // Where faces are all that holds the undamaged scene.
-  if (state_.events == 0) state_.first_unit_energy = std::max(state_.first_unit_energy, body_.unit_energy());
-  if (!outcome.comes_free) return;
-  state_.work = in_range(state_.work + outcome.work);
-  state_.released_energy = in_range(state_.released_energy + outcome.released_energy);
-  state_.fragments += outcome.fragments;
-  if (is_separated(system_, outcome.unit_energy, state_.first_unit_energy)) state_.separated = true;
-}
-
-void CrackEvolution::end_step() {
-  sources_.bring_up_to_date();
-  HistoryEntry line;
-  line.stored_energy = body_.stored_energy();
-  line.critical_load_factor = state_.load_factor;
-  line.critical_stored_energy = in_range(line.stored_energy + within(state_.load_factor));
-  line.residual = body_.residual();
-  write_line(line, least_energy_scale(system_, state_.load_factor), body_.reactions());
-}
-
-void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale, const std::vector<double>& reactions) {
-  HistoryEntry line = known;
-  line.total_broken_bonds = state_.broken_bonds;
-  line.load_factor = state_.load_factor;
-  line.stored_energy = in_range(line.stored_energy);
-  line.released_energy = state_.released_energy;
-  line.bond_energy = state_.bond_energy;
-  const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);
-  line.stored_energy = in_range(line.stored_energy + within(state_.load_factor));
-  line.work = work();
-  state_.largest_work = std::max(state_.largest_work, std::abs(line.work));
-  const double scale = std::max(state_.largest_work, energy_scale);
-  line.energy_balance_error = scale > 0 ? difference / scale : difference;
-  if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // of energies that are lost
-  if (!Eigen::Map<const Eigen::VectorXd>(reactions.data(), static_cast<Eigen::Index>(reactions.size())).allFinite() ||
-      !std::isfinite(line.load_factor) || !std::isfinite(line.stretch_ratio) || !std::isfinite(line.residual)) {
-    fail_out_of_range();
-  }
-  require_balance(line.residual, system_.is_symmetric() ? line.energy_balance_error : 0);
-  state_.worst_energy_balance_error = std::max(state_.worst_energy_balance_error, line.energy_balance_error);
-  state_.residual = line.residual;
-  state_.history.push_back(line);
-  state_.reactions.insert(state_.reactions.end(), reactions.begin(), reactions.end());
 }
 
 void CrackEvolution::restore(EvolutionState state, std::optional<Continuation> continuation) noexcept {

@@ -180,10 +180,10 @@ class CrackEvolution {
   // The books as they were when a call began.
   struct Start {
     Sums sums;
-    std::size_t history_size, reactions_size, extensions_size;
+    std::size_t history_size, extensions_size;
   };
 
-  Start start() const { return {state_, state_.history.size(), state_.reactions.size(), state_.extensions.size()}; }
+  Start start() const { return {state_, state_.history.size(), state_.extensions.size()}; }
   StopReason run(double target, Goal goal, const SteppingOptions& options,
                  const std::function<void(const EvolutionState&)>& on_event);
   std::optional<StopReason> why_there_is_none(Goal goal, const SteppingOptions& options);
@@ -199,10 +199,12 @@ class CrackEvolution {
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book_lines(const Outcome& outcome, double released_energy);
   void pass(const Outcome& outcome);
+  void note_separation(const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.
   void measure_work();
-  void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions);
+  void write_line(const HistoryEntry& line, double energy_scale, const std::vector<double>& reactions_before,
+                  const std::vector<double>& reactions);
 
   coupling::EquilibriumSystem& system_;
   EvolutionState state_;

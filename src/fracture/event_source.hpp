@@ -37,6 +37,12 @@ struct Event {
   }
 };
 
+// Share of loads that only supports balance (LoadedBody::unbalanced_share), where a part takes its loads along: before
+// and after that.
+struct LostBalance {
+  double before = 0, after = 0;
+};
+
 // What an event did.
 struct Outcome {
   std::int64_t broken = 0;    // terms that are gone
@@ -45,16 +51,19 @@ struct Outcome {
   double work = 0;            // of the event itself
   double released_energy = 0;
   double bond_energy = 0;             // of it, what the terms take where they just reach their critical values
+  double stored_energy_before = 0;    // at the same load factor
+  double within_before = 0;           // CrackEvolution::within() there
   double stored_energy = 0;           // after it
   double critical_stored_energy = 0;  // the same at the critical load factor
   double unit_energy = 0;             // of the proportional load alone, after it
   double residual = 0;
   double energy_scale = 0;  // what energies are measured by at least
   std::int64_t fragments = 0;
-  bool comes_free = false;        // of faces that close or open: a part does
-  std::vector<double> reactions;  // after it, x and y of every support
-  double resistance_before = 0;   // at the same load factor
+  bool comes_free = false;                          // of faces that close or open: a part does
+  std::vector<double> reactions_before, reactions;  // at the same load factor and after it, x and y of every support
+  double resistance_before = 0;                     // at the same load factor
   double resistance = 0;
+  LostBalance lost_balance;
   std::vector<CrackExtension> extensions;  // but for what the books know: event, length of the crack, energy
   int ties = 0;                            // others that would have grown as soon
 };

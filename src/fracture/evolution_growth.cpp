@@ -12,7 +12,9 @@ using coupling::Affine;
 void CrackEvolution::forget_lines(const Start& start) noexcept {
   static_cast<Sums&>(state_) = start.sums;
   state_.history.resize(start.history_size);
-  state_.reactions.resize(start.reactions_size);
+  const std::size_t values = 2 * body_.reaction_dofs().size() * start.history_size;
+  for (std::vector<double>* of_supports : {&state_.reactions, &state_.reactions_before, &state_.support_displacements})
+    of_supports->resize(values);
   state_.extensions.resize(start.extensions_size);
 }
 
@@ -93,6 +95,8 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vecto
   static_cast<Sums&>(state_) = old;
   state_.history = old.history;
   state_.reactions = old.reactions;
+  state_.reactions_before = old.reactions_before;
+  state_.support_displacements = old.support_displacements;
   state_.extensions = old.extensions;
   take_over_body(old, node_before);
   const std::vector<char> lost_before = state_.unloaded;
@@ -104,13 +108,17 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vecto
       potential_of_lost_loads(body_.acting_loads().force, state_.unloaded, lost_before, displacement, f);
   growth_ = {};
   growth_.work = body_.potential_of_loads() - (before.body_.potential_of_loads() - lost) + within(f) - before.within(f);
+  growth_.stored_energy_before = before.body_.stored_energy();
+  growth_.within_before = before.within(f);
   growth_.stored_energy = body_.stored_energy();
-  growth_.released_energy = growth_.work + before.body_.stored_energy() - growth_.stored_energy;
+  growth_.released_energy = growth_.work + growth_.stored_energy_before - growth_.stored_energy;
   growth_.unit_energy = body_.unit_energy();
   growth_.residual = body_.residual();
   growth_.energy_scale = least_energy_scale(system_, f);
   growth_.fragments = found.fragments;
-  growth_.resistance_before = before.body_.resistance(before.body_.reactions());
+  growth_.lost_balance = found.lost_balance;
+  growth_.reactions_before = before.body_.reactions();
+  growth_.resistance_before = before.body_.resistance(growth_.reactions_before);
   growth_.reactions = body_.reactions();
   growth_.resistance = body_.resistance(growth_.reactions);
 }

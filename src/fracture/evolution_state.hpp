@@ -28,6 +28,12 @@ struct HistoryEntry {
   double critical_load_factor = 0;
   double critical_stored_energy = 0;
   double bond_energy = 0;  // released by then, had each event happened there
+  // Just before the event; at the end of a step the same as there.
+  double load_factor_before = 0;
+  double stored_energy_before = 0;
+  double work_before = 0;
+  double resistance_before = 0;  // in equilibrium: what would be borne beyond it is divided by the stretch ratio [N]
+  double resistance = 0;         // after it [N]
 };
 
 // What a tip did at an event: it went straight on to a place, where it is a tip again unless it has ended. A crack that
@@ -94,7 +100,9 @@ struct Sums {
 // Everything that a run changes. Copying it saves the run; what it goes on with by the same digits is a Continuation.
 struct EvolutionState : BodyState, Sums {
   std::vector<HistoryEntry> history;
-  std::vector<double> reactions;  // per line of the history: x and y of every support
+  // Per line of the history x and y of every support: what it exerts at the line and just before its event [N], and how
+  // far it moves the body, which an event does not change: the mean over its nodes, NaN where it does not say [m].
+  std::vector<double> reactions, reactions_before, support_displacements;
   std::vector<CrackExtension> extensions;
 };
 

@@ -136,12 +136,12 @@ void LoadedBody::drop_loads(const std::vector<int>& nodes) {
 
 LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   const Eigen::VectorXd before = state_.total_displacement;
-  const double stored_before = stored_energy();
+  const double stored_before = stored_energy(), unbalanced_before = unbalanced_share();
   update_faces();
   FreedParts freed = freed_parts_.all_pieces(before);
   system_.commit({}, freed.springs);
   if (!freed.nodes_with_lost_loads.empty()) drop_loads(freed.nodes_with_lost_loads);
-  FirstEquilibrium result{0, freed.fragments, {}, 0};
+  FirstEquilibrium result{0, freed.fragments, {}, 0, {}};
   for (const coupling::HoldingSpring& spring : freed.springs) result.held.push_back(spring.node);
   const bool cracked = std::find(system_.intact().begin(), system_.intact().end(), 0) != system_.intact().end();
   if (cracked) {
@@ -157,6 +157,7 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   result.switches = settled.switched;
   result.fragments += settled.fragments;
   result.held.insert(result.held.end(), settled.held.begin(), settled.held.end());
+  if (result.fragments > 0) result.lost_balance = {unbalanced_before, unbalanced_share()};
   state_.springs = system_.springs();
   keep_held_parts_dry();
   update_ratios();

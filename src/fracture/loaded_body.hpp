@@ -7,6 +7,7 @@
 #include "fracture/contact/crack_faces.hpp"
 #include "fracture/crack_fluid.hpp"
 #include "fracture/critical_events.hpp"
+#include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
 
@@ -65,6 +66,7 @@ class LoadedBody {
     std::int64_t fragments;  // cut off by initial cracks, or pushed by new loads
     std::vector<int> held;   // nodes of parts that could move freely
     std::int64_t switches;   // places of faces that have closed or opened
+    LostBalance lost_balance;
   };
   // Under loads that are new, at the present load factor.
   FirstEquilibrium find_equilibrium();
@@ -113,8 +115,14 @@ class LoadedBody {
   Eigen::Vector2d reaction(std::size_t support) const;
   double reaction_moment(std::size_t support, const Point& about) const;  // [N m]
   std::vector<double> reactions() const;
+  // How far supports move the body at the present load factor, x and y of each: the mean over its nodes, NaN where it
+  // does not say.
+  std::vector<double> support_displacements() const;
   // Half of the sum of the magnitudes of these reactions and of the nodal loads at the present load factor.
   double resistance(const std::vector<double>& reactions) const;
+  // What loads at the present load factor leave over among themselves, for supports to bear: their sum, or their moment
+  // over the radius of gyration of where they act, over half of the sum of their magnitudes. 0: they balance.
+  double unbalanced_share() const;
   double reaction_at(int dof) const;  // of one that is held [N]
 
  private:

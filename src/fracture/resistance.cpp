@@ -11,10 +11,13 @@ constexpr double rounding = 1e-9;
 
 }  // namespace
 
-void add(Resistance& r, const Event& event, const Outcome& outcome) {
+double borne_before(const Event& event, const Outcome& outcome) {
+  return outcome.resistance_before / std::max(1.0, event.ratio);
+}
+
+void add(Resistance& r, const Event& event, const Outcome& outcome, bool separated_before) {
   const double before = outcome.resistance_before;
-  // Out of equilibrium bonds bear less than they are stretched for.
-  r.peak = std::max(r.peak, before / std::max(1.0, event.ratio));
+  if (!separated_before) r.peak = std::max(r.peak, borne_before(event, outcome));
   if (before > rounding * r.peak) r.stiffness *= outcome.resistance / before;
   r.present = outcome.resistance;
 }

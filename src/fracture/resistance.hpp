@@ -5,7 +5,11 @@
 
 namespace bempd::fracture {
 
-void add(Resistance& resistance, const Event& event, const Outcome& outcome);
+// Of a body that is separated before the event what is left may bear more than the body did: the peak stays.
+// What a body bore just before an event: out of equilibrium bonds bear less than they are stretched for.
+double borne_before(const Event& event, const Outcome& outcome);
+
+void add(Resistance& resistance, const Event& event, const Outcome& outcome, bool separated_before);
 
 // True if events have left less than a share of the largest force that was borne, and of the stiffness: a small load
 // alone is no loss.

@@ -163,10 +163,12 @@ Outcome WholeBodyEvents::perform() {
   Outcome outcome;
   BodyState& state = body_.state();
   outcome.work_before = body_.move_to(event_.load_factor);
-  outcome.resistance_before = body_.resistance(body_.reactions());
+  outcome.reactions_before = body_.reactions();
+  outcome.resistance_before = body_.resistance(outcome.reactions_before);
   const std::vector<coupling::StageChange>& changes = event_.changes;
   const Eigen::VectorXd before = state.total_displacement;
-  const double stored_before = body_.stored_energy();
+  const double unbalanced_before = body_.unbalanced_share();
+  outcome.stored_energy_before = body_.stored_energy();
   remember_faces();
   FreedParts freed;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
@@ -193,21 +195,28 @@ Outcome WholeBodyEvents::perform() {
   outcome.fragments += settled.fragments;
   body_.keep_held_parts_dry();
   const bool loads_lost = held.loads_lost || pushed || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
+  if (loads_lost) outcome.lost_balance = {unbalanced_before, body_.unbalanced_share()};
   body_.update_ratios();
   outcome.work = body_.absorb(event_.load_factor);
-  // All of that force is there while the points give way, of which nodal forces before and after show the half; and it
-  // fills what the bonds had stretched before they broke.
-  const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
-  outcome.work += by_fluid;
-  outcome.stored_energy = body_.stored_energy();
-  // Lost loads take their part along with the piece.
-  const double released = released_energy() + released_by_contacts(before) + released_by_faces() + by_fluid;
-  outcome.released_energy = loads_lost ? outcome.work + stored_before - outcome.stored_energy : released;
-  outcome.bond_energy = released / (event_.ratio * event_.ratio);
+  add_energies(before, flow, loads_lost, outcome);
   state.stages = system_.stages();
   state.springs = system_.springs();
   tell_of_body(outcome);
   return outcome;
+}
+
+// Of the event, from displacements before it; `flow` is the force of the fluid that has come in. Lost loads take their
+// part along with the piece.
+void WholeBodyEvents::add_energies(const Eigen::VectorXd& before, const Eigen::VectorXd& flow, bool loads_lost,
+                                   Outcome& outcome) const {
+  // All of that force is there while the points give way, of which nodal forces before and after show the half; and it
+  // fills what the bonds had stretched before they broke.
+  const double by_fluid = 0.5 * flow.dot(body_.state().total_displacement + before);
+  outcome.work += by_fluid;
+  outcome.stored_energy = body_.stored_energy();
+  const double released = released_energy() + released_by_contacts(before) + released_by_faces() + by_fluid;
+  outcome.released_energy = loads_lost ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
+  outcome.bond_energy = released / (event_.ratio * event_.ratio);
 }
 
 void WholeBodyEvents::tell_of_body(Outcome& outcome) {

@@ -26,6 +26,8 @@ class WholeBodyEvents final : public EventSource {
 
   bool runs_away();
   void remember_faces();
+  void add_energies(const Eigen::VectorXd& before, const Eigen::VectorXd& flow, bool loads_lost,
+                    Outcome& outcome) const;
   void tell_of_body(Outcome& outcome);
   double released_energy() const;
   double released_by_contacts(const Eigen::VectorXd& before) const;

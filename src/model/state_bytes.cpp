@@ -27,7 +27,8 @@ requires std::is_same_v<std::remove_const_t<Line>, fracture::HistoryEntry>
 void visit_members(Line& h, Visit& visit) {
   visit(h.event), visit(h.total_broken_bonds), visit(h.load_factor), visit(h.stretch_ratio), visit(h.stored_energy);
   visit(h.released_energy), visit(h.work), visit(h.energy_balance_error), visit(h.residual);
-  visit(h.critical_load_factor), visit(h.critical_stored_energy), visit(h.bond_energy);
+  visit(h.critical_load_factor), visit(h.critical_stored_energy), visit(h.bond_energy), visit(h.load_factor_before);
+  visit(h.stored_energy_before), visit(h.work_before), visit(h.resistance_before), visit(h.resistance);
 }
 
 template <class Extension, class Visit>
@@ -88,7 +89,6 @@ void visit_members(Place& zone, Visit& visit) {
   for (auto* point : {&zone.centre, &zone.axis, &zone.low, &zone.high, &zone.inner_low, &zone.inner_high})
     visit(point->x()), visit(point->y());
 }
-
 template <class Look, class Visit>
 requires std::is_same_v<std::remove_const_t<Look>, fracture::WindowOrigin::Look>
 void visit_members(Look& l, Visit& visit) { visit(l.after), visit(l.load_factor), visit(l.largest_force); }
@@ -250,8 +250,8 @@ void visit_members(State& state, Visit& visit) {
   visit(e.resistance.present), visit(e.resistance.peak), visit(e.resistance.stiffness);
   visit(e.work_out_of_balance), visit(e.contact_switches), visit(e.ties);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
-  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history), visit(e.reactions);
-  visit(e.extensions), visit(e.faces);
+  visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history);
+  visit(e.reactions), visit(e.reactions_before), visit(e.support_displacements), visit(e.extensions), visit(e.faces);
   visit(state.in_force), visit(state.acting), visit(state.end_of_way), visit(state.acting_values);
   visit(state.scene.loads), visit(state.said), visit(state.continuation);
 }

@@ -22,7 +22,8 @@ bool is_sound(const coupling::HoldingSpring& s, Eigen::Index dofs) {
 // Energies may be beyond the range of numbers (CrackEvolution::energies_are_lost), nothing else may.
 bool is_sound(const fracture::HistoryEntry& line) {
   return line.event >= 0 && line.total_broken_bonds >= 0 && std::isfinite(line.load_factor) &&
-         std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor);
+         std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor) &&
+         std::isfinite(line.load_factor_before);
 }
 
 bool is_sound(const fracture::CrackExtension& e) {
@@ -70,6 +71,8 @@ void require_consistent(const fracture::EvolutionState& e) {
         "a spring that holds a free piece is at no node or no spring");
   sound(std::all_of(e.history.begin(), e.history.end(), [](const auto& line) { return is_sound(line); }),
         "a line of the history is none");
+  sound(e.reactions_before.size() == e.reactions.size() && e.support_displacements.size() == e.reactions.size(),
+        "what its supports exert and how they move is not of the same lines");
   sound(e.history.empty() ? e.reactions.empty() : e.reactions.size() % (2 * e.history.size()) == 0,
         "its reactions are not those of the lines of its history");
   sound(std::all_of(e.reactions.begin(), e.reactions.end(), [](double force) { return std::isfinite(force); }),

@@ -16,7 +16,13 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
     columns.push_back(text("reaction_y_", s));
   }
   // Behind the others, where those who count columns do not miss them.
-  columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy"});
+  columns.insert(columns.end(), {"critical_load_factor", "critical_stored_energy", "bond_energy", "load_factor_before",
+                                 "stored_energy_before", "work_before", "resistance_before", "resistance"});
+  for (std::size_t s = 1; s <= there.size(); ++s) {
+    if (!there[s - 1]) continue;
+    for (const char* name : {"reaction_before_x_", "reaction_before_y_", "displacement_x_", "displacement_y_"})
+      columns.push_back(text(name, s));
+  }
   output::CsvTable table(columns);
   const std::size_t lines = state ? state->history.size() : 0;
   for (std::size_t i = 0; i < lines; ++i) {
@@ -30,7 +36,14 @@ void write_history(const std::string& path, const fracture::EvolutionState* stat
       row.emplace_back(state->reactions[at]);
       row.emplace_back(state->reactions[at + 1]);
     }
-    row.insert(row.end(), {h.critical_load_factor, h.critical_stored_energy, h.bond_energy});
+    row.insert(row.end(), {h.critical_load_factor, h.critical_stored_energy, h.bond_energy, h.load_factor_before,
+                           h.stored_energy_before, h.work_before, h.resistance_before, h.resistance});
+    for (std::size_t s = 0; s < there.size(); ++s) {
+      if (!there[s]) continue;
+      const std::size_t at = 2 * (there.size() * i + s);
+      for (const std::vector<double>* values : {&state->reactions_before, &state->support_displacements})
+        row.insert(row.end(), {(*values)[at], (*values)[at + 1]});
+    }
     table.add_row(row);
   }
   writing([&] { table.save(output::path_from_utf8(path)); });

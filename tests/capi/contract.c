@@ -47,6 +47,8 @@ static void wrong_questions(bempd_model* model) {
   WRONG(bempd_copy_field(model, 99, BEMPD_POSITION, 2, values));
   WRONG(bempd_reaction(model, 99, values));
   WRONG(bempd_history(model, 1000000, &entry));
+  WRONG(bempd_get_history_support(model, 0, 99, values, NULL, NULL));
+  WRONG(bempd_get_history_support(model, 1000000, 1, values, NULL, NULL));
   WRONG(bempd_step(model, NAN, NULL));
   WRONG(bempd_run_to_separation(model, INFINITY, NULL));
   WRONG(bempd_state_restore(model, NULL));

@@ -2,7 +2,7 @@
 #define CRACK_RULE "bond"
 #include "scenes.h"
 
-/* The layout of format version 11: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 12: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
@@ -20,13 +20,15 @@ enum {
   tips,
   history,
   reactions,
+  reactions_before,
+  support_displacements,
   extensions,
   grown_faces,
   closed_faces,
   closed_inside,
   array_count
 };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 96, 8, 89, 20, 1, 1};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 136, 8, 8, 8, 129, 20, 1, 1};
 
 typedef struct bytes {
   uint8_t* data;
@@ -90,7 +92,7 @@ static void find_continuation(bytes* saved) {
 
 static bytes copy_of(const bytes* source) {
   bytes copy = *source;
-  copy.data = (uint8_t*)malloc((size_t)source->size + 128);
+  copy.data = (uint8_t*)malloc((size_t)source->size + 512);
   if (copy.data == NULL) abort();
   memcpy(copy.data, source->data, (size_t)source->size);
   return copy;
@@ -104,7 +106,7 @@ static bytes bytes_of(bempd_model* model) {
   memset(&saved, 0, sizeof saved);
   CHECK_OK(model, bempd_state_save(model, &state));
   CHECK_OK(NULL, bempd_state_to_bytes(state, 0, NULL, &saved.size));
-  saved.data = (uint8_t*)malloc((size_t)saved.size + 128);
+  saved.data = (uint8_t*)malloc((size_t)saved.size + 512);
   if (saved.data == NULL) abort();
   CHECK_OK(NULL, bempd_state_to_bytes(state, saved.size, saved.data, NULL));
   bempd_state_free(state);

@@ -102,6 +102,24 @@ static void history_follows_the_events(const coupled_plate* plate, const bempd_s
   CHECK(entry.stored_energy == report->stored_energy && entry.work == report->work);
 }
 
+/** What a support did at the last line, the end of a step: that nothing jumps there, and NULL for what is not asked
+ * for. */
+static void supports_are_in_the_history(const coupled_plate* plate) {
+  double displacement[2] = {-7.0, -7.0}, force[2] = {-7.0, -7.0}, before[2] = {-7.0, -7.0}, reaction[2];
+  bempd_history_entry entry;
+  int64_t count = 0;
+  CHECK_OK(plate->model, bempd_history_count(plate->model, &count));
+  CHECK_OK(NULL, bempd_history_entry_init(&entry, sizeof entry));
+  CHECK_OK(plate->model, bempd_get_history_entry(plate->model, count - 1, &entry));
+  CHECK_OK(plate->model,
+           bempd_get_history_support(plate->model, count - 1, plate->pulled_left, displacement, force, before));
+  CHECK_OK(plate->model, bempd_get_history_support(plate->model, count - 1, plate->pulled_left, NULL, NULL, NULL));
+  CHECK_OK(plate->model, bempd_reaction(plate->model, plate->pulled_left, reaction));
+  CHECK(force[0] == reaction[0] && before[0] == force[0] && before[1] == force[1]);
+  CHECK(displacement[0] != 0.0 && displacement[0] != -7.0);
+  CHECK(entry.event == 0 && entry.resistance == entry.resistance_before && entry.work == entry.work_before);
+}
+
 static void run_ends_with_separation(double first_event) {
   const coupled_plate plate = coupled_plate_create();
   bempd_step_report report;
@@ -113,6 +131,7 @@ static void run_ends_with_separation(double first_event) {
   places_in_the_coupled_plate_name_their_region(&plate);
   reactions_balance(&plate);
   history_follows_the_events(&plate, &report);
+  supports_are_in_the_history(&plate);
   CHECK_OK(plate.model, bempd_run_to_separation(plate.model, 1000.0 * first_event, &report));
   CHECK(report.stop_reason == BEMPD_STOP_SEPARATED && report.separated == 1);
   CHECK(report.energy_balance_error < 1e-6 && report.residual < 1e-6);

@@ -205,7 +205,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
                 continue
             a, b = plain.history[name].astype(float), window.history[name].astype(float)
             size = np.abs(a).max(initial=0)
-            if name.endswith("_energy"):
+            if "energy" in name:
                 size = max(size, largest_energy)
             if len(a) != len(b) or np.abs(a - b).max(initial=0) > ENERGIES * size:
                 return f"history: {name} differs"

@@ -181,6 +181,10 @@ void Scene::read_books() {
     if (!FUZZ_CALL(bempd_get_history_entry, model_, line, &e)) continue;
     const std::array numbers = {e.load_factor, e.stretch_ratio, e.residual};
     require_finite("bempd_get_history_entry", numbers.data(), numbers.size());
+    std::array<double, 2> displacement{}, force{}, before{};
+    if (!FUZZ_CALL(bempd_get_history_support, model_, line, 1, displacement.data(), force.data(), before.data()))
+      continue;
+    require_finite("bempd_get_history_support", force.data(), force.size());
   }
 }
 

@@ -2,6 +2,7 @@
 // in what is reported: history, reactions of the history, saved bytes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -56,7 +57,10 @@ void pulled_at_tied_interfaces(Model& model) {
   model.prescribe(right, 4, BEMPD_Y, 1e-9, 0);
 }
 
-// Rows of the history as the library writes it, reactions last.
+// What the library writes where a support leaves a component free, so that rows can be compared.
+constexpr double not_known = -1e300;
+
+// Rows of the history as the library writes it.
 std::vector<std::vector<double>> written_history(Model& model, const std::string& name) {
   const std::string path = testing::TempDir() + name + ".csv";
   model.check(bempd_write_history(model.get(), path.c_str()));
@@ -67,7 +71,10 @@ std::vector<std::vector<double>> written_history(Model& model, const std::string
   while (std::getline(file, line)) {
     std::istringstream cells(line);
     std::vector<double>& row = rows.emplace_back();
-    while (std::getline(cells, cell, ',')) row.push_back(std::stod(cell));
+    while (std::getline(cells, cell, ',')) {
+      const double value = std::stod(cell);
+      row.push_back(std::isnan(value) ? not_known : value);
+    }
   }
   std::remove(path.c_str());
   return rows;

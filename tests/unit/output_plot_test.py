@@ -35,6 +35,15 @@ with tempfile.TemporaryDirectory() as name:
     assert [history["load_factor"][row] for row in plotting.growth_rows(history)] == [281, 400]
     assert plotting.engineering(8.2e-6, "m")[1] == "\u00b5m" and plotting.engineering(2e4, "N") == (1e-3, "kN")
 
+    # A strip that bears 2 N at its first event and 1 N after it, then 1.5 N and nothing; then one that is never in balance.
+    table = {"event": [1, 2, 0], "load_factor": [1, 3, 4], "stretch_ratio": [1, 1, 0], "critical_load_factor": [1, 3, 4],
+             "reaction_x_2": [1, 0, 0], "reaction_before_x_2": [2, 1.5, 0]}
+    curve = plotting.load_curve({name: plotting.np.array(column, float) for name, column in table.items()}, "reaction_x_2")
+    assert (list(curve[0]), list(curve[1]), curve[2]) == ([0, 1, 1, 3, 3, 4], [0, 2, 1, 1.5, 0, 0], [(1, 2), (3, 4), (5, 5)]), curve
+    table.update(stretch_ratio=[2, 1.5, 0], critical_load_factor=[0.5, 0.8, 4], load_factor=[1, 1, 4])
+    curve = plotting.load_curve({name: plotting.np.array(column, float) for name, column in table.items()}, "reaction_x_2")
+    assert (list(curve[0]), list(curve[1])) == ([0, 0.5, 1, 1, 4], [0, 1, 1, 0, 0]), curve
+
     titles = plotting.stage_titles(stages, [5.57, 6.301, 6.302], "um")
     assert titles == ["First damage, 5.57 um", "Half way, 6.3 um", "Complete, same load"], titles
 

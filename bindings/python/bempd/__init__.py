@@ -49,6 +49,7 @@ from .reports import (
     Statistics,
     StepReport,
     StopReason,
+    SupportHistory,
     TipEnd,
     TipMethod,
     TipRecord,
@@ -62,6 +63,6 @@ __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
-    "StepReport", "StopReason", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
+    "StepReport", "StopReason", "SupportHistory", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
     "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
 ]

@@ -477,11 +477,18 @@ typedef struct bempd_history_entry {
   double critical_load_factor;
   double critical_stored_energy;
   double bond_energy;
+  double load_factor_before;
+  double stored_energy_before;
+  double work_before;
+  double resistance_before;
+  double resistance;
 } bempd_history_entry;
 bempd_status bempd_history_entry_init(bempd_history_entry *entry, int64_t struct_size);
 bempd_status bempd_history_count(const bempd_model *model, int64_t *count);
 bempd_status bempd_get_history_entry(const bempd_model *model, int64_t index,
     bempd_history_entry *entry);
+bempd_status bempd_get_history_support(const bempd_model *model, int64_t index, int32_t support,
+    double *displacement, double *force, double *force_before);
 bempd_status bempd_history(const bempd_model *model, int64_t index, bempd_history_entry *entry);
 bempd_status bempd_state_save(bempd_model *model, bempd_state **state);
 typedef enum bempd_state_contents {
@@ -1343,7 +1350,9 @@ since: 0.1""",
     "BEMPD_STOP_SEPARATED": """\
 The body is separated: what carried load between supports and loads, proportional or constant, bears
 nothing any more; or less than the option stepping.separation_share of the largest force so far, and
-the bonds that are left break under larger loads only (`hanging`).""",
+the bonds that are left break under larger loads only (`hanging`); or a part has taken its loads
+along which other loads had balanced, so that supports that had borne a tenth of the loads at most
+would have to bear more.""",
     "BEMPD_STOP_NO_FURTHER_EVENT": """No bond can break however far the load factor goes in this direction.""",
     "BEMPD_STOP_NO_ADMISSIBLE_LOAD": """\
 With the option stepping.control = "path": what is constant of loads and supports stretches bonds
@@ -1414,7 +1423,9 @@ what they bear; 0 if each event was in equilibrium""",
     "bempd_step_report.resistance": """\
 force that the body bore after the last event: half of the sum of the magnitudes of all support
 forces and nodal loads, the pull in a tensile test; 0 before the first event [N]""",
-    "bempd_step_report.peak_resistance": """the largest that it bore in equilibrium just before an event [N]""",
+    "bempd_step_report.peak_resistance": """\
+the largest that it bore in equilibrium just before an event, until it is separated: the largest
+resistance_before of the history [N]""",
     "bempd_step_report.hanging": """\
 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears nothing,
 or less than the option stepping.separation_share of the peak""",
@@ -2345,6 +2356,14 @@ toughness; at the end of a step the load factor [-]""",
     "bempd_history_entry.critical_stored_energy": """elastic energy at that load factor, after the event [J]""",
     "bempd_history_entry.bond_energy": """\
 energy that bonds broken so far take where they just reach their critical stretch [J]""",
+    "bempd_history_entry.load_factor_before": """load factor [-]""",
+    "bempd_history_entry.stored_energy_before": """elastic energy [J]""",
+    "bempd_history_entry.work_before": """work of loads and supports until then [J]""",
+    "bempd_history_entry.resistance_before": """\
+force that the body bears in equilibrium: half of the sum of the magnitudes of all support forces
+and nodal loads, divided by stretch_ratio where that is above 1; the largest before the body is
+separated is peak_resistance of reports [N]""",
+    "bempd_history_entry.resistance": """the same sum after the event [N]""",
     "bempd_history_entry_init": """\
 Set struct_size and zeros.
 
@@ -2368,6 +2387,20 @@ index [in]: 0 .. count-1
 entry [in,out]: struct_size in, the rest out
 return: status
 since: 0.2""",
+    "bempd_get_history_support": """\
+What a support did at a line of the history. Its displacement just before the line's event is the
+same as at the line: events happen at constant load.
+
+model [in]: the model
+index [in]: 0 .. count-1
+support [in]: id of a support
+displacement [out]: shape [2], by which it moves the body, the mean over its nodes; NaN for a
+  component that it leaves free [m]; may be NULL
+force [out]: shape [2], resultant that it exerts on the body, as bempd_reaction() [N]; may be NULL
+force_before [out]: shape [2], the same just before the line's event, beyond equilibrium where
+  stretch_ratio is above 1; at the end of a step as force [N]; may be NULL
+return: status
+since: 0.3""",
     "bempd_history": """\
 The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
 
@@ -2483,7 +2516,9 @@ prefix [in]: path without ending, UTF-8; the folder must exist
 return: status
 since: 0.1""",
     "bempd_write_history": """\
-Write the history with the reactions of all supports as comma-separated values.
+Write the history as comma-separated values: the members of bempd_history_entry, and of every
+support what bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1, displacement_x_1
+and so on).
 
 model [in]: the model
 path [in]: file name, UTF-8

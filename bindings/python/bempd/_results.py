@@ -26,6 +26,7 @@ from .reports import (
     PointValues,
     Singularity,
     Statistics,
+    SupportHistory,
     TipEnd,
     TipRecord,
     crack_extension,
@@ -380,8 +381,8 @@ class Results:
     def history(self) -> npt.NDArray[Any]:
         """One row for every event and end of a step, as a structured array: `model.history()["load_factor"]`.
 
-        Its columns are those of bempd_history_entry; `event` is 0 at the end of a step. write_history() has the
-        reactions too, read_history() reads them.
+        Its columns are those of bempd_history_entry; `event` is 0 at the end of a step. support_history() has
+        what supports did; write_history() writes both, read_history() reads them.
         """
         count = int(self._number("bempd_history_count", "int64_t"))
         entries = ffi.new("bempd_history_entry[]", max(count, 1))
@@ -389,6 +390,15 @@ class Results:
             call("bempd_history_entry_init", entries + index, ffi.sizeof("bempd_history_entry"))
             self._open().call("bempd_get_history_entry", index, entries + index)
         return rows(entries, "bempd_history_entry")[:count]
+
+    def support_history(self, support: int) -> SupportHistory:
+        """What a support did, a row for every line of history(): displacements and forces, shape (n, 2)."""
+        count = int(self._number("bempd_history_count", "int64_t"))
+        displacement, force, before = (np.empty((count, 2)) for _ in range(3))
+        for line in range(count):
+            self._open().call("bempd_get_history_support", line, support, ffi.from_buffer("double[]", displacement[line]),
+                              ffi.from_buffer("double[]", force[line]), ffi.from_buffer("double[]", before[line]))
+        return SupportHistory(displacement, force, before)
 
     def write_snapshot(self, prefix: Union[str, "os.PathLike[str]"]) -> None:
         """Write the present state for ParaView, which opens PREFIX.pvd, the series of all snapshots.
@@ -399,7 +409,7 @@ class Results:
         self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
 
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Write the history with the reactions of all supports as comma-separated values."""
+        """Write history() and support_history() of all supports as comma-separated values."""
         self._open().call("bempd_write_history", arguments.file_name("write_history: path", path))
 
     def write_tips(self, path: Union[str, "os.PathLike[str]"]) -> None:

@@ -35,6 +35,7 @@ NAMES: dict[str, str] = {
     "bempd_history_count": "Model.history",
     "bempd_history_entry_init": "Model.history",
     "bempd_get_history_entry": "Model.history",
+    "bempd_get_history_support": "Model.support_history",
     "bempd_tip_count": "Model.tips",
     "bempd_tip": "Model.tips",
     "bempd_crack_tip_init": "Model.tips",

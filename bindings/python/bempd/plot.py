@@ -113,12 +113,15 @@ def load_displacement(model: Drawable, support: int, component: Optional[Compone
                       displacement: Optional[float] = None, axes: Any = None, label: str = "imposed displacement") -> Any:
     """Draw the force [N] of a support against its displacement [m] over the whole history; returns matplotlib's axes.
 
+    Every event has two points, just before and after it, so that the curve has its peak: the first break is marked before
+    its event, the end of growth after.
+
     component     "x" or "y"; if not given the one that the support prescribes, or of one that only holds the one with the
                   larger force.
-    displacement  of the support [m] per unit of the load factor; if not given what the support prescribes. A support
-                  that moves by no single number has its force drawn over the load factor.
+    displacement  of the support [m] per unit of the load factor; if not given what the support prescribed at each line of
+                  the history. A support that moves by no single number has its force drawn over the load factor.
 
-    The first break and the end of growth are marked. Raises ArgumentError for a support that is not there, OrderError before
+    Raises ArgumentError for a support that is not there, OrderError before
     the first step.
     """
     arguments.whole("load_displacement: support", support)
@@ -134,10 +137,15 @@ def load_displacement(model: Drawable, support: int, component: Optional[Compone
     if not history.size:
         raise OrderError("load_displacement: there is no history yet; step first")
     chosen: str = component or mark.component or max("xy", key=lambda c: float(np.abs(history[f"reaction_{c}_{support}"]).max()))
-    if displacement is None and (mark.component == chosen or mark.component is None):
-        displacement = mark.proportional or None
-    imposed = history["load_factor"] * (1.0 if displacement is None else displacement)
-    force = history[f"reaction_{chosen}_{support}"]
+    moved = history[f"displacement_{chosen}_{support}"] if mark.proportional is not None else np.zeros(len(history))
+    if displacement is not None:
+        imposed = history["load_factor"] * displacement
+    else:
+        is_moved = np.isfinite(moved).all() and bool(moved.any())
+        imposed = moved if is_moved else history["load_factor"]
+        displacement = 1.0 if is_moved else None
+    imposed, force, before, after = load_curve(history, imposed, history[f"reaction_before_{chosen}_{support}"],
+                                               history[f"reaction_{chosen}_{support}"])
     force = force * np.sign(force[np.argmax(np.abs(force))])
     to_length, length_unit = (1.0, "-") if displacement is None else engineering(float(np.abs(imposed).max()), "m")
     to_force, force_unit = engineering(float(np.abs(force).max()), "N")
@@ -146,11 +154,11 @@ def load_displacement(model: Drawable, support: int, component: Optional[Compone
     if axes is None:
         with plt.rc_context(STYLE):
             axes = plt.subplots(figsize=(4.6, 3.2), layout="constrained")[1]
-    axes.plot(np.append(0, x), np.append(0, y), color=CURVE, linewidth=1.3, zorder=2)
+    axes.plot(x, y, color=CURVE, linewidth=1.3, zorder=2)
     broken = history["total_broken_bonds"]
     if broken[-1] > 0:
         at = "" if displacement is None else f" {length_unit}"
-        marks = (("first break", "o", np.argmax(broken > 0)), ("end of growth", "s", np.argmax(broken >= broken[-1])))
+        marks = (("first break", "o", before[np.argmax(broken > 0)]), ("end of growth", "s", after[np.argmax(broken >= broken[-1])]))
         for text, marker, row in marks:
             axes.plot(x[row], y[row], marker, color=MARK, markersize=5, zorder=3, clip_on=False,
                       label=f"{text}: {x[row]:.4g}{at}, {y[row]:.3g} {force_unit}")
@@ -161,6 +169,29 @@ def load_displacement(model: Drawable, support: int, component: Optional[Compone
     axes.grid(color="#dddddd", linewidth=0.5)
     axes.set_axisbelow(True)
     return axes
+
+
+def load_curve(history: Any, imposed: Any, before: Any, after: Any) -> tuple[Any, Any, list[int], list[int]]:
+    """Points of a curve from zero through all lines of a history, with the state before each event where that was in
+    equilibrium: places, forces, and by lines the numbers of the points before and after.
+
+    Where bonds are stretched beyond what they bear when an event comes, as at the end of an increment, the body was in
+    equilibrium last where they just reached that, on the straight line from the line before.
+    """
+    places, forces, points_before, points_after = [0.0], [0.0], [], []
+    start = 0.0
+    for line, entry in enumerate(history):
+        end, critical = entry["load_factor"], entry["critical_load_factor"]
+        share = 1.0 if entry["stretch_ratio"] <= 1 + 1e-9 else (critical - start) / (end - start) if end != start else 0.0
+        if entry["event"] > 0 and 0 < share <= 1:
+            places.append(places[-1] + share * (imposed[line] - places[-1]))
+            forces.append(forces[-1] + share * (before[line] - forces[-1]))
+        points_before.append(len(places) - 1)
+        places.append(imposed[line])
+        forces.append(after[line])
+        points_after.append(len(places) - 1)
+        start = end
+    return np.array(places), np.array(forces), points_before, points_after
 
 
 class Movie:

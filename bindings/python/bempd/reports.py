@@ -266,6 +266,14 @@ class EdgeReaction(NamedTuple):
     moment: float  #: positive counter-clockwise [N m]
 
 
+class SupportHistory(NamedTuple):
+    """What a support did, line by line of the history."""
+
+    displacement: npt.NDArray[np.float64]  #: shape (n, 2), the mean over its nodes; NaN where it leaves them free [m]
+    force: npt.NDArray[np.float64]  #: shape (n, 2), that it exerts on the body [N]
+    force_before: npt.NDArray[np.float64]  #: shape (n, 2), the same just before the line's event [N]
+
+
 class EdgeNodes(NamedTuple):
     """Nodes along an edge, from its start to its end."""
 

@@ -34,11 +34,12 @@ const Event* ContactEvents::next(double target, const SteppingOptions& /*options
 Outcome ContactEvents::perform() {
   Outcome outcome;
   outcome.work_before = body_.move_to(event_.load_factor);
-  const double stored_before = body_.stored_energy();
+  const double stored_before = body_.stored_energy(), unbalanced_before = body_.unbalanced_share();
   const LoadedBody::Settled settled = body_.settle_contacts(direction_);
   outcome.switches = settled.switched;
   outcome.fragments = settled.fragments;
   body_.update_ratios();
+  if (settled.fragments > 0) outcome.lost_balance = {unbalanced_before, body_.unbalanced_share()};
   outcome.comes_free = !settled.held.empty();
   if (!outcome.comes_free) return outcome;
   // A part that nothing but closed faces held takes its loads along, and faces that press on it let go at once.

@@ -168,11 +168,13 @@ Outcome WindowEvents::perform() {
   outcome.ties = foreseen.ties;
   outcome.released_energy = foreseen.released;
   outcome.bond_energy = foreseen.released / (event.ratio * event.ratio);
+  outcome.stored_energy_before = foreseen.before.at(event.load_factor);
   outcome.stored_energy = foreseen.after.at(event.load_factor);
   outcome.critical_stored_energy = foreseen.after.at(event.critical_load_factor);
   outcome.unit_energy = foreseen.after.unit();
   outcome.residual = lookahead_.residual();
   outcome.energy_scale = least_energy_scale(body_.system(), event.load_factor);
+  outcome.reactions_before = foreseen.reactions_before;
   outcome.reactions = foreseen.reactions;
   state.load_factor = event.load_factor;
   outcome.resistance_before = body_.resistance(foreseen.reactions_before);

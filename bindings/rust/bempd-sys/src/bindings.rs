@@ -1374,7 +1374,9 @@ pub const BEMPD_STOP_LOAD_FACTOR: bempd_stop_reason = 1;
 pub const BEMPD_STOP_EVENT: bempd_stop_reason = 2;
 /// The body is separated: what carried load between supports and loads, proportional or constant,
 /// bears nothing any more; or less than the option stepping.separation_share of the largest force
-/// so far, and the bonds that are left break under larger loads only (`hanging`).
+/// so far, and the bonds that are left break under larger loads only (`hanging`); or a part has
+/// taken its loads along which other loads had balanced, so that supports that had borne a tenth of
+/// the loads at most would have to bear more.
 pub const BEMPD_STOP_SEPARATED: bempd_stop_reason = 3;
 /// No bond can break however far the load factor goes in this direction.
 pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
@@ -1466,7 +1468,8 @@ pub struct bempd_step_report {
     /// force that the body bore after the last event: half of the sum of the magnitudes of all
     /// support forces and nodal loads, the pull in a tensile test; 0 before the first event \[N\]
     pub resistance: f64,
-    /// the largest that it bore in equilibrium just before an event \[N\]
+    /// the largest that it bore in equilibrium just before an event, until it is separated: the
+    /// largest resistance_before of the history \[N\]
     pub peak_resistance: f64,
     /// 1 if it is separated, but bonds still connect what is held and loaded: a hinge, which bears
     /// nothing, or less than the option stepping.separation_share of the peak
@@ -2892,6 +2895,18 @@ pub struct bempd_history_entry {
     pub critical_stored_energy: f64,
     /// energy that bonds broken so far take where they just reach their critical stretch \[J\]
     pub bond_energy: f64,
+    /// load factor \[-\]
+    pub load_factor_before: f64,
+    /// elastic energy \[J\]
+    pub stored_energy_before: f64,
+    /// work of loads and supports until then \[J\]
+    pub work_before: f64,
+    /// force that the body bears in equilibrium: half of the sum of the magnitudes of all support
+    /// forces and nodal loads, divided by stretch_ratio where that is above 1; the largest before
+    /// the body is separated is peak_resistance of reports \[N\]
+    pub resistance_before: f64,
+    /// the same sum after the event \[N\]
+    pub resistance: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -2927,6 +2942,30 @@ extern "C" {
         model: *const bempd_model,
         index: i64,
         entry: *mut bempd_history_entry,
+    ) -> bempd_status;
+}
+extern "C" {
+    /// What a support did at a line of the history. Its displacement just before the line's event
+    /// is the same as at the line: events happen at constant load.
+    ///
+    /// * model \[in\]: the model
+    /// * index \[in\]: 0 .. count-1
+    /// * support \[in\]: id of a support
+    /// * displacement \[out\]: shape \[2\], by which it moves the body, the mean over its nodes; NaN for
+    ///   a component that it leaves free \[m\]; may be NULL
+    /// * force \[out\]: shape \[2\], resultant that it exerts on the body, as bempd_reaction() \[N\]; may
+    ///   be NULL
+    /// * force_before \[out\]: shape \[2\], the same just before the line's event, beyond equilibrium
+    ///   where stretch_ratio is above 1; at the end of a step as force \[N\]; may be NULL
+    /// * return: status
+    /// * since: 0.3
+    pub fn bempd_get_history_support(
+        model: *const bempd_model,
+        index: i64,
+        support: i32,
+        displacement: *mut f64,
+        force: *mut f64,
+        force_before: *mut f64,
     ) -> bempd_status;
 }
 extern "C" {
@@ -3095,7 +3134,9 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Write the history with the reactions of all supports as comma-separated values.
+    /// Write the history as comma-separated values: the members of bempd_history_entry, and of
+    /// every support what bempd_get_history_support() tells (reaction_x_1, reaction_before_x_1,
+    /// displacement_x_1 and so on).
     ///
     /// * model \[in\]: the model
     /// * path \[in\]: file name, UTF-8

@@ -68,7 +68,7 @@ pub use reports::{
     CrackExtension, CrackTip, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress, Singularity, Statistics,
     StepReport, TipRecord,
 };
-pub use results::{Bond, CrackOpening, EdgeReaction, Elements, PointValues};
+pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};
 
 /// Version of the library as "major.minor.patch".
 pub fn version() -> &'static str {

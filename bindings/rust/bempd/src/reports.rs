@@ -375,6 +375,16 @@ mirror! {
         critical_stored_energy: f64,
         /// What bonds broken so far take where they just reach their critical stretch [J].
         bond_energy: f64,
+        /// Just before the event, at the end of a step there: load factor [-].
+        load_factor_before: f64,
+        /// The same: elastic energy [J].
+        stored_energy_before: f64,
+        /// The same: work of loads and supports [J].
+        work_before: f64,
+        /// The same: force that the body bears in equilibrium; the largest is `peak_resistance` of reports [N].
+        resistance_before: f64,
+        /// Force that it bears after the event [N].
+        resistance: f64,
     }
 }
 

@@ -41,6 +41,17 @@ pub struct EdgeReaction {
     pub moment: f64,
 }
 
+/// What a support did at a line of the history.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HistorySupport {
+    /// By which it moves the body, the mean over its nodes; NaN for a component that it leaves free [m].
+    pub displacement: [f64; 2],
+    /// That it exerts on the body [N].
+    pub force: [f64; 2],
+    /// The same just before the line's event [N].
+    pub force_before: [f64; 2],
+}
+
 /// Openings of a crack, one entry a place: displacement of its left face less that of its right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrackOpening {
@@ -376,6 +387,12 @@ impl Model {
     /// A line of the history, from 0.
     pub fn history_entry(&self, index: usize) -> Result<HistoryEntry> {
         Ok(HistoryEntry::from_raw(&self.handle.history_entry(index as i64)?))
+    }
+
+    /// What a support did at a line of the history, from 0.
+    pub fn history_support(&self, index: usize, support: SupportId) -> Result<HistorySupport> {
+        let [displacement, force, force_before] = self.handle.history_support(index as i64, support.0)?;
+        Ok(HistorySupport { displacement, force, force_before })
     }
 
     /// The whole history.

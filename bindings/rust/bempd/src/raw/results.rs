@@ -117,6 +117,16 @@ impl Handle {
         self.output(|model, moment| unsafe { sys::bempd_reaction_moment(model, support, x, y, moment) })
     }
 
+    /// Displacement, force, and force before.
+    pub(crate) fn history_support(&self, index: i64, support: i32) -> Result<[[f64; 2]; 3]> {
+        let mut values = [[0.0; 2]; 3];
+        let [displacement, force, before] = values.each_mut().map(|pair| pair.as_mut_ptr());
+        self.call(|model| unsafe {
+            sys::bempd_get_history_support(model, index, support, displacement, force, before)
+        })?;
+        Ok(values)
+    }
+
     pub(crate) fn admissible_load_factors(&self) -> Result<(f64, f64)> {
         let (mut lowest, mut highest) = (0.0, 0.0);
         self.call(|model| unsafe { sys::bempd_admissible_load_factors(model, &mut lowest, &mut highest) })?;
