@@ -8,7 +8,7 @@ enum {
   offset_load_factor = 16 + 3 * 8,
   offset_in_equilibrium = offset_load_factor + 8,
   offset_events = offset_in_equilibrium + 2,
-  offset_arrays = offset_events + 3 * 8 + 13 * 8
+  offset_arrays = offset_events + 3 * 8 + 14 * 8
 };
 enum {
   displacement,
@@ -28,7 +28,7 @@ enum {
   closed_inside,
   array_count
 };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 44, 136, 8, 8, 8, 129, 20, 1, 1};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 53, 136, 8, 8, 8, 129, 20, 1, 1};
 
 typedef struct bytes {
   uint8_t* data;
