@@ -410,6 +410,9 @@ contains
     type(bempd_model) :: model
     type(bempd_growth) :: growth
     type(bempd_crack_extension), allocatable :: found(:)
+    type(bempd_path_vertex), allocatable :: path(:)
+    real(dp) :: length
+    integer(c_int64_t) :: cracks
     integer(c_int32_t) :: material, crack
     integer :: stat
     character(200) :: message
@@ -428,6 +431,14 @@ contains
     call check(found(1)%end == BEMPD_CRACK_END .and. abs(found(1)%x - .4_dp) < 1e-6_dp, "it is the one that is not frozen")
     call check(abs(found(1)%energy_release_rate_before - 1) < 1e-9_dp, "it grows at its fracture energy")
     call check(abs(found(1)%length - growth%length) < 1e-12_dp, "the lengths are the same")
+    call model%crack_count(cracks)
+    call model%crack_length(crack, length)
+    call model%crack_path(crack, path)
+    call check(cracks == 1 .and. abs(length - .7_dp) < 1e-6_dp, "the crack is longer")
+    call check(size(path) == 3 .and. path(3)%event == 1 .and. path(3)%end == BEMPD_CRACK_END, "its path tells who grew")
+    call check(abs(path(3)%stress_intensity_1 - 1) < 1e-6_dp, "and by which stress intensity factor")
+    call model%crack_path(2, path, stat=stat, errmsg=message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_crack_path_count: ")
     call model%set_tip_frozen(2, BEMPD_CRACK_START, .true., stat, message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_tip_frozen: ")
   end subroutine cracks_grow_where_they_are_not_frozen
