@@ -146,6 +146,8 @@ int32_t build_plate(Model& model, int horizon_ratio, double half_length) {
 bempd_crack_tip tip_in_elements(double half_length, double load_factor) {
   BondModel model;
   build_plate(model, 0, half_length);
+  for (const int32_t end : {BEMPD_CRACK_START, BEMPD_CRACK_END})
+    model.check(bempd_set_tip_frozen(model.get(), 1, end, 1));
   model.step(load_factor);
   return tips(model)[1];
 }
