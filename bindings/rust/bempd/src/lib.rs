@@ -65,8 +65,8 @@ pub use model::Model;
 pub use options::{options, OptionInfo, OptionKind};
 pub use raw::{State, View};
 pub use reports::{
-    CrackExtension, CrackTip, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress, Singularity, Statistics,
-    StepReport, TipRecord,
+    CrackExtension, CrackTip, Growth, HistoryEntry, PathVertex, PhaseProgress, Piece, Progress, Singularity,
+    Statistics, StepReport, TipRecord,
 };
 pub use results::{Bond, CrackOpening, EdgeReaction, Elements, HistorySupport, PointValues};
 
