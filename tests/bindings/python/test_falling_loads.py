@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import pathlib
+import random
+import sys
+
 import numpy as np
 import pytest
 
 import bempd
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "differential"))
+import random_scenes  # noqa: E402
 
 MIRRORED = ("load_factor", "critical_load_factor")
 COLUMNS = ("total_broken_bonds", "stored_energy", "released_energy", "work", "stretch_ratio", *MIRRORED)
@@ -96,3 +103,54 @@ def test_a_tip_that_is_overloaded_goes_on_wherever_the_load_factor_goes() -> Non
     first = model.step_to_next_event(1e3)
     back = model.step_to_next_event(-1e3)
     assert back.stop_reason == bempd.StopReason.EVENT and back.load_factor == first.load_factor
+
+
+def up_and_down(seed: int, solver: str) -> list[tuple[float, int, float]]:
+    """Load factor, bonds and energy of a random scene whose load falls, to below zero in most, and rises again."""
+    random_scenes.LINES = True
+    model, _, _ = random_scenes.build(seed, solver)
+    choose = random.Random(7 * seed + 1)
+    found = []
+
+    def add(report: bempd.StepReport) -> bempd.StepReport:
+        found.append((report.load_factor, report.total_broken_bonds, report.stored_energy))
+        return report
+
+    for _ in range(2):
+        for _ in range(choose.randrange(1, 6)):
+            report = add(model.step_to_next_event(1e9))
+            if report.stop_reason != bempd.StopReason.EVENT:
+                return found
+        reached = report.load_factor
+        add(model.step(choose.choice((0.5, 0.0, -0.3, -1.0)) * reached))
+        if choose.random() < 0.5:
+            add(model.step(0.5 * reached))
+    for _ in range(6):
+        if add(model.step_to_next_event(1e9)).stop_reason != bempd.StopReason.EVENT:
+            break
+    return found
+
+
+# Where bonds were critical while the load factor fell they broke as it rose again, in windows and without in other numbers.
+@pytest.mark.parametrize("seed", [40, 150, 390, 446, 705, 894, 1030, 1150])
+def test_after_the_load_fell_windows_break_the_bonds_of_the_whole_body(seed: int) -> None:
+    plain, window = up_and_down(seed, "plain"), up_and_down(seed, "window")
+    assert [bonds for _, bonds, _ in plain] == [bonds for _, bonds, _ in window]
+    for (f, _, energy), (g, _, other) in zip(plain, window):
+        assert f == pytest.approx(g, rel=1e-7, abs=1e-9 * max(abs(p[0]) for p in plain))
+        assert energy == pytest.approx(other, abs=1e-6 * max(p[2] for p in plain))
+
+
+@pytest.mark.parametrize("crack", [True, False])
+@pytest.mark.parametrize("through", [0.0, -0.05])
+def test_a_load_that_goes_through_zero_and_back_without_a_break_leaves_the_same_state(crack: bool, through: float) -> None:
+    model = plate(1, 0, crack, pd_contact="faces")
+    for _ in range(3):
+        reached = model.step_to_next_event(1e3).load_factor
+    there = model.step(0.3 * reached)
+    for _ in range(2):
+        model.step(through * reached)
+        back = model.step(0.3 * reached)
+        assert back.total_broken_bonds == there.total_broken_bonds
+        assert back.stored_energy == pytest.approx(there.stored_energy, rel=1e-9)
+        assert back.closed_places == there.closed_places
