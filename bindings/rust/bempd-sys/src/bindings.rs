@@ -1443,8 +1443,8 @@ pub struct bempd_step_report {
     /// work of loads and supports since the beginning, without what then would have become motion
     /// \[J\]
     pub work: f64,
-    /// \|work - stored - released\| over the largest work so far, worst of all events \[-\]; not small
-    /// in scheme paper, whose stiffness is unsymmetric
+    /// \|work - stored - released\| over the largest work so far, worst of all events, at most 2e-10
+    /// in the library's tests \[-\]; not small in scheme paper, whose stiffness is unsymmetric
     pub energy_balance_error: f64,
     /// largest unbalanced force at the end over the largest internal nodal force so far, or over
     /// 1e-5 of the largest stiffness times the displacement of what holds the body, or over 1e-6 of

@@ -1,11 +1,12 @@
 """How far work and energies are apart at most: the largest energy_balance_error of runs of many kinds, with the scene that
-has it, held to the bounds that tests/claims.json has.
+has it, held to the bound that tests/claims.json has.
 
-    energy_balance.py [--first SEED] [--count N] [--summaries OUT]
+    tests/claims/energy_balance.py [--first SEED] [--count N] [--summaries OUT]
 
-Ordinary scenes are strips torn at their first events' loads, and cracks that grow in boundary elements; random ones are those of
-random_scenes.py and pressed_plates.py, whose parts hang on a few bonds or come free. What breaks at more than 1e5 times the
-first load has lost as many digits and is left out there. With --summaries those that the examples left in OUT are read too."""
+Scenes are strips that are torn in two, cracks that grow in boundary elements, and those of random_scenes.py and
+pressed_plates.py, whose parts hang on a few bonds or come free. What breaks at more than 1e5 times the first load has lost as many
+digits and is left out there. The largest error has the strip under a dead load whose bonds break one by one: its halves hang on
+single bonds before they part, and more closely with finer lattices (4.7e-10 at 0.25 mm). With --summaries those that the examples left in OUT are read too."""
 
 from __future__ import annotations
 
@@ -16,20 +17,22 @@ import pathlib
 import sys
 from typing import Callable, Iterator
 
-import pressed_plates
-import random_scenes
-
 import bempd
 
-CLAIMS = json.loads((pathlib.Path(__file__).resolve().parents[1] / "claims.json").read_text(encoding="utf-8"))["claims"]
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS / "differential"))
+import pressed_plates  # noqa: E402
+import random_scenes  # noqa: E402
+
+CLAIMS = json.loads((TESTS / "claims.json").read_text(encoding="utf-8"))["claims"]
 
 
-def strip(rule: str, **options: str) -> tuple[bempd.Model, int]:
-    """README's strip with a lattice twice as coarse."""
+def strip(rule: str, spacing: float = 0.001, **options: str) -> tuple[bempd.Model, int]:
+    """README's strip, by default with a lattice twice as coarse."""
     model = bempd.Model(options={"pd.crack_rule": rule, **{name.replace("__", "."): value for name, value in options.items()}})
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     left = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.02, 0.02), element_length=0.01)
-    model.add_pd_region(acrylic, bempd.rectangle(0.02, 0, 0.04, 0.02), spacing=0.001, horizon_ratio=3)
+    model.add_pd_region(acrylic, bempd.rectangle(0.02, 0, 0.04, 0.02), spacing=spacing, horizon_ratio=3)
     right = model.add_bem_region(acrylic, bempd.rectangle(0.04, 0, 0.06, 0.02), element_length=0.01)
     model.add_crack([(0.0295, 0), (0.0295, 0.0045)])
     model.fix_edge(left, 4)
@@ -43,9 +46,10 @@ def strips() -> Iterator[tuple[str, float]]:
                 model, right = strip(rule, stepping__control=control, stepping__solver=solver)
                 model.prescribe_edge(right, 2, "x", 1e-6)
                 yield f"strip, {rule}, {control}, {solver}", model.run_to_separation(1e4).energy_balance_error
-        model, right = strip(rule)
-        model.add_traction(right, 2, "x", 1e4)
-        yield f"strip under a dead load, {rule}", model.run_to_separation(1e4).energy_balance_error
+        for spacing in (0.001, 0.0005):
+            model, right = strip(rule, spacing)
+            model.add_traction(right, 2, "x", 1e4)
+            yield f"strip under a dead load, {rule}, {spacing:g} m", model.run_to_separation(1e4).energy_balance_error
         model, right = strip(rule)
         model.prescribe_edge(right, 2, "x", 1e-6)
         yield f"strip in cycles, {rule}", model.run_program(range(1, 7), [60, 0, 110, -40, 130, 0]).energy_balance_error
@@ -99,10 +103,10 @@ def summaries(folder: pathlib.Path) -> Iterator[tuple[str, float]]:
                     yield f"example {table.parent.name}, {row['case']}", float(row["value"])
 
 
-def largest(kind: str, claim: str, runs: Iterator[tuple[str, float]]) -> bool:
+def largest(kind: str, runs: Iterator[tuple[str, float]]) -> bool:
     found = list(runs)
     scene, error = max(found, key=lambda one: one[1])
-    bound = float(CLAIMS[claim]["bound"])
+    bound = float(CLAIMS["energy_balance"]["bound"])
     print(f"{kind}: {len(found)} runs, largest energy balance error {error:.2g} ({scene}), bound {bound:g}", flush=True)
     return error <= bound
 
@@ -114,11 +118,11 @@ def main() -> int:
     parser.add_argument("--summaries", type=pathlib.Path)
     given = parser.parse_args()
     ordinary: list[tuple[str, Callable[[], Iterator[tuple[str, float]]]]] = [("strips", strips), ("grown cracks", grown_cracks)]
-    good = [largest(kind, "energy_balance", runs()) for kind, runs in ordinary]
+    good = [largest(kind, runs()) for kind, runs in ordinary]
     if given.summaries:
-        good.append(largest("examples", "energy_balance", summaries(given.summaries)))
-    good.append(largest("random scenes", "energy_balance_anywhere", random_bodies(given.first, given.count)))
-    good.append(largest("pressed plates", "energy_balance_anywhere", random_plates(given.first, given.count)))
+        good.append(largest("examples", summaries(given.summaries)))
+    good.append(largest("random scenes", random_bodies(given.first, given.count)))
+    good.append(largest("pressed plates", random_plates(given.first, given.count)))
     return 0 if all(good) else 1
 
 
