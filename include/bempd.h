@@ -800,10 +800,10 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  * goes in fixed increments instead (option stepping.increment), and at the end of each every bond that exceeds its
  * critical stretch breaks.
  *
- * Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that reaches its toughness
- * first, there or in a lattice, goes on by a straight piece. The library chooses its length from the length of the crack
- * and the way to what is near, or the option growth.step says it. bempd_set_tip_frozen() keeps a tip where it is. With
- * stepping.mode = "paper" these cracks stay as they are.
+ * Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that reaches its
+ * toughness first, there or in a lattice, goes on by a straight piece. The library chooses its length from the length
+ * of the crack and the way to what is near, or the option growth.step says it. bempd_set_tip_frozen() keeps a tip where
+ * it is. With stepping.mode = "paper" these cracks stay as they are.
  *
  * Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that the
  * body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the load factor
@@ -1224,7 +1224,8 @@ typedef enum bempd_tip_method {
  * and grows at either: there it reaches its toughness in the direction in which it goes on, by the option
  * growth.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
  * grows at the present load factor, unless stepping.control is path. If it grows at every load factor the first is the
- * largest double and the second minus that.
+ * largest double and the second minus that. A tip with elements that has stopped at an interface grows at none. Those
+ * of a frozen tip are as if it were free.
  *
  * In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those that grow, also of
  * cracks that began in the run; the load factors and angles of growth are what the next step will do. Bond by bond

@@ -7,6 +7,7 @@
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "geometry/segment.hpp"
+#include "model/element_growth.hpp"
 #include "model/growth_options.hpp"
 #include "model/model.hpp"
 #include "number_range.hpp"
@@ -28,6 +29,12 @@ void complete(regions::TipValues& tip, KinkCriterion criterion) {
   tip.critical_load_factor_down = in_range(range.lowest);
   if (std::isfinite(range.highest)) tip.critical_kink_angle = kink_of(factors.at(range.highest), criterion).angle;
   tip.straight_load_factor = straight_load_factor(factors.constant, factors.proportional, tip.toughness);
+}
+
+void never_grows(regions::TipValues& tip) {
+  tip.critical_load_factor = std::numeric_limits<double>::max();
+  tip.critical_load_factor_down = -tip.critical_load_factor;
+  tip.critical_kink_angle = regions::TipValues::unknown;
 }
 
 // Where no ring fits: the factors by which the tip grows.
@@ -69,6 +76,8 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
 
 std::vector<regions::TipValues> Model::compute_tips() const {
   std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
+  for (regions::TipValues& tip : all)
+    if (has_stopped(tip.crack, tip.end, prepared_->evolution->progress().extensions)) never_grows(tip);
   const std::vector<regions::TipValues> in_lattices =
       prepared_->evolution->grows_lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 
 #include "closing_cracks.hpp"
@@ -353,6 +354,8 @@ TEST(DrivenCracks, stop_before_an_interface) {
   EXPECT_EQ(last.state, crack::TipState::at_interface);
   EXPECT_LT(last.x, 2);
   EXPECT_GT(last.x, 1.7);
+  ASSERT_EQ(model->tips().size(), 1U);
+  EXPECT_EQ(model->tips()[0].critical_load_factor, std::numeric_limits<double>::max());
   // Steps go on without that tip.
   EXPECT_EQ(model->advance(11, Goal::load_factor).reason, StopReason::load_factor);
   EXPECT_EQ(model->advance(12, Goal::separation).reason, StopReason::no_further_event);

@@ -2336,7 +2336,8 @@ pub type bempd_tip_method = ::std::os::raw::c_uint;
 /// which it goes on, by the option growth.criterion, if until then no faces close or open and
 /// nothing else grows. A tip that is beyond them already grows at the present load factor, unless
 /// stepping.control is path. If it grows at every load factor the first is the largest double and
-/// the second minus that.
+/// the second minus that. A tip with elements that has stopped at an interface grows at none. Those
+/// of a frozen tip are as if it were free.
 ///
 /// In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those
 /// that grow, also of cracks that began in the run; the load factors and angles of growth are what
