@@ -195,6 +195,9 @@ class CrackEvolution {
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;
+  // Where both parts of the loads cancel these energies are known to a share of those of the parts only, by which they
+  // are measured at least.
+  double least_scale_within(double load_factor) const;
   double work_that_moves(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book_lines(const Outcome& outcome, double released_energy);

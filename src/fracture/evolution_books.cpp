@@ -97,7 +97,7 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale,
   line.stored_energy = in_range(line.stored_energy + within(state_.load_factor));
   line.work = work();
   state_.largest_work = std::max(state_.largest_work, std::abs(line.work));
-  const double scale = std::max(state_.largest_work, energy_scale);
+  const double scale = std::max({state_.largest_work, energy_scale, least_scale_within(state_.load_factor)});
   line.energy_balance_error = scale > 0 ? difference / scale : difference;
   if (!std::isfinite(line.energy_balance_error)) line.energy_balance_error = 0;  // of energies that are lost
   const auto is_finite = [](double value) { return std::isfinite(value); };

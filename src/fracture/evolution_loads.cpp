@@ -85,6 +85,12 @@ double CrackEvolution::within(double load_factor) const {
   return open + system_.work_at_closed_faces(coupling::evaluate(state_.displacement, load_factor), load_factor);
 }
 
+double CrackEvolution::least_scale_within(double load_factor) const {
+  constexpr double accuracy = 1e-9;
+  const Eigen::Vector2d loads(1, std::abs(load_factor));
+  return accuracy * 0.5 * loads.dot(work_within_.cwiseAbs() * loads);
+}
+
 // Loads may leave the body as it was: what they have done until then measures what work and energies differ by.
 void CrackEvolution::measure_work() { state_.largest_work = std::max(state_.largest_work, std::abs(work())); }
 
