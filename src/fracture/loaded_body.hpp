@@ -128,6 +128,7 @@ class LoadedBody {
  private:
   void apply_load();
   void bar_contacts_of_held_parts();
+  double farther_on(double share, double direction) const;
   std::vector<char> nodes_of_held_parts();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
   // What is left of them, and the forces of the fluid.

@@ -1,7 +1,7 @@
 """Random bodies of boundary element and peridynamic boxes, torn with windows and without: both must break the same bonds at
 the same loads, with equilibrium and energy balance held to stated bounds.
 
-    random_scenes.py [--first SEED] [--count N] [--also SEED ...] [--ratio NU] [--outlined] [--lines] [--verbose]
+    random_scenes.py [--first SEED] [--count N] [--also SEED ...] [--ratio NU] [--outlined] [--lines] [--elements] [--verbose]
 
 A scene follows from its number alone. Prints one line for every scene that fails and a summary; exits with 1 if any does."""
 
@@ -32,6 +32,7 @@ SMALL_ENERGY = 1e-15
 EVENTS = 40
 POISSON_RATIO = 1 / 3
 OUTLINED = False  # lattices in any direction, with points on their outline
+ELEMENTS = False  # boxes of boundary elements have cracks, too
 LINES = False  # all cracks grow as lines, else every second scene's; and no scene ends in an error that has none bond by bond
 
 
@@ -59,6 +60,17 @@ def add_cracks(model: bempd.Model, boxes: list[tuple[int, int]], columns: list[s
             model.add_crack([(x, low), (far, high)])
 
 
+def add_cracks_with_elements(model: bempd.Model, boxes: list[tuple[int, int]], columns: list[str], height: int,
+                             choose: random.Random) -> None:
+    """One in each box that has room for it, inside or from its upper edge."""
+    for (left, right), kind in zip(boxes, columns):
+        if kind == "lattice" or right - left < 5 or height < 6 or choose.random() < 0.2:
+            continue
+        x, slant = choose.uniform(left + 2, right - 2), choose.uniform(-0.4, 0.4)
+        low, high = choose.uniform(1.5, 0.4 * height), choose.choice((height, choose.uniform(0.55 * height, height - 1.5)))
+        model.add_crack([(x, high), (min(max(x + slant * (high - low), left + 1), right - 1), low)])
+
+
 def add_hole(model: bempd.Model, regions: list[int], boxes: list[tuple[int, int]], columns: list[str], height: int,
              choose: random.Random) -> None:
     for region, (left, right), kind in zip(regions, boxes, columns):
@@ -74,7 +86,9 @@ def build(seed: int, solver: str, rule: str = "line") -> tuple[bempd.Model, int,
     options |= {"pd.crack_rule": rule if LINES or seed % 2 == 0 else "bond"}
     options |= {"pd.contact": "rough" if seed % 3 == 0 else "faces"}
     model = bempd.Model(options=options)
-    glass = model.add_material(young_modulus=1, poisson_ratio=POISSON_RATIO, critical_stretch=1e-3)
+    # A fracture energy belongs to cracks with elements; with it a bond of three spacings' horizon breaks at about 1e-3.
+    breaks = {"fracture_energy": 1.6e-6} if ELEMENTS else {"critical_stretch": 1e-3}
+    glass = model.add_material(young_modulus=1, poisson_ratio=POISSON_RATIO, **breaks)
     height, horizon = choose.randrange(4, 16), choose.choice((3, 4) if OUTLINED else (2, 3, 3, 4))
     columns = [choose.choice(("lattice", "lattice", "boundary")) for _ in range(choose.randrange(1, 5))]
     boxes, x = [], 0
@@ -96,6 +110,8 @@ def build(seed: int, solver: str, rule: str = "line") -> tuple[bempd.Model, int,
     if OUTLINED:
         add_hole(model, regions, boxes, columns, height, choose)
     add_cracks(model, boxes, columns, height, choose)
+    if ELEMENTS:
+        add_cracks_with_elements(model, boxes, columns, height, random.Random(seed))
     supports = add_conditions(model, regions, columns, height, boxes, choose, -1 if seed % 5 == 0 else 1)
     return model, supports, choose.choice((1.0, 1.0, 3.0))
 
@@ -213,7 +229,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
 
 
 def arguments_with(count: int) -> argparse.Namespace:
-    global POISSON_RATIO, OUTLINED, LINES
+    global POISSON_RATIO, OUTLINED, LINES, ELEMENTS
     parser = argparse.ArgumentParser()
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--count", type=int, default=count)
@@ -221,9 +237,10 @@ def arguments_with(count: int) -> argparse.Namespace:
     parser.add_argument("--ratio", type=float, default=POISSON_RATIO, help="Poisson's ratio")
     parser.add_argument("--outlined", action="store_true", help="points on outlines, lattices turned")
     parser.add_argument("--lines", action="store_true", help="all cracks grow as lines")
+    parser.add_argument("--elements", action="store_true", help="cracks with boundary elements, too")
     parser.add_argument("--verbose", action="store_true")
     arguments = parser.parse_args()
-    POISSON_RATIO, OUTLINED, LINES = arguments.ratio, arguments.outlined, arguments.lines
+    POISSON_RATIO, OUTLINED, LINES, ELEMENTS = arguments.ratio, arguments.outlined, arguments.lines, arguments.elements
     return arguments
 
 

@@ -18,6 +18,12 @@ namespace {
 // Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
 constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 
+// Where faces part or meet all at once, as under a pressure that just vanishes, what tells open places from closed ones
+// may be rounding, which has no solution. After so many rounds places are asked for as they are a little farther on the
+// way: by this share of the load factor at first, and ten times as far each time that this does not end either.
+constexpr std::int64_t rounds_at_rounding = 2;
+constexpr double farther_at_first = 1e-8, farthest = 1e-6;
+
 // Which places a round of Newton's method switches: all that are wrong, until it comes back to the same places; from
 // then on one at a time, by the least number, until fewer are wrong than ever before, and all again for some rounds.
 // One by one alone ends (Murty 1974), but after very many rounds; so both do after few (Judice and Pires 1994).
@@ -127,19 +133,33 @@ void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t changes) {
   changes_that_bar_ = changes;
 }
 
+// By a share of the load factor or, near none, of the one at which both parts of the displacement are as large.
+double LoadedBody::farther_on(double share, double direction) const {
+  const double f = state_.load_factor, proportional = state_.displacement.col(1).lpNorm<Eigen::Infinity>();
+  if (share == 0 || proportional == 0) return f;
+  const double size = std::abs(f) + state_.displacement.col(0).lpNorm<Eigen::Infinity>() / proportional;
+  return f + (direction < 0 ? -1 : 1) * share * size;
+}
+
 LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   // Newton's method, as the energy is convex and once differentiable.
   Settled result;
   Rounds rounds;
+  double farther = 0;
   const std::size_t places = system_.contacts().size() + system_.face_count();
   const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
+  const std::int64_t patience = newton_rounds + rounds_at_rounding * static_cast<std::int64_t>(places);
   for (std::int64_t round = 0;; ++round) {
+    if (round > 0 && round % patience == 0 && farther < farthest) {
+      farther = farther == 0 ? farther_at_first : 10 * farther;
+      rounds = Rounds();
+    }
+    const double at = farther_on(farther, direction);
     bar_contacts_of_held_parts();
     const coupling::Contacts& contacts = system_.contacts();
-    std::vector<int> wrong = wrong_places(contacts, state_.displacement, state_.load_factor, direction);
+    std::vector<int> wrong = wrong_places(contacts, state_.displacement, at, direction);
     // Where nothing else tells, loads grow.
-    std::vector<int> inside =
-        wrong_faces(system_, state_.displacement, state_.load_factor, direction == 0 ? 1 : direction);
+    std::vector<int> inside = wrong_faces(system_, state_.displacement, at, direction == 0 ? 1 : direction);
     if (wrong.empty() && inside.empty()) break;
     check_cancelled();
     if (round == most) fail(Failure::convergence, "faces of cracks open and close without an end");
