@@ -81,6 +81,9 @@ class LoadedBody {
     std::vector<int> held;                     // nodes of parts that could move freely
   };
   Settled settle_contacts(double direction);
+  // From where on a way in a direction places may be wrong again: the present load factor or, where they could only be
+  // settled for one a little farther on, that one.
+  double settled_until(double direction) const;
   // Places where terms have gone since; the displacements are those of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
   // The same, and which of them may press.
@@ -146,7 +149,8 @@ class LoadedBody {
   std::vector<int> loaded_nodes_;
   BodyState& state_;
   double seconds_search_ = 0;
-  std::size_t changes_that_bar_ = 0;  // springs and broken terms when places were barred
+  double settled_at_ = 0, settled_farther_on_ = 0;  // load factors; the same where places are right at the first
+  std::size_t changes_that_bar_ = 0;                // springs and broken terms when places were barred
 };
 
 }  // namespace bempd::fracture

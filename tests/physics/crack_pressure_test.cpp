@@ -4,6 +4,8 @@
 // depend on where its crack ends (J. R. Rice, J. Appl. Mech. 35, 1968).
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "westergaard.hpp"
 
 namespace crack_pressure_test {
@@ -119,6 +121,70 @@ TEST(CrackPressure, on_boundary_elements_opens_as_in_a_plane) {
   double opening = 0;
   model.check(bempd_crack_opening(model.get(), 1, 1, &middle, &opening, nullptr));
   EXPECT_LE(std::abs(report("opening", opening, 4, "4 p a / E'")), 4e-3);
+}
+
+// A square with cracks that cross the first one, and pressure in all of them.
+struct Crossing {
+  explicit Crossing(const std::vector<Outline>& cracks) : count(static_cast<int>(cracks.size())) {
+    body = model.bem(model.add(material(1, 0.3)), rectangle(-5, -5, 5, 5), 2);
+    for (const Outline& crack : cracks) model.crack(crack);
+    model.fix_point({5, -5}, BEMPD_BOTH);
+    model.fix_point({-5, -5}, BEMPD_Y);
+  }
+  void press_all(double constant, double proportional) {
+    for (int32_t crack = 1; crack <= count; ++crack)
+      model.check(bempd_add_crack_pressure(model.get(), crack, constant, proportional, nullptr));
+  }
+  double largest_factor() {
+    double largest = 0;
+    for (const bempd_crack_tip& tip : tips_of(model))
+      largest = std::max(largest, std::hypot(tip.stress_intensity_1, tip.stress_intensity_2));
+    return largest;
+  }
+
+  int count;
+  Model model;
+  int32_t body;
+};
+
+// The pressure goes through zero at a load factor at which its parts leave rounding.
+TEST(CrackPressure, in_crossing_cracks_may_vanish) {
+  for (const double zero : {0.7, 0.1, 3.0})
+    for (const double pressure : {0.1, 0.3, 1.0 / 3}) {
+      Crossing plate({{{-1.2, 0}, {1, 0}}, {{-0.4, -0.9}, {0.5, 0.8}}});
+      plate.press_all(-pressure * zero, pressure);
+      plate.model.step(2 * zero);
+      const double open = plate.largest_factor();
+      EXPECT_GT(open, 0);
+      plate.model.step(zero);
+      EXPECT_LE(plate.largest_factor(), 1e-9 * open) << zero << ", " << pressure;
+      plate.model.step(0);
+      EXPECT_LE(plate.largest_factor(), 1e-9 * open) << zero << ", " << pressure;
+      plate.model.step(2 * zero);
+      EXPECT_NEAR(plate.largest_factor(), open, 1e-6 * open) << zero << ", " << pressure;
+    }
+}
+
+// The plate is pressed from all sides as much as from its cracks: up to rounding all faces part there at once.
+TEST(CrackPressure, in_crossing_cracks_may_balance_what_presses_the_plate) {
+  Crossing plate({{{-2, 0}, {2, 0}},
+                  {{-1.1513687859789499, -0.13196344751901476}, {-1.3150834431602736, 0.8545442873842659}},
+                  {{-0.28682575197326676, -0.6599918542262644}, {-0.8639604228338014, 0.15665713505291323}},
+                  {{-0.30013404769146235, -0.7139725435997694}, {0.014245637521816262, 0.23532478259745532}},
+                  {{0.4494054677248073, -0.19932697734976687}, {0.490175396861202, 0.7998415834437628}},
+                  {{0.8316009498714297, -0.24355749860743892}, {1.4223527779223593, 0.5632958199421504}}});
+  plate.press_all(1, 0);
+  for (const auto& [edge, component, way] :
+       {std::tuple(1, BEMPD_Y, 1.0), {3, BEMPD_Y, -1.0}, {2, BEMPD_X, -1.0}, {4, BEMPD_X, 1.0}})
+    plate.model.traction(plate.body, edge, 0, 1, component, 0, way);
+  for (const double balanced : {1 - 1e-15, 1.0}) {
+    plate.model.step(2);
+    EXPECT_LE(plate.largest_factor(), 1e-8);
+    plate.model.step(balanced);
+    EXPECT_LE(plate.largest_factor(), 1e-7) << 1 - balanced;
+    plate.model.step(0.5);
+    EXPECT_NEAR(plate.largest_factor(), 0.5 * 2.6, 0.2) << 1 - balanced;
+  }
 }
 
 // A strip between clamps whose load factor is the root of the energy release rate over the fracture energy: under the

@@ -127,9 +127,10 @@ TEST(LineDirections, inclined_cracks_side_by_side_with_boundary_elements) {
     for (const double lattice : {0.0, 20.0}) {
       const LineWay line = by_lines(crack, lattice, steps);
       const double off = line.way.slope(from) - known.slope(from), first = line.way.loads[0] / known.loads[0];
-      std::printf("crack at %g, lattice at %g degrees: direction off by %.2f degrees, first load %.3f, later ones off by "
-                  "%.3f, energy %.3f\n",
-                  degrees, lattice, off, first, worst_load(line.way, known, 1, steps), line.energy);
+      std::printf(
+          "crack at %g, lattice at %g degrees: direction off by %.2f degrees, first load %.3f, later ones off by "
+          "%.3f, energy %.3f\n",
+          degrees, lattice, off, first, worst_load(line.way, known, 1, steps), line.energy);
       EXPECT_LE(std::abs(off), claims::line_mixed) << degrees << ", " << lattice;
       EXPECT_LE(std::abs(first - 1), claims::line_first_load / 100) << degrees << ", " << lattice;
       EXPECT_LE(worst_load(line.way, known, 1, steps), claims::line_first_load / 100) << degrees << ", " << lattice;

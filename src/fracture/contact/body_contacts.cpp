@@ -21,7 +21,7 @@ constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 // Where faces part or meet all at once, as under a pressure that just vanishes, what tells open places from closed ones
 // may be rounding, which has no solution. After so many rounds places are asked for as they are a little farther on the
 // way: by this share of the load factor at first, and ten times as far each time that this does not end either.
-constexpr std::int64_t rounds_at_rounding = 2;
+constexpr std::int64_t rounds_at_rounding = 256;
 constexpr double farther_at_first = 1e-8, farthest = 1e-6;
 
 // Which places a round of Newton's method switches: all that are wrong, until it comes back to the same places; from
@@ -141,6 +141,11 @@ double LoadedBody::farther_on(double share, double direction) const {
   return f + (direction < 0 ? -1 : 1) * share * size;
 }
 
+double LoadedBody::settled_until(double direction) const {
+  const double f = state_.load_factor;
+  return settled_at_ == f && (settled_farther_on_ - f) * direction > 0 ? settled_farther_on_ : f;
+}
+
 LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   // Newton's method, as the energy is convex and once differentiable.
   Settled result;
@@ -148,9 +153,8 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   double farther = 0;
   const std::size_t places = system_.contacts().size() + system_.face_count();
   const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
-  const std::int64_t patience = newton_rounds + rounds_at_rounding * static_cast<std::int64_t>(places);
   for (std::int64_t round = 0;; ++round) {
-    if (round > 0 && round % patience == 0 && farther < farthest) {
+    if (round > 0 && round % rounds_at_rounding == 0 && farther < farthest) {
       farther = farther == 0 ? farther_at_first : 10 * farther;
       rounds = Rounds();
     }
@@ -179,6 +183,7 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
     result.held.insert(result.held.end(), held.nodes.begin(), held.nodes.end());
     result.fragments += held.fragments;
   }
+  settled_at_ = state_.load_factor, settled_farther_on_ = farther_on(farther, direction);
   state_.faces.closed = system_.contacts().closed();
   state_.faces.closed_inside = system_.closed_faces();
   state_.springs = system_.springs();

@@ -4,14 +4,16 @@ namespace bempd::fracture {
 
 std::optional<double> ContactEvents::switch_before(double load_factor) {
   const BodyState& state = body_.state();
+  const double from = body_.settled_until(load_factor > state.load_factor ? 1 : -1);
+  if ((load_factor - from) * (load_factor - state.load_factor) <= 0 && from != state.load_factor) return std::nullopt;
   std::optional<double> first;
   if (!body_.faces().are_none()) {
     body_.refresh_faces();
-    first = next_switch(body_.faces().places(), state.displacement, state.load_factor, load_factor);
+    first = next_switch(body_.faces().places(), state.displacement, from, load_factor);
   }
   if (body_.system().face_count() == 0) return first;
   const std::optional<double> inside =
-      next_face_switch(body_.system(), state.displacement, state.load_factor, first.value_or(load_factor));
+      next_face_switch(body_.system(), state.displacement, from, first.value_or(load_factor));
   return inside ? inside : first;
 }
 
