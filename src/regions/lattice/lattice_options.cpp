@@ -63,7 +63,7 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
       scene::shaping(scene::text_option(
           "critical_stretch",
           "Constant that turns a fracture energy into a critical stretch: exact, what parts a plane at once takes it; "
-          "running, a crack that grows bond by bond takes it for its length, within 6 % in all directions of lattices "
+          "running, a crack that grows bond by bond takes it for its length, within 10 % in all directions of lattices "
           "with horizons of 3 to 5 spacings, and starts earlier by as much; or as printed by Yang and Liu 2021, Eq. 15 "
           "(plane stress only).",
           "exact | running | printed", "exact")),
