@@ -12,6 +12,7 @@ import pytest
 import bempd
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "differential"))
+import properties  # noqa: E402
 import random_scenes  # noqa: E402
 
 MIRRORED = ("load_factor", "critical_load_factor")
@@ -103,6 +104,43 @@ def test_a_tip_that_is_overloaded_goes_on_wherever_the_load_factor_goes() -> Non
     first = model.step_to_next_event(1e3)
     back = model.step_to_next_event(-1e3)
     assert back.stop_reason == bempd.StopReason.EVENT and back.load_factor == first.load_factor
+
+
+def built(recorder: properties.Recorder, sign: int, control: str) -> bempd.Model:
+    """The recorded scene with as many times its proportional loads."""
+    model = bempd.Model(options={**recorder.options, "stepping.solver": "plain", "stepping.control": control})
+    for name, values, named in recorder.calls:
+        place = {"prescribe_edge": 3, "add_traction": 3, "add_point_force": 2}.get(name)
+        getattr(model, name)(*[sign * value if k == place else value for k, value in enumerate(values)], **named)
+    return model
+
+
+def all_ways(model: bempd.Model, sign: int) -> list[tuple[float, ...] | str]:
+    """Up, to zero and down, some events each; load factors as those of the loads that are not negated."""
+    found: list[tuple[float, ...] | str] = []
+    try:
+        for target in (1e9, 0.0, -1e9):
+            for _ in range(8):
+                report = model.step_to_next_event(sign * target)
+                found.append((sign * report.load_factor + 0.0, report.total_broken_bonds, report.stored_energy,
+                              report.released_energy, report.stop_reason, report.ties))
+                if report.stop_reason != bempd.StopReason.EVENT:
+                    break
+    except bempd.Error as failed:
+        found.append(type(failed).__name__)
+    return found
+
+
+def test_random_scenes_with_loads_and_load_factors_negated_go_the_same_way_to_the_last_digit() -> None:
+    random_scenes.LINES = True
+    events = 0
+    for seed in range(1, 61):
+        recorder, _ = properties.record(seed)
+        control = ("load", "path")[seed % 2]
+        up, down = (all_ways(built(recorder, sign, control), sign) for sign in (1, -1))
+        assert up == down, f"scene {seed}"
+        events += len(up)
+    assert events > 300
 
 
 def up_and_down(seed: int, solver: str) -> list[tuple[float, int, float]]:
