@@ -266,7 +266,7 @@ class Results:
 
         >>> import bempd
         >>> model = bempd.Model()
-        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2)
         >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
         >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
         >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")
@@ -289,7 +289,7 @@ class Results:
         >>> import bempd
         >>> model = bempd.Model()
         >>> model.options["tips.record"] = 1
-        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+        >>> glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2)
         >>> plate = model.add_bem_region(glass, bempd.rectangle(-1, -3, 1, 3), element_length=0.25)
         >>> crack = model.add_crack([(-0.5, 0), (0.5, 0)])
         >>> support = model.fix_point((-1, -3)), model.fix_point((1, -3), "y")

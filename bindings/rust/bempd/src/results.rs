@@ -336,7 +336,7 @@ impl Model {
     ///
     /// # fn main() -> bempd::Result<()> {
     /// let mut model = Model::new()?;
-    /// let glass = model.add_material(&Material { fracture_energy: 1.0, ..Material::new(1.0, 0.2) })?;
+    /// let glass = model.add_material(&Material::new(1.0, 0.2).fracture_energy(1.0))?;
     /// let plate = model.add_bem_region(glass, &[[-1.0, -3.0], [1.0, -3.0], [1.0, 3.0], [-1.0, 3.0]], 0.5)?;
     /// let crack = model.add_crack(&[[-1.0, 0.0], [0.0, 0.0]])?;
     /// model.fix_point([-1.0, -3.0], Component::Both)?;

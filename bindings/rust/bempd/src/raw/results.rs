@@ -120,9 +120,16 @@ impl Handle {
     /// Displacement, force, and force before.
     pub(crate) fn history_support(&self, index: i64, support: i32) -> Result<[[f64; 2]; 3]> {
         let mut values = [[0.0; 2]; 3];
-        let [displacement, force, before] = values.each_mut().map(|pair| pair.as_mut_ptr());
+        let [displacement, force, before] = &mut values;
         self.call(|model| unsafe {
-            sys::bempd_get_history_support(model, index, support, displacement, force, before)
+            sys::bempd_get_history_support(
+                model,
+                index,
+                support,
+                displacement.as_mut_ptr(),
+                force.as_mut_ptr(),
+                before.as_mut_ptr(),
+            )
         })?;
         Ok(values)
     }
