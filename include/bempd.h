@@ -1266,7 +1266,7 @@ typedef struct bempd_crack_tip {
                                        NaN if it does not grow there */
   double straight_load_factor;      /**< smallest load factor >= 0 at which G of growth straight on is the fracture
                                        energy; the largest double if it never is. A tip under shear turns, and grows
-                                       earlier: at 6 to 30 % less for a crack at 15 to 75 degrees to the pull [-] */
+                                       earlier: this is 5 to 30 % too high for cracks at 15 to 75 degrees [-] */
 } bempd_crack_tip;
 
 /** @brief Set struct_size and zeros. @param[out] tip the struct to fill

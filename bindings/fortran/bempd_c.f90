@@ -515,7 +515,7 @@ module bempd_c
     !> angle by which it turns at critical_load_factor, counter-clockwise [rad]; NaN if it does not grow there
     real(c_double) :: critical_kink_angle
     !> smallest load factor >= 0 at which G of growth straight on is the fracture energy; the largest double if it never
-    !> is. A tip under shear turns, and grows earlier: at 6 to 30 % less for a crack at 15 to 75 degrees to the pull [-]
+    !> is. A tip under shear turns, and grows earlier: this is 5 to 30 % too high for cracks at 15 to 75 degrees [-]
     real(c_double) :: straight_load_factor
   end type bempd_crack_tip
 

@@ -2047,8 +2047,8 @@ angle by which it turns at critical_load_factor, counter-clockwise [rad]; NaN if
 there""",
     "bempd_crack_tip.straight_load_factor": """\
 smallest load factor >= 0 at which G of growth straight on is the fracture energy; the largest
-double if it never is. A tip under shear turns, and grows earlier: at 6 to 30 % less for a crack at
-15 to 75 degrees to the pull [-]""",
+double if it never is. A tip under shear turns, and grows earlier: this is 5 to 30 % too high for
+cracks at 15 to 75 degrees [-]""",
     "bempd_crack_tip_init": """\
 Set struct_size and zeros.
 

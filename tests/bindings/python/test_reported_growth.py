@@ -152,6 +152,11 @@ def test_tips_of_lines_are_where_the_crack_has_come_to() -> None:
                 assert tip.method == bempd.TipMethod.STRESS
                 assert math.isnan(tip.t_stress) and math.isnan(tip.error) and math.isnan(tip.felt_ahead)
         assert len(model.crack_path(1)) == 2 + step
+        last = model.extensions()[-1]
+        came_to = [(vertex.x, vertex.y) for vertex in model.crack_path(1) if vertex.event == step]
+        assert came_to == [(last.x, last.y)] and last.state == bempd.TipState.GROWS
+        assert math.hypot(last.x - last.from_x, last.y - last.from_y) == pytest.approx(last.length)
+        assert last.resistance == pytest.approx(1) and not math.isnan(last.stress_intensity_1)
 
 
 def test_a_crack_that_begins_has_tips_a_path_and_a_length() -> None:

@@ -2403,8 +2403,8 @@ pub struct bempd_crack_tip {
     /// grow there
     pub critical_kink_angle: f64,
     /// smallest load factor \>= 0 at which G of growth straight on is the fracture energy; the
-    /// largest double if it never is. A tip under shear turns, and grows earlier: at 6 to 30 % less
-    /// for a crack at 15 to 75 degrees to the pull \[-\]
+    /// largest double if it never is. A tip under shear turns, and grows earlier: this is 5 to 30 %
+    /// too high for cracks at 15 to 75 degrees \[-\]
     pub straight_load_factor: f64,
 }
 extern "C" {
