@@ -745,8 +745,8 @@ typedef struct bempd_step_report {
                                   under forces, what these give from there on counts only as far as bonds take it */
   double work;                 /**< work of loads and supports since the beginning, without what then would have become
                                   motion [J] */
-  double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events, at most
-                                  2e-10 in the library's tests [-]; not small in scheme paper, whose stiffness is
+  double energy_balance_error; /**< |work - stored - released| over the largest work so far, worst of all events, at
+                                  most 2e-10 in the library's tests [-]; not small in scheme paper, whose stiffness is
                                   unsymmetric */
   double residual; /**< largest unbalanced force at the end over the largest internal nodal force so far, or over 1e-5
                       of the largest stiffness times the displacement of what holds the body, or over 1e-6 of what

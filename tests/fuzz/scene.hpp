@@ -57,6 +57,7 @@ class Scene {
   void add_curved();
   void grow();
   void read_tips();
+  void read_paths();
   void read_pieces();
   void remove();
 

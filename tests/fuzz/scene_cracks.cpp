@@ -117,23 +117,35 @@ void Scene::read_tips() {
   if (FUZZ_CALL(bempd_crack_opening, model_, 1 + bytes_.pick(2), 3, fractions.data(), openings.data(), &openings[3]))
     for (const double opening : openings)
       require_true(!std::isinf(opening), "bempd_crack_opening", "an opening is infinite");
-  double length = 0;
-  if (FUZZ_CALL(bempd_crack_length, model_, bytes_.pick(3), &length)) require_finite("bempd_crack_length", &length, 1);
+  read_paths();
+}
+
+// Of a crack that begins in a lattice less is known.
+void Scene::read_paths() {
+  std::int64_t count = 0;
   if (!FUZZ_CALL(bempd_extension_count, model_, &count)) return;
   for (std::int64_t k = 0; k <= count; ++k) {
     bempd_crack_extension e;
     good("bempd_crack_extension_init", nullptr, bempd_crack_extension_init(&e, sizeof e));
     if (!FUZZ_CALL(bempd_extension, model_, k, &e)) continue;
-    const std::array numbers = {e.x,
-                                e.y,
-                                e.angle,
-                                e.length,
-                                e.load_factor,
-                                e.energy_release_rate_before,
-                                e.crack_length,
-                                e.released_energy,
-                                e.energy_release_rate_after};
+    const std::array numbers = {e.x,      e.y,     e.angle, e.length, e.load_factor, e.crack_length, e.released_energy,
+                                e.from_x, e.from_y};
     require_finite("bempd_extension", numbers.data(), numbers.size());
+    const std::array rates = {e.energy_release_rate_before, e.stress_intensity_2, e.resistance};
+    if (!std::isnan(e.stress_intensity_1)) require_finite("bempd_extension", rates.data(), rates.size());
+  }
+  if (!FUZZ_CALL(bempd_crack_count, model_, &count)) return;
+  const auto crack = static_cast<std::int32_t>(bytes_.pick(3));
+  double length = 0;
+  if (FUZZ_CALL(bempd_crack_length, model_, crack, &length)) require_finite("bempd_crack_length", &length, 1);
+  if (!FUZZ_CALL(bempd_crack_path_count, model_, crack, &count)) return;
+  for (std::int64_t k = 0; k <= count; ++k) {
+    bempd_path_vertex vertex;
+    good("bempd_path_vertex_init", nullptr, bempd_path_vertex_init(&vertex, sizeof vertex));
+    if (!FUZZ_CALL(bempd_crack_path, model_, crack, k, &vertex)) continue;
+    const std::array place = {vertex.x, vertex.y};
+    require_finite("bempd_crack_path", place.data(), place.size());
+    require_true(std::isnan(vertex.load_factor) == (vertex.event == 0), "bempd_crack_path", "growth without an event");
   }
 }
 
