@@ -2964,11 +2964,15 @@ module bempd_c
     !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
     !> shorter cracks back. Choose lengths some times shorter than the distance to the next edge or crack.
     !>
+    !> A crack may cut its region: the pieces are then bodies of their own (bempd_piece_count()), whose faces along the
+    !> crack are a part of the region's boundary and have nodes. A piece that supports no longer hold stays where it is
+    !> and loses loads that push it. BEMPD_ERROR_UNSOLVABLE tells where such a piece has a force per volume or a loaded
+    !> crack inside.
+    !>
     !> model [in]: the model
     !> length [in]: how far tips grow [m], > 0
     !> growth [in,out]: struct_size in, the rest out; may be NULL
-    !> return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor. A crack that would cut a region in two
-    !>   is an argument error and stays as it was
+    !> return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor
     !> since: 0.3
     function bempd_grow_cracks(model, length, growth) bind(c, name="bempd_grow_cracks")
       import :: c_double, c_int, c_ptr

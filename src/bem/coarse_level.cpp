@@ -135,17 +135,22 @@ Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   return merging.map() * kept;
 }
 
-// With rigid motions held: forces in equilibrium do not notice. Openings have no part in them.
-void hold_rigid_motions(const BoundaryMesh& mesh, const ScaledBoundary& boundary, const Map& map,
-                        Eigen::MatrixXd& stiffness) {
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(map.rows(), 3);
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const Point x = boundary.scaled(mesh.nodes[n]);
-    motions.middleRows<2>(2 * static_cast<Eigen::Index>(n)) << 1, 0, -x.y(), 0, 1, x.x();
+// With the rigid motions of every piece held: forces in equilibrium do not notice. Openings have no part in them.
+void hold_rigid_motions(const CrackedOperator& body, const Map& map, Eigen::MatrixXd& stiffness) {
+  const BoundaryMesh& mesh = body.mesh();
+  const int pieces = body.cracks().pieces.count;
+  std::vector<Eigen::MatrixXd> motions(static_cast<std::size_t>(pieces), Eigen::MatrixXd::Zero(map.rows(), 3));
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (const int node : mesh.elements[e].nodes) {
+      const Point x = body.boundary().scaled(mesh.nodes[node]);
+      motions[body.elements()[e].piece].middleRows<2>(2 * static_cast<Eigen::Index>(node)) << 1, 0, -x.y(), 0, 1, x.x();
+    }
+  const double mean = stiffness.trace() / static_cast<double>(stiffness.rows());
+  for (const Eigen::MatrixXd& motion : motions) {
+    const Eigen::MatrixXd held = map.transpose() * motion;
+    const double scale = mean / held.col(0).squaredNorm();
+    stiffness += scale * held * held.transpose();
   }
-  const Eigen::MatrixXd held = map.transpose() * motions;
-  const double scale = stiffness.trace() / static_cast<double>(stiffness.rows()) / held.col(0).squaredNorm();
-  stiffness += scale * held * held.transpose();
 }
 
 }  // namespace
@@ -161,7 +166,7 @@ CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state
   const Eigen::MatrixXd double_layer = transposed_product(values, fine.double_layer) * tractions;
   Eigen::MatrixXd stiffness = congruent(fine.hypersingular, values);
   add_forces_of_tractions(double_layer, single_layer, stiffness);
-  hold_rigid_motions(body.mesh(), body.boundary(), values, stiffness);
+  hold_rigid_motions(body, values, stiffness);
 
   // The forces that hold the state, over thickness and shear modulus.
   Eigen::VectorXd all(fine.hypersingular.rows());

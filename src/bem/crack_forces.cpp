@@ -37,6 +37,18 @@ Eigen::VectorXd crack_forces(const CrackMesh& cracks, const FaceTraction& tracti
   return forces;
 }
 
+void add_forces_on_cuts(const BoundaryMesh& mesh, const CrackMesh& cracks, const FaceTraction& traction,
+                        double thickness, Eigen::Ref<Eigen::VectorXd> forces) {
+  for (const CutElement& e : cracks.cuts) {
+    const Point &start = mesh.nodes[e.left[0]], &end = mesh.nodes[e.left[2]];
+    const auto parts = node_forces(element_through(start, 0.5 * (start + end), end, 0), e.line, traction);
+    for (int k = 0; k < 3; ++k) {
+      forces.segment<2>(2 * e.left[k]) += thickness * parts[k];
+      forces.segment<2>(2 * e.right[k]) -= thickness * parts[k];
+    }
+  }
+}
+
 double work_of_growth(const CrackMesh& cracks, const CrackTip& tip, const FaceTraction& traction,
                       const Eigen::VectorXd& openings) {
   const CrackElement& e = cracks.elements[tip.element];

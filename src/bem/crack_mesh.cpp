@@ -1,5 +1,6 @@
 #include "bem/crack_mesh.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -41,7 +42,7 @@ struct Member {
 class Mesher {
  public:
   Mesher(const CrackLines& cracks, BoundaryMesh& boundary, double tolerance)
-      : cracks_(cracks), members_(cracks.joints.size()), mouths_(cracks.joints.size()) {
+      : cracks_(cracks), boundary_(boundary), members_(cracks.joints.size()), mouths_(cracks.joints.size()) {
     for (std::size_t j = 0; j < cracks.joints.size(); ++j) {
       places_.push_back(cracks.joints[j].place);
       mesh.mouth_of_joint.push_back({-1, -1});
@@ -50,6 +51,39 @@ class Mesher {
       mesh.mouth_of_joint[j] = {mouths_[j].before, mouths_[j].after};
       places_[j] = boundary.nodes[mouths_[j].before];
     }
+    for (const BoundaryElement& e : boundary.elements)
+      mesh.first_face_panel = std::max(mesh.first_face_panel, e.panel + 1);
+    next_panel_ = mesh.first_face_panel;
+    mesh.pieces = find_pieces(cracks, boundary, mesh.mouth_of_joint);
+    line_nodes_.assign(cracks.lines.size(), {-1, -1});
+    for (std::size_t j = 0; j < cracks.joints.size(); ++j) add_sectors(static_cast<int>(j));
+  }
+
+  bool is_cut(int l) const { return mesh.pieces.is_cut(l); }
+
+  // The faces of a line between two pieces.
+  void add_cut(int l, const std::vector<double>& stations) {
+    const CrackLine& line = cracks_.lines[l];
+    const int count = static_cast<int>(stations.size()) - 1;
+    std::vector<int> left{sector_beside(l, 0, true)}, right{sector_beside(l, 0, false)};
+    for (int e = 0; e < count; ++e) {
+      const Point start = place(line, stations, e), end = place(line, stations, e + 1);
+      for (auto* face : {&left, &right}) {
+        face->push_back(add_node(0.5 * (start + end)));
+        const bool last = e + 1 == count;
+        face->push_back(last ? sector_beside(l, 1, face == &left) : add_node(end));
+      }
+      mesh.cuts.push_back({l,
+                           stations[e],
+                           stations[e + 1],
+                           {left[2 * e], left[2 * e + 1], left[2 * e + 2]},
+                           {right[2 * e], right[2 * e + 1], right[2 * e + 2]}});
+    }
+    add_face(line, stations, left, mesh.pieces.left_of(l));
+    std::reverse(right.begin(), right.end());
+    std::vector<double> backwards;
+    for (int k = count; k >= 0; --k) backwards.push_back(stations[k]);
+    add_face(line, backwards, right, mesh.pieces.right_of(l));
   }
 
   void add_line(int l, const std::vector<double>& stations) {
@@ -66,12 +100,14 @@ class Mesher {
       const double middle = tip == TipEnd::start ? 0.25 : tip == TipEnd::end ? 0.75 : 0.5;
       mesh.nodes.push_back(start + middle * (end - start));
       mesh.nodes.push_back(end);
-      mesh.elements.push_back({{node, node + 1, node + 2}, l, stations[e], stations[e + 1], tip});
+      mesh.elements.push_back(
+          {{node, node + 1, node + 2}, l, stations[e], stations[e + 1], tip, mesh.pieces.left_of(l)});
       if (tip != TipEnd::none) add_tip(l, tip, start, end);
     }
     mesh.joint_of_node.resize(mesh.nodes.size(), -1);
     add_end(line.joints[0], first, 1);
     add_end(line.joints[1], first + 2 * count, -1);
+    line_nodes_[l] = {first, first + 2 * count};
   }
 
   void constrain(int boundary_nodes) {
@@ -82,8 +118,11 @@ class Mesher {
       const CrackElement& element = mesh.elements[tip.element];
       removed[element.nodes[tip.end == TipEnd::start ? 0 : 2]] = 1;
     }
-    for (const auto& members : members_)
-      if (!members.empty()) removed[members.back().node] = 1;
+    for (std::size_t j = 0; j < members_.size(); ++j) {
+      if (!sectors_[j].empty())
+        for (const Member& member : members_[j]) removed[member.node] = 1;
+      if (!members_[j].empty()) removed[members_[j].back().node] = 1;
+    }
     for (int n = 0; n < raw; ++n)
       if (!removed[n]) column[n] = boundary_nodes + mesh.free_nodes++;
     std::vector<Eigen::Triplet<double>> entries;
@@ -94,6 +133,10 @@ class Mesher {
       if (!removed[n]) add(n, column[n], 1);
     for (std::size_t j = 0; j < members_.size(); ++j) {
       if (members_[j].empty()) continue;
+      if (!sectors_[j].empty()) {
+        open_between_sectors(static_cast<int>(j), add);
+        continue;
+      }
       const Member last = members_[j].back();
       for (std::size_t m = 0; m + 1 < members_[j].size(); ++m)
         add(last.node, column[members_[j][m].node], -last.sign * members_[j][m].sign);
@@ -124,6 +167,74 @@ class Mesher {
     return line.points.back();
   }
 
+  // Where a line between pieces ends, the body lies around the joint in sectors, each with a boundary node of its own:
+  // one before every line, counter-clockwise, and one behind the last. At a mouth the boundary has the first and the
+  // last one.
+  void add_sectors(int joint) {
+    const std::vector<LineEnd>& around = mesh.pieces.around[joint];
+    sectors_.emplace_back();
+    mesh.nodes_at_joint.emplace_back();
+    const bool mouth = mouths_[joint].before >= 0;
+    if (mouth) mesh.nodes_at_joint.back() = {mouths_[joint].before, mouths_[joint].after};
+    if (std::none_of(around.begin(), around.end(), [&](const LineEnd& e) { return is_cut(e.line); })) return;
+    std::vector<int>& sectors = sectors_.back();
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      if (mouth && k == 0) {
+        sectors.push_back(mouths_[joint].after);
+        continue;
+      }
+      sectors.push_back(add_node(places_[joint]));
+      mesh.nodes_at_joint.back().push_back(sectors.back());
+    }
+    sectors.push_back(mouth ? mouths_[joint].before : sectors.front());
+  }
+
+  // The boundary node on one side of an end of a line.
+  int sector_beside(int line, int end, bool left) const {
+    const int joint = cracks_.lines[line].joints[end];
+    const std::vector<LineEnd>& around = mesh.pieces.around[joint];
+    const auto own =
+        std::find_if(around.begin(), around.end(), [&](const LineEnd& e) { return e.line == line && e.end == end; });
+    const bool behind = left == (end == 0);
+    return sectors_[joint][static_cast<std::size_t>(own - around.begin()) + (behind ? 1 : 0)];
+  }
+
+  template <class Add>
+  void open_between_sectors(int joint, const Add& add) const {
+    for (const LineEnd& e : mesh.pieces.around[joint]) {
+      if (is_cut(e.line)) continue;
+      add(line_nodes_[e.line][e.end], sector_beside(e.line, e.end, true), 1);
+      add(line_nodes_[e.line][e.end], sector_beside(e.line, e.end, false), -1);
+    }
+  }
+
+  int add_node(const Point& place) {
+    boundary_.nodes.push_back(place);
+    return static_cast<int>(boundary_.nodes.size()) - 1;
+  }
+
+  // Elements on these nodes. Tractions jump where the line turns.
+  void add_face(const CrackLine& line, const std::vector<double>& stations, const std::vector<int>& nodes, int piece) {
+    const auto segment_at = [&](double way) {
+      std::size_t segment = 0;
+      for (double end = 0; segment + 2 < line.points.size(); ++segment)
+        if (way < (end += (line.points[segment + 1] - line.points[segment]).norm())) break;
+      return segment;
+    };
+    std::size_t segment = line.points.size();
+    for (std::size_t e = 0; e + 1 < stations.size(); ++e) {
+      const std::size_t own = segment_at(0.5 * (stations[e] + stations[e + 1]));
+      if (own != segment) ++next_panel_, ++boundary_.traction_node_count;
+      segment = own;
+      const int traction = boundary_.traction_node_count - 1;
+      boundary_.elements.push_back({{nodes[2 * e], nodes[2 * e + 1], nodes[2 * e + 2]},
+                                    {traction, traction + 1, traction + 2},
+                                    next_panel_ - 1});
+      boundary_.traction_node_count += 2;
+      mesh.pieces.of_element.push_back(piece);
+    }
+  }
+
   void add_tip(int line, TipEnd end, const Point& from, const Point& to) {
     const Point along = (to - from).normalized();
     const int element = static_cast<int>(mesh.elements.size()) - 1;
@@ -138,9 +249,13 @@ class Mesher {
   }
 
   const CrackLines& cracks_;
+  BoundaryMesh& boundary_;
   std::vector<std::vector<Member>> members_;
   std::vector<Mouth> mouths_;
   std::vector<Point> places_;
+  std::vector<std::vector<int>> sectors_;       // of joints where pieces meet
+  std::vector<std::array<int, 2>> line_nodes_;  // of openings at start and end of lines inside pieces
+  int next_panel_ = 0;
 };
 
 }  // namespace
@@ -148,7 +263,12 @@ class Mesher {
 CrackMesh mesh_cracks(const CrackLines& cracks, const std::vector<std::vector<double>>& stations,
                       BoundaryMesh& boundary, double tolerance) {
   Mesher mesher(cracks, boundary, tolerance);
-  for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) mesher.add_line(l, stations[l]);
+  for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) {
+    if (mesher.is_cut(l))
+      mesher.add_cut(l, stations[l]);
+    else
+      mesher.add_line(l, stations[l]);
+  }
   mesher.constrain(static_cast<int>(boundary.nodes.size()));
   return std::move(mesher.mesh);
 }

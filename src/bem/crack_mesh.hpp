@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "bem/crack_pieces.hpp"
 #include "bem/element_geometry.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "geometry/crack_lines.hpp"
@@ -15,6 +16,15 @@ struct CrackElement {
   int line;
   double from, to;  // ways along its line
   TipEnd tip = TipEnd::none;
+  int piece = 0;
+};
+
+// Along a line between two pieces of a body, whose faces are a part of their boundaries: what is open there is the
+// difference of displacements.
+struct CutElement {
+  int line;
+  double from, to;                 // ways along its line
+  std::array<int, 3> left, right;  // boundary nodes of each face, in the direction of the line
 };
 
 struct CrackTip {
@@ -29,6 +39,7 @@ struct CrackTip {
 struct CrackMesh {
   std::vector<Point> nodes;
   std::vector<CrackElement> elements;
+  std::vector<CutElement> cuts;
   std::vector<CrackTip> tips;
   std::vector<int> joint_of_node;  // -1 for most
   // The boundary's nodes before and behind it, in the direction of its loop; -1: no mouth.
@@ -39,9 +50,14 @@ struct CrackMesh {
   // behind it.
   Eigen::SparseMatrix<double> constraint;
   int free_nodes = 0;  // openings that remain
+
+  CrackPieces pieces;
+  std::vector<std::vector<int>> nodes_at_joint;  // those of the boundary
+  int first_face_panel = 0;                      // of panels on faces, which are the last ones
 };
 
-// Splits the boundary's nodes at mouths: a node more for the elements that start there, at the end of the list.
+// Splits the boundary's nodes at mouths: a node more for the elements that start there, at the end of the list. Adds
+// the faces of lines that cut the body to its boundary, behind all other elements, with a panel for each straight part.
 CrackMesh mesh_cracks(const CrackLines& cracks, const std::vector<std::vector<double>>& stations, BoundaryMesh& mesh,
                       double tolerance);
 

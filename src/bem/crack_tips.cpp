@@ -70,6 +70,7 @@ class MovedTips {
     for (int e = 0; e < count; ++e) {
       const int outer = e == own ? variant : e;
       const GalerkinElement& x = elements_[outer];
+      if (x.piece != tip.piece) continue;
       const PairMoments m = blocks_.moments(outer, variant, x.crack ? PairPart::derivative_only : PairPart::everything);
       Block of_values, of_tractions;
       for (int a = 0; a < 3; ++a)
@@ -175,12 +176,25 @@ std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperat
   return results;
 }
 
+InteriorEvaluator interior_of_piece(const CrackedOperator& body, const CrackedState& state, int piece) {
+  const CrackMesh& cracks = body.cracks();
+  Eigen::VectorXd openings = state.openings;
+  for (const CrackElement& e : cracks.elements)
+    for (const int node : e.nodes)
+      if (e.piece != piece) openings.segment<2>(2 * node).setZero();
+  InteriorEvaluator interior(elements_of_piece(body.mesh(), cracks.pieces, piece), body.elasticity(),
+                             state.displacements, state.tractions);
+  interior.set_cracks(CrackField(body.boundary(), cracks, body.elasticity().effective_poisson_ratio(), openings));
+  return interior;
+}
+
 std::vector<double> stresses_along_crack(const CrackedOperator& body, const CrackedState& state) {
   const CrackMesh& cracks = body.cracks();
-  InteriorEvaluator interior(body.mesh(), body.elasticity(), state.displacements, state.tractions);
-  interior.set_cracks(CrackField(body.boundary(), cracks, body.elasticity().effective_poisson_ratio(), state.openings));
+  std::vector<InteriorEvaluator> interiors;
+  for (int piece = 0; piece < cracks.pieces.count; ++piece) interiors.push_back(interior_of_piece(body, state, piece));
   std::vector<double> results;
   for (const CrackTip& tip : cracks.tips) {
+    const InteriorEvaluator& interior = interiors[cracks.elements[tip.element].piece];
     const Eigen::Vector3d s = interior.stress_without(tip.place, tip.element);
     const Point d = tip.direction;
     const double c = d.x() * d.x() - d.y() * d.y();

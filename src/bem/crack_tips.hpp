@@ -5,6 +5,7 @@
 
 #include "bem/crack_forces.hpp"
 #include "bem/cracked_operator.hpp"
+#include "bem/interior.hpp"
 #include "elasticity/griffith.hpp"
 
 namespace bempd::bem {
@@ -32,6 +33,9 @@ struct StressIntensity {
 // The modes share it as the openings next to the tip do.
 std::vector<std::vector<StressIntensity>> stress_intensities(const CrackedOperator& body,
                                                              const std::vector<CrackedState>& states);
+
+// What is inside one piece of a body in such a state.
+InteriorEvaluator interior_of_piece(const CrackedOperator& body, const CrackedState& state, int piece);
 
 // Of every tip: the stress along the crack that the singular field leaves over [Pa]. On the line of a straight crack
 // its openings give equal stresses along and across it, so that T is the difference of those that all the rest gives at

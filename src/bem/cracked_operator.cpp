@@ -17,11 +17,11 @@ std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());
   std::iota(places.begin(), places.end(), 0);
   std::map<int, int> place_of_joint;
-  for (std::size_t j = 0; j < cracks.mouth_of_joint.size(); ++j) {
-    const auto [before, after] = cracks.mouth_of_joint[j];
-    if (before < 0) continue;
-    place_of_joint[static_cast<int>(j)] = before;
-    places[after] = before;
+  for (std::size_t j = 0; j < cracks.nodes_at_joint.size(); ++j) {
+    const std::vector<int>& nodes = cracks.nodes_at_joint[j];
+    if (nodes.empty()) continue;
+    place_of_joint[static_cast<int>(j)] = nodes.front();
+    for (const int node : nodes) places[node] = nodes.front();
   }
   for (std::size_t n = 0; n < cracks.nodes.size(); ++n)
     if (const int joint = cracks.joint_of_node[n]; joint >= 0)
@@ -108,6 +108,7 @@ std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh,
   const std::vector<int> places = places_of(mesh, cracks);
   std::vector<GalerkinElement> elements = boundary_galerkin_elements(mesh, boundary);
   for (GalerkinElement& e : elements) e.places = {places[e.nodes[0]], places[e.nodes[2]]};
+  for (std::size_t e = 0; e < cracks.pieces.of_element.size(); ++e) elements[e].piece = cracks.pieces.of_element[e];
   const int first = static_cast<int>(mesh.nodes.size());
   for (const CrackElement& e : cracks.elements) {
     const Point start = boundary.scaled(cracks.nodes[e.nodes[0]]), end = boundary.scaled(cracks.nodes[e.nodes[2]]);
@@ -117,7 +118,8 @@ std::vector<GalerkinElement> cracked_galerkin_elements(const BoundaryMesh& mesh,
                         {first + e.nodes[0], first + e.nodes[1], first + e.nodes[2]},
                         {-1, -1, -1},
                         {places[first + e.nodes[0]], places[first + e.nodes[2]]},
-                        true});
+                        true,
+                        e.piece});
   }
   return elements;
 }

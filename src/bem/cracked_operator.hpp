@@ -24,8 +24,8 @@ namespace bempd::bem {
 // eliminated.
 class CrackedOperator final : public BoundaryOperator {
  public:
-  // The mesh with its nodes split at mouths. What a body `before` with shorter cracks has in common is taken over from
-  // it: integrals, the factor of V, and products with that.
+  // The mesh with its nodes split at mouths, and with the faces of cracks between pieces. What a body `before` with
+  // shorter cracks has in common is taken over from it: integrals, the factor of V, and products with that.
   CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& cracks, const PlaneElasticity& elasticity,
                   const AssemblyOptions& options = {}, const CrackedOperator* before = nullptr);
 

@@ -58,6 +58,7 @@ class Assembler {
     // The rows of integral equations belong to the boundary.
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
       if (inner % 32 == 0) check_cancelled();
+      if (elements_[inner].piece != x.piece) continue;
       if (kept_ && kept_->has(x, elements_[inner])) continue;
       const PairPart part = inner < outer ? PairPart::double_layer_only
                             : x.crack     ? PairPart::derivative_only

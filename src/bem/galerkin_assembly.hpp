@@ -17,6 +17,7 @@ struct GalerkinElement {
   std::array<int, 3> traction_nodes;
   std::array<int, 2> places;  // of its ends: what has one in common touches, be it without a common node
   bool crack = false;
+  int piece = 0;  // of the body, if cracks cut it: what lies on different ones does not see each other
 };
 
 std::vector<GalerkinElement> boundary_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary);

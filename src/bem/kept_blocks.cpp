@@ -58,12 +58,22 @@ std::vector<int> nodes_of_same(const std::vector<GalerkinElement>& before, const
   return kept;
 }
 
+// On which piece of the body nodes lie.
+std::vector<int> pieces_of_nodes(const std::vector<GalerkinElement>& elements, int count, bool tractions) {
+  std::vector<int> pieces(count, 0);
+  for (const GalerkinElement& e : elements)
+    for (const int node : tractions ? e.traction_nodes : e.nodes)
+      if (node >= 0) pieces[node] = e.piece;
+  return pieces;
+}
+
 bool is_whole_boundary(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                        const std::vector<int>& same) {
   std::size_t boundary = 0;
   for (; boundary < elements.size() && !elements[boundary].crack; ++boundary)
     if (same[boundary] != static_cast<int>(boundary) ||
-        before[boundary].traction_nodes != elements[boundary].traction_nodes)
+        before[boundary].traction_nodes != elements[boundary].traction_nodes ||
+        before[boundary].piece != elements[boundary].piece)
       return false;
   return boundary == before.size() || before[boundary].crack;
 }
@@ -83,7 +93,10 @@ KeptNodes kept_nodes(const std::vector<GalerkinElement>& before, const std::vect
   return {
       nodes_of_same(before, elements, same, nodes, [](const GalerkinElement& e) { return e.nodes; }),
       nodes_of_same(before, elements, same, traction_nodes, [](const GalerkinElement& e) { return e.traction_nodes; }),
-      is_whole_boundary(before, elements, same), boundary_nodes};
+      is_whole_boundary(before, elements, same),
+      boundary_nodes,
+      pieces_of_nodes(elements, nodes, false),
+      pieces_of_nodes(elements, traction_nodes, true)};
 }
 
 void copy_kept_columns(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to) {
@@ -100,14 +113,19 @@ void copy_kept_blocks(const std::vector<int>& kept, const Eigen::MatrixXd& from,
 }
 
 void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices) {
+  // Nodes on different pieces no longer see each other.
   const KeptNodes& kept = known.kept;
-  copy_kept_blocks(kept.nodes, known.matrices.hypersingular, matrices.hypersingular);
   const auto index = [](std::size_t n) { return 2 * static_cast<Eigen::Index>(n); };
+  for (std::size_t b = 0; b < kept.nodes.size(); ++b)
+    for (std::size_t a = 0; kept.nodes[b] >= 0 && a < kept.nodes.size(); ++a)
+      if (kept.nodes[a] >= 0 && kept.pieces[a] == kept.pieces[b])
+        matrices.hypersingular.block<2, 2>(index(a), index(b)) =
+            known.matrices.hypersingular.block<2, 2>(2 * kept.nodes[a], 2 * kept.nodes[b]);
   const std::vector<int>& tractions = kept.traction_nodes;
   for (std::size_t b = 0; b < tractions.size(); ++b) {
     if (tractions[b] < 0) continue;
     for (std::size_t a = b; a < tractions.size(); ++a) {
-      if (tractions[a] < 0) continue;
+      if (tractions[a] < 0 || kept.traction_pieces[a] != kept.traction_pieces[b]) continue;
       const auto& from = known.matrices.single_layer;
       if (tractions[a] >= tractions[b]) {
         matrices.single_layer.block<2, 2>(index(a), index(b)) = from.block<2, 2>(2 * tractions[a], 2 * tractions[b]);
@@ -117,7 +135,7 @@ void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices) {
       }
     }
     for (std::size_t a = 0; a < kept.nodes.size(); ++a)
-      if (kept.has_mixed_block(static_cast<int>(a), static_cast<int>(b)))
+      if (kept.has_mixed_block(static_cast<int>(a), static_cast<int>(b)) && kept.pieces[a] == kept.traction_pieces[b])
         matrices.double_layer.block<2, 2>(index(a), index(b)) =
             known.matrices.double_layer.block<2, 2>(2 * kept.nodes[a], 2 * tractions[b]);
   }

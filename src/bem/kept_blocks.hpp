@@ -9,9 +9,10 @@ namespace bempd::bem {
 // What a body has in common with one whose cracks are others: nodes around which all elements are the same, so that
 // their blocks in the matrices are.
 struct KeptNodes {
-  std::vector<int> nodes, traction_nodes;  // of the other body, by node; -1 for what is new
-  bool whole_boundary = false;             // with its traction nodes in their order
-  int boundary_nodes = 0;                  // of `nodes`, the first ones
+  std::vector<int> nodes, traction_nodes;    // of the other body, by node; -1 for what is new
+  bool whole_boundary = false;               // with its traction nodes in their order
+  int boundary_nodes = 0;                    // of `nodes`, the first ones
+  std::vector<int> pieces, traction_pieces;  // of the body, on which nodes lie
 
   bool has(const GalerkinElement& element) const;
   // Whether integrals over a pair of elements are known. What keeps B's rows of boundary nodes free of forces in rigid

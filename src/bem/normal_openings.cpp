@@ -17,19 +17,24 @@ constexpr double same_direction = 1e-10;
 
 }  // namespace
 
-// One for every node and element; elements that hardly turn at a node share it.
+namespace {
+
+// Normals at nodes: one for every element, which those that hardly turn there share.
+void add_normal(const Point& normal, std::vector<Point>& known) {
+  if (known.empty() || known.back().dot(normal) < smooth_turn) {
+    known.push_back(normal);
+  } else {
+    known.back() = (known.back() + normal).normalized();
+  }
+}
+
+}  // namespace
+
 void NormalOpenings::add_places(const CrackMesh& cracks) {
   std::vector<std::vector<Point>> normals(cracks.nodes.size());
   for (const CrackElement& e : cracks.elements) {
     const Point normal = left_of((cracks.nodes[e.nodes[2]] - cracks.nodes[e.nodes[0]]).normalized());
-    for (const int node : e.nodes) {
-      std::vector<Point>& known = normals[node];
-      if (known.empty() || known.back().dot(normal) < smooth_turn) {
-        known.push_back(normal);
-      } else {
-        known.back() = (known.back() + normal).normalized();
-      }
-    }
+    for (const int node : e.nodes) add_normal(normal, normals[node]);
   }
   // Tips do not open.
   std::vector<char> opens(cracks.nodes.size(), 0);
@@ -37,13 +42,44 @@ void NormalOpenings::add_places(const CrackMesh& cracks) {
     for (Eigen::SparseMatrix<double>::InnerIterator i(cracks.constraint, column); i; ++i) opens[i.row() / 2] = 1;
   for (std::size_t node = 0; node < normals.size(); ++node)
     for (const Point& normal : normals[node])
-      if (opens[node]) places_.push_back({static_cast<int>(node), normal});
+      if (opens[node]) places_.push_back({static_cast<int>(node), normal, -1, -1, cracks.joint_of_node[node] >= 0});
+}
+
+void NormalOpenings::add_places_on_cuts(const BoundaryMesh& mesh, const CrackMesh& cracks) {
+  for (std::size_t first = 0, next = 0; first < cracks.cuts.size(); first = next) {
+    while (next < cracks.cuts.size() && cracks.cuts[next].line == cracks.cuts[first].line) ++next;
+    std::vector<std::vector<Point>> normals(2 * (next - first) + 1);
+    for (std::size_t e = first; e < next; ++e) {
+      const CutElement& cut = cracks.cuts[e];
+      const Point normal = left_of((mesh.nodes[cut.left[2]] - mesh.nodes[cut.left[0]]).normalized());
+      for (std::size_t k = 0; k < 3; ++k) add_normal(normal, normals[2 * (e - first) + k]);
+    }
+    for (std::size_t n = 0; n < normals.size(); ++n) {
+      const CutElement& cut = cracks.cuts[std::min(first + n / 2, next - 1)];
+      const std::size_t k = n + 1 == normals.size() ? 2 : n % 2;
+      const bool at_joint = n == 0 || n + 1 == normals.size();
+      for (const Point& normal : normals[n]) places_.push_back({-1, normal, cut.left[k], cut.right[k], at_joint});
+    }
+  }
+}
+
+Eigen::VectorXd NormalOpenings::gap_function(const CrackMesh& cracks, const Place& place) const {
+  if (place.node >= 0) {
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(components_);
+    own.segment<2>(2 * place.node) = place.normal;
+    return cracks.constraint.transpose() * own;
+  }
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(cracks.constraint.cols());
+  gap.segment<2>(2 * place.left) = place.normal;
+  gap.segment<2>(2 * place.right) = -place.normal;
+  return gap;
 }
 
 Eigen::MatrixXd NormalOpenings::normals() const {
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(components_, static_cast<Eigen::Index>(places_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i)
-    normals.col(static_cast<Eigen::Index>(i)).segment<2>(2 * places_[i].node) = places_[i].normal;
+    if (places_[i].node >= 0)
+      normals.col(static_cast<Eigen::Index>(i)).segment<2>(2 * places_[i].node) = places_[i].normal;
   return normals;
 }
 
@@ -51,10 +87,8 @@ void NormalOpenings::drop_doubles(const CrackMesh& cracks) {
   std::vector<Eigen::VectorXd> at_joints;
   std::vector<Place> kept;
   for (const Place& place : places_) {
-    if (cracks.joint_of_node[place.node] >= 0) {
-      Eigen::VectorXd own = Eigen::VectorXd::Zero(components_);
-      own.segment<2>(2 * place.node) = place.normal;
-      const Eigen::VectorXd gap = cracks.constraint.transpose() * own;
+    if (place.at_joint) {
+      const Eigen::VectorXd gap = gap_function(cracks, place);
       const auto same = [&](const Eigen::VectorXd& other) {
         return gap.dot(other) > (1 - same_direction) * gap.norm() * other.norm();
       };
@@ -69,11 +103,14 @@ void NormalOpenings::drop_doubles(const CrackMesh& cracks) {
 NormalOpenings::NormalOpenings(const CrackedOperator& body)
     : components_(2 * static_cast<Eigen::Index>(body.cracks().nodes.size())) {
   add_places(body.cracks());
+  add_places_on_cuts(body.mesh(), body.cracks());
   drop_doubles(body.cracks());
   const auto count = static_cast<Eigen::Index>(places_.size());
   const Eigen::Index u = body.stiffness().rows(), w = body.full_stiffness().rows() - u;
   const Eigen::MatrixXd normals = this->normals();
-  const Eigen::MatrixXd of_unknowns = body.cracks().constraint.transpose() * normals;  // C^T
+  Eigen::MatrixXd of_unknowns = body.cracks().constraint.transpose() * normals;  // C^T
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (places_[i].node < 0) of_unknowns.col(static_cast<Eigen::Index>(i)) = gap_function(body.cracks(), places_[i]);
   Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(u + w, count);
   unknowns.bottomRows(w) = body.opening_response(of_unknowns.bottomRows(w));
   response_ = body.cracks().constraint * unknowns;
@@ -83,9 +120,10 @@ NormalOpenings::NormalOpenings(const CrackedOperator& body)
 }
 
 Eigen::VectorXd NormalOpenings::gaps(const Eigen::VectorXd& openings) const {
-  Eigen::VectorXd gaps(static_cast<Eigen::Index>(places_.size()));
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(places_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i)
-    gaps[static_cast<Eigen::Index>(i)] = places_[i].normal.dot(openings.segment<2>(2 * places_[i].node));
+    if (places_[i].node >= 0)
+      gaps[static_cast<Eigen::Index>(i)] = places_[i].normal.dot(openings.segment<2>(2 * places_[i].node));
   return gaps;
 }
 
@@ -103,7 +141,7 @@ Eigen::VectorXd NormalOpenings::held_shut(const Eigen::VectorXd& openings, const
   }
   // What is left is rounding.
   for (std::size_t i = 0; i < closed.size(); ++i) {
-    if (!closed[i]) continue;
+    if (!closed[i] || places_[i].node < 0) continue;
     const Place& place = places_[i];
     result.segment<2>(2 * place.node) -= place.normal.dot(result.segment<2>(2 * place.node)) * place.normal;
   }
@@ -113,7 +151,7 @@ Eigen::VectorXd NormalOpenings::held_shut(const Eigen::VectorXd& openings, const
 std::vector<char> NormalOpenings::closed_nodes(const std::vector<char>& closed) const {
   std::vector<char> nodes(static_cast<std::size_t>(components_ / 2), 0);
   for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i]) nodes[places_[i].node] = 1;
+    if (closed[i] && places_[i].node >= 0) nodes[places_[i].node] = 1;
   return nodes;
 }
 

@@ -20,7 +20,7 @@ class NormalOpenings {
   const Eigen::MatrixXd& of_displacements() const { return of_displacements_; }  // G
   const Eigen::MatrixXd& of_forces() const { return of_forces_; }                // S
 
-  // Of all openings [m].
+  // Of all openings [m]; 0 where the crack cuts the body.
   Eigen::VectorXd gaps(const Eigen::VectorXd& openings) const;
 
   // Openings where these places are held shut, from those where nothing presses.
@@ -31,14 +31,19 @@ class NormalOpenings {
 
  private:
   struct Place {
-    int node;
+    int node;      // of openings, or -1 where the crack cuts the body: there faces are a part of the boundary
     Point normal;  // to the left of the crack
+    int left = -1, right = -1;  // then the boundary's nodes
+    bool at_joint = false;
   };
 
   void add_places(const CrackMesh& cracks);
+  void add_places_on_cuts(const BoundaryMesh& mesh, const CrackMesh& cracks);
+  // The gap of a place as a function of the operator's unknowns.
+  Eigen::VectorXd gap_function(const CrackMesh& cracks, const Place& place) const;
   // Two lines that meet at a joint in one direction have one gap there.
   void drop_doubles(const CrackMesh& cracks);
-  Eigen::MatrixXd normals() const;  // of all openings, one column a place
+  Eigen::MatrixXd normals() const;  // of all openings, one column a place; none where the crack cuts the body
 
   std::vector<Place> places_;
   Eigen::Index components_;   // of all openings

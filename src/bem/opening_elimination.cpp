@@ -98,8 +98,9 @@ void OpeningElimination::factorize(const Eigen::MatrixXd& full, Eigen::Index dis
 }
 
 Eigen::MatrixXd OpeningElimination::solve(const Eigen::Ref<const Eigen::MatrixXd>& forces) const {
+  if (order_.empty()) return Eigen::MatrixXd(0, forces.cols());
   std::vector<Eigen::Index> rows = components_of(order_);
-  const Eigen::Index first = rows.empty() ? 0 : *std::min_element(rows.begin(), rows.end());
+  const Eigen::Index first = *std::min_element(rows.begin(), rows.end());
   for (Eigen::Index& row : rows) row -= first;
   Eigen::MatrixXd ordered = forces(rows, Eigen::all), result(forces.rows(), forces.cols());
   factor_.triangularView<Eigen::Lower>().solveInPlace(ordered);

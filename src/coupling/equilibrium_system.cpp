@@ -141,8 +141,12 @@ int EquilibriumSystem::operator_on(const std::vector<int>& nodes) const {
 void EquilibriumSystem::collect_bodies(const std::vector<DenseOperator>& operators) {
   std::vector<int> body_of(node_count_, -1);
   for (const DenseOperator& op : operators) {
-    for (int node : op.nodes) body_of[node] = static_cast<int>(bodies_.size());
-    bodies_.push_back(op.nodes);
+    const auto add = [&](const std::vector<int>& nodes) {
+      for (int node : nodes) body_of[node] = static_cast<int>(bodies_.size());
+      bodies_.push_back(nodes);
+    };
+    if (op.pieces.empty()) add(op.nodes);
+    for (const BodyPiece& piece : op.pieces) add(piece.nodes);
   }
   for (std::size_t t = 0; t < ties_.nodes().size(); ++t) {
     bodies_[body_of[ties_.masters(t).front().node]].push_back(ties_.nodes()[t]);

@@ -67,7 +67,7 @@ class EquilibriumSystem {
   bool is_prescribed(int dof) const { return unknowns_.kind[dof] == DofKind::prescribed; }
   bool is_unknown(int dof) const { return unknowns_.is_unknown(dof); }
   bool in_dense_body(int node) const { return in_body_[node] != 0; }
-  // Nodes of each dense operator and those tied to them: a body that cannot break.
+  // Nodes of each dense operator, or of each piece of one, and those tied to them: a body that cannot break.
   const std::vector<std::vector<int>>& dense_bodies() const { return bodies_; }
 
   // Stage of every term in its law, and whether it is not gone.

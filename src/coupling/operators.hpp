@@ -15,6 +15,12 @@ namespace bempd::coupling {
 
 // What a region contributes to the equilibrium of shared nodes. Degrees of freedom are 2 * node + component.
 
+// A part of a body that has come apart. Springs can hold two of its nodes, which lie far from each other.
+struct BodyPiece {
+  std::vector<int> nodes;
+  std::array<int, 2> holdable;
+};
+
 // Stiffness [N/m] on the nodes listed, as a boundary element region has it; positive semidefinite where it is
 // symmetric.
 struct DenseOperator {
@@ -25,6 +31,7 @@ struct DenseOperator {
   // is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
   std::shared_ptr<const FaceOpenings> openings = nullptr;  // null: without cracks that close
+  std::vector<BodyPiece> pieces = {};                      // that nothing joins; empty: all of it is one
 };
 
 // What terms and operators want to be like without force: rest elongations of terms, constant and proportional parts,

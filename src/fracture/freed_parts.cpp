@@ -29,7 +29,7 @@ FreedPartFinder::FreedPartFinder(const coupling::EquilibriumSystem& system, cons
     : system_(system), positions_(positions), connectivity_(system) {
   double largest = 0;
   for (double k : system.terms().stiffness) largest = std::max(largest, k);
-  spring_stiffness_ = largest;
+  spring_stiffness_ = largest > 0 ? largest : system.largest_stiffness();
 }
 
 HoldingSpring FreedPartFinder::spring(int node, double cosine, double sine, const Eigen::VectorXd& displacement) const {
@@ -119,14 +119,14 @@ void FreedPartFinder::hold_loose_point(int node, const Eigen::VectorXd& displace
     found.springs.push_back(spring(node, weak.x(), weak.y(), displacement));
 }
 
-// Forces that have no equilibrium on a piece that can move.
-bool FreedPartFinder::is_pushed(const RigidMotion& motion, const std::vector<int>& nodes) const {
+bool is_pushed(const RigidMotion& motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
+               const coupling::Affine& forces) {
   for (int column = 0; column < 2; ++column) {
-    const auto force = system_.force().col(column);
+    const auto force = forces.col(column);
     double size = 0;
     for (int node : nodes) size += force.segment<2>(2 * node).norm();
     for (int k = 0; k < motion.free_count(); ++k) {
-      if (std::abs(motion.work(k, positions_, nodes, force)) > balance_tolerance * size) return true;
+      if (std::abs(motion.work(k, positions, nodes, force)) > balance_tolerance * size) return true;
     }
   }
   return false;
@@ -145,7 +145,7 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
   // Springs must not carry loads, whether the loads were there before the springs or not.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
-  const bool pushed = is_pushed(unsupported, nodes);
+  const bool pushed = is_pushed(unsupported, positions_, nodes, system_.force());
   if (pushed) {
     found.nodes_with_lost_loads.insert(found.nodes_with_lost_loads.end(), nodes.begin(), nodes.end());
   }

@@ -18,6 +18,10 @@ struct FreedParts {
   std::int64_t fragments = 0;              // pieces that have come free of all supports
 };
 
+// Whether forces on all nodes have no equilibrium on a piece that can move.
+bool is_pushed(const coupling::RigidMotion& motion, const std::vector<Point>& positions, const std::vector<int>& nodes,
+               const coupling::Affine& forces);
+
 // Finds parts that can move freely: pieces cut off from supports, and points whose remaining terms pull on one line.
 // They are held where they are by springs that carry no force.
 class FreedPartFinder {
@@ -55,7 +59,6 @@ class FreedPartFinder {
   Resistance resistance_of(int node) const;
   void hold_loose_point(int node, const Eigen::VectorXd& displacement, FreedParts& found) const;
   void hold_piece(const std::vector<int>& nodes, const Eigen::VectorXd& displacement, FreedParts& found) const;
-  bool is_pushed(const coupling::RigidMotion& motion, const std::vector<int>& nodes) const;
   coupling::HoldingSpring spring(int node, double cosine, double sine, const Eigen::VectorXd& displacement) const;
 
   const coupling::EquilibriumSystem& system_;

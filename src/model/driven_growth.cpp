@@ -1,7 +1,6 @@
 #include "model/driven_growth.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -51,7 +50,7 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
         prepared_->evolution->advance(run.target, run.goal, run.stepping, run.on_event, run.on_end);
     if (reason != fracture::StopReason::growth) return with_stopped_lines(reason, run);
     check_cancelled();
-    if (!grow_next(tips, run)) return fracture::StopReason::crack_stopped;
+    grow_next(tips, run);
     const fracture::EvolutionState& state = prepared_->evolution->progress();
     run.stepping.events_so_far = state.events - before;
     run.on_event(state);
@@ -87,22 +86,12 @@ fracture::StopReason Model::with_stopped_lines(fracture::StopReason reason, cons
   return reason == StopReason::requested || reason == StopReason::event ? StopReason::crack_stopped : reason;
 }
 
-// False if the crack would cut its region in two.
-bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
+void Model::grow_next(ElementTips& tips, DrivenRun& run) {
   Growing growing = growing_with(tips.tips(), tips.first(), load_factor(), options_);
   growing.ties = tips.ties();
   set_lengths(growing, chosen_length(scene_, growing, options_), options_);
   const std::vector<scene::Crack> before = scene_.cracks();
-  Grown next;
-  try {
-    next = grown(before, std::move(growing), true, run.on_way);
-  } catch (const Error& error) {
-    if (std::string_view(error.what()).find("completes a cut") == std::string_view::npos) throw;
-    scene_.set_cracks(before);
-    say([&] { log(1, error.what()); });
-    run.on_end();
-    return false;
-  }
+  Grown next = grown(before, std::move(growing), true, run.on_way);
   run.crack_stopped = std::any_of(next.growth.extensions.begin(), next.growth.extensions.end(),
                                   [](const auto& e) { return e.state == crack::TipState::at_interface; });
   const Seconds spent = seconds_of(*prepared_);
@@ -112,7 +101,6 @@ bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
   tips.follow(*prepared_->evolution);
   say([&] { tell_of_growth(next.growth, *next.scene); });
   if (!run.start) run.start = std::move(next.scene);
-  return true;
 }
 
 // After a failure, wherever it has come.

@@ -7,9 +7,11 @@
 #include "coupling/rigid_motion.hpp"
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
+#include "geometry/outline.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/growth_options.hpp"
+#include "model/held_directions.hpp"
 #include "model/stepping_options.hpp"
 #include "regions/crack_places.hpp"
 #include "regions/incompressible.hpp"
@@ -27,6 +29,20 @@ std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
   const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + fracture::ratio_rounding; };
   const auto found = std::find_if(lines.begin(), lines.end(), unstable);
   return found == lines.end() ? 0 : found->event;
+}
+
+// Whether nodes are those of a piece that cracks alone bound, inside one region.
+bool is_island(const scene::Scene& scene, const regions::Discretization& d, const std::vector<int>& nodes) {
+  const auto has = [&](const std::unique_ptr<regions::Region>& region) {
+    const std::vector<int>& own = region->nodes();
+    return region->is_cut() && std::find(own.begin(), own.end(), nodes.front()) != own.end();
+  };
+  const auto region = std::find_if(d.regions.begin(), d.regions.end(), has);
+  if (region == d.regions.end()) return false;
+  const Outline& outline = scene.region((*region)->id()).outline();
+  return std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+    return locate(outline, d.positions[static_cast<std::size_t>(node)], d.tolerance) == Location::inside;
+  });
 }
 
 }  // namespace
@@ -59,13 +75,8 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
 void Model::check_mechanism(const PreparedScene& p) const {
   const std::vector<Point>& positions = p.discretization.positions;
   for (const std::vector<int>& nodes : fracture::Connectivity(*p.system).pieces()) {
-    std::vector<coupling::HeldDirection> held;
-    for (int node : nodes) {
-      if (p.conditions.prescribed[2 * node]) held.push_back({node, 1, 0});
-      if (p.conditions.prescribed[2 * node + 1]) held.push_back({node, 0, 1});
-    }
-    const coupling::RigidMotion motion(positions, nodes, held);
-    if (motion.free_count() == 0) continue;
+    const coupling::RigidMotion motion(positions, nodes, held_directions(p, nodes));
+    if (motion.free_count() == 0 || is_island(scene_, p.discretization, nodes)) continue;
     fail(Failure::unsolvable, p.discretization.regions_with(nodes), " can ", motion.describe(),
          "; add supports that prevent this, for example with bempd_fix_point()");
   }
@@ -142,6 +153,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
                                                             std::move(d.bonds), p->conditions.prescribed, d.ties);
   p->system->note_condition(regions::condition_of_held_pressure(scene_, d, p->conditions.prescribed, d.warnings));
   if (!before) check_mechanism(*p);  // what growth has cut off is held
+  if (before) check_loads_inside_free_pieces(*p);
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
   grow_lines(*p);

@@ -89,8 +89,7 @@ class Model {
   StepResult run_program(const scene::LoadTable& table, fracture::Goal goal);
 
   // Tips that are critical first grow by a length, at the load factor at which they are; what they do not touch of the
-  // scene stays prepared. Throws Error if no tip can grow, or if a crack would cut a region in two; then nothing has
-  // changed (crack_growth.cpp).
+  // scene stays prepared. Throws Error if no tip can grow; then nothing has changed (crack_growth.cpp).
   GrowthResult grow_cracks(double length);
   void set_tip_frozen(int crack, int end, bool frozen);
   std::span<const fracture::CrackExtension> extensions() const;
@@ -243,13 +242,14 @@ class Model {
   // Whether steps have to look after tips with elements (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
-  bool grow_next(ElementTips& tips, DrivenRun& run);
+  void grow_next(ElementTips& tips, DrivenRun& run);
   void take_back(DrivenRun& run) noexcept;
   void look_after_lines(DrivenRun& run);
   fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
   std::unique_ptr<PreparedScene> as_grown(std::vector<fracture::CrackExtension> extensions);
   void check_mechanism(const PreparedScene& prepared) const;
+  void check_loads_inside_free_pieces(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
   fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;
   void let_fluid_in(PreparedScene& prepared) const;

@@ -2,10 +2,20 @@
 
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
+#include "model/held_directions.hpp"
 #include "model/model.hpp"
 
 // What bonds and boundary elements still join.
 namespace bempd::model {
+
+std::vector<coupling::HeldDirection> held_directions(const PreparedScene& p, const std::vector<int>& nodes) {
+  std::vector<coupling::HeldDirection> held;
+  for (int node : nodes) {
+    if (p.conditions.prescribed[2 * node]) held.push_back({node, 1, 0});
+    if (p.conditions.prescribed[2 * node + 1]) held.push_back({node, 0, 1});
+  }
+  return held;
+}
 
 const Pieces& Model::pieces() {
   prepare();
@@ -21,6 +31,35 @@ const Pieces& Model::pieces() {
   pieces_ = std::move(found);
   pieces_generation_ = generation_;
   return pieces_;
+}
+
+// Boundary elements know loads on the inside of a region as a whole: a piece that growing cracks free cannot lose its
+// part of them.
+void Model::check_loads_inside_free_pieces(const PreparedScene& p) const {
+  const auto is_loaded_inside = [&](const regions::Region& region) {
+    if (!region.is_cut()) return false;
+    const auto of_crack = [&](const regions::CrackLoad& load) { return region.has_inner_crack(load.crack); };
+    const std::vector<regions::CrackLoad>& loads = p.conditions.crack_loads;
+    return !p.conditions.body_force.middleRows<3>(3 * static_cast<Eigen::Index>(region.id() - 1)).isZero(0) ||
+           std::any_of(loads.begin(), loads.end(), of_crack);
+  };
+  const auto& regions = p.discretization.regions;
+  if (std::none_of(regions.begin(), regions.end(), [&](const auto& region) { return is_loaded_inside(*region); }))
+    return;
+  for (const std::vector<int>& nodes : fracture::Connectivity(*p.system).pieces()) {
+    const coupling::RigidMotion motion(p.discretization.positions, nodes, held_directions(p, nodes));
+    const auto has_node_of = [&](const regions::Region& region) {
+      return std::any_of(region.nodes().begin(), region.nodes().end(),
+                         [&](int node) { return std::binary_search(nodes.begin(), nodes.end(), node); });
+    };
+    if (!fracture::is_pushed(motion, p.discretization.positions, nodes, p.conditions.force)) continue;
+    for (const auto& region : regions) {
+      if (!is_loaded_inside(*region) || !has_node_of(*region)) continue;
+      fail(Failure::unsolvable, "cracks free a piece of region ", region->id(),
+           " that a force per volume or a load on a crack pushes away; add supports that hold it, or take that load "
+           "off");
+    }
+  }
 }
 
 // Pieces that something holds or loads.
@@ -80,13 +119,8 @@ std::vector<int> Model::pieces_of_load(int load) {
 }
 
 std::vector<int> Model::node_pieces(int id) {
-  const std::vector<int>& nodes = region(id).nodes();
+  const std::vector<int> nodes = region(id).nodes_of_entries();
   const Pieces& all = pieces();
-  // Boundary elements have nodes of their own beside those of the scene, and cannot break.
-  if (!region(id).bonds()) {
-    const auto count = static_cast<std::size_t>(field_size(id, regions::Field::position).count);
-    return std::vector<int>(count, all.of_node[static_cast<std::size_t>(nodes.front())]);
-  }
   std::vector<int> result;
   result.reserve(nodes.size());
   for (int node : nodes) result.push_back(all.of_node[static_cast<std::size_t>(node)]);
@@ -105,11 +139,7 @@ PieceState Model::piece(int number) {
     if (!scene_.supports()[s].removed() && has(pieces_of_support(static_cast<int>(s) + 1))) ++state.supports;
   for (std::size_t l = 0; l < scene_.loads().size(); ++l)
     if (!scene_.loads()[l].removed() && has(pieces_of_load(static_cast<int>(l) + 1))) ++state.loads;
-  std::vector<coupling::HeldDirection> held;
-  for (int node : nodes) {
-    if (prepared_->conditions.prescribed[2 * node]) held.push_back({node, 1, 0});
-    if (prepared_->conditions.prescribed[2 * node + 1]) held.push_back({node, 0, 1});
-  }
+  const std::vector<coupling::HeldDirection> held = held_directions(*prepared_, nodes);
   const std::vector<Point>& positions = prepared_->discretization.positions;
   state.free_motions = coupling::RigidMotion(positions, nodes, held).free_count();
   state.motion = coupling::nearest_rigid_motion(positions, nodes, prepared_->evolution->state().total_displacement);

@@ -32,6 +32,13 @@ inline int components_of(Field field) {
   return field == Field::damage || field == Field::bond_stretch || field == Field::stress_order ? 1 : 2;
 }
 
+// Where faces of a crack pass through each other.
+struct Overlap {
+  int crack;
+  Point place;
+  double depth;  // [m]
+};
+
 // Loads on the faces of a crack that has elements, by the part of its length: pressure and shear [Pa], constant and
 // multiplied by the load factor.
 struct CrackLoad {

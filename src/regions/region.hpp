@@ -85,12 +85,6 @@ struct TipValues {
 
 enum class TipDetail { factors, everything };
 
-struct Overlap {
-  int crack;
-  Point place;
-  double depth;  // [m]
-};
-
 // Elements on a crack for a picture: start, middle and end of each one, with the openings there and the mean of the
 // displacements of both faces [m].
 struct CrackPicture {
@@ -221,6 +215,10 @@ class Region {
   virtual std::vector<double> shares_of_cells() const { return {}; }
   // What the growth of a crack as a line asks of it, where it takes such cracks.
   virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return {}; }
+  // Whether cracks cut it into pieces that do not hold each other.
+  virtual bool is_cut() const { return false; }
+  // Whether a crack has elements in it that are no boundary of its pieces.
+  virtual bool has_inner_crack(int /*crack*/) const { return false; }
   // Whether it puts elements on cracks: those that Preparation::crack_regions gives it. Then it has what is below.
   virtual bool has_crack_elements() const { return false; }
   // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
@@ -261,6 +259,8 @@ class Region {
 
   // Entries of its own nodes in fields of nodes.
   virtual std::vector<int> entries_of_nodes() const;
+  // For every entry of such fields a node of the scene that moves as one with it.
+  virtual std::vector<int> nodes_of_entries() const { return nodes_; }
   // Throws Error (argument) for a field that the region does not have.
   virtual FieldSize field_size(Field field) const = 0;
   virtual FieldValues field(Field field, const Solution& solution) const = 0;

@@ -325,10 +325,6 @@ static void misuse(void) {
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "growth.share", bempd_set_option(model, "growth.share", -1));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "growth.criterion",
               bempd_set_option_text(model, "growth.criterion", "strain"));
-  /* What would cut the plate in two leaves everything as it was. */
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "cut through", bempd_grow_cracks(model, 3, NULL));
-  CHECK(extension_count(model) == 2 && tip_count(model) == 2);
-  CHECK(grow(model, 0.05).tips == 2);
   bempd_model_free(model);
 }
 

@@ -47,6 +47,9 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   mesh_ = make_mesh(panels.loops);
   if (!cracks_) return;
   cracks_->mesh(mesh_);
+  // Faces belong to no edge.
+  if (!mesh_.elements.empty())
+    panels_.resize(static_cast<std::size_t>(mesh_.elements.back().panel) + 1, {0, 0, 1, Border::free, 0, false});
   cracks_->require_memory(mesh_, preparation.options);
 }
 
@@ -163,7 +166,7 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
     if (typeid(*other.region) == typeid(*this) && has_operator_of(static_cast<const BoundaryRegion&>(*other.region)))
       return coupling::DenseOperator{nodes_, other.dense.stiffness, &solution_method(), rest_};
   }
-  return coupling::DenseOperator{nodes_, stiffness_of_nodes(), &solution_method(), rest_, face_openings()};
+  return coupling::DenseOperator{nodes_, stiffness_of_nodes(), &solution_method(), rest_, face_openings(), pieces()};
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {

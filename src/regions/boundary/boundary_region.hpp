@@ -11,6 +11,7 @@
 #include "geometry/boundary_mesh.hpp"
 #include "regions/boundary/boundary_description.hpp"
 #include "regions/boundary/boundary_meshing.hpp"
+#include "regions/boundary/interior_of_pieces.hpp"
 #include "regions/region.hpp"
 
 namespace bempd::regions {
@@ -27,6 +28,10 @@ class BoundaryRegion : public Region {
 
   const BoundaryMesh& boundary_mesh() const { return mesh_; }
   const bem::BoundaryOperator* boundary_operator() const { return operator_.get(); }
+  // Into which cracks cut it (boundary_pieces.cpp).
+  int piece_count() const;
+  bool is_cut() const override { return piece_count() > 1; }
+  bool has_inner_crack(int crack) const override;
 
   void mesh(const Preparation& preparation) override;
   void build(const Preparation& preparation, Contributions& contributions) override;
@@ -65,6 +70,7 @@ class BoundaryRegion : public Region {
   std::optional<Overlap> overlap(const Solution& solution) const override;
 
   std::vector<int> entries_of_nodes() const override;
+  std::vector<int> nodes_of_entries() const override;
   FieldSize field_size(Field field) const override;
   FieldValues field(Field field, const Solution& solution) const override;
   std::int64_t cell_count() const override { return static_cast<std::int64_t>(mesh_.elements.size()); }
@@ -99,6 +105,7 @@ class BoundaryRegion : public Region {
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;
+  std::vector<coupling::BodyPiece> pieces() const;
   LinearBodyForce particular(const BodyForce& body_force) const;
   // Of the particular solution: the displacements of the mesh's nodes, and the nodal forces that are left for the rest.
   Eigen::VectorXd displacement_of(const LinearBodyForce& particular) const;
@@ -120,6 +127,8 @@ class BoundaryRegion : public Region {
   // And without those of the particular solution.
   Eigen::VectorXd displacement_without(const LinearBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const LinearBodyForce& particular, const Solution& solution) const;
+  // The same, by the pieces into which cracks cut the region.
+  InteriorOfPieces inside_without(const LinearBodyForce& particular, const Solution& solution) const;
   // Of a region with cracks: its operator, and its state under displacements of the scene and loads on faces.
   const bem::CrackedOperator& cracked() const;
   bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,

@@ -19,7 +19,7 @@ Point traction_of(const Eigen::Vector3d& stress, const Point& normal) {
 // Somigliana's identity for what is left without the body force and swelling, and the solutions that have them.
 class BoundaryEvaluator final : public Evaluator {
  public:
-  BoundaryEvaluator(const BoundaryRegion& region, bem::InteriorEvaluator interior, const LinearBodyForce& particular,
+  BoundaryEvaluator(const BoundaryRegion& region, InteriorOfPieces interior, const LinearBodyForce& particular,
                     double load_factor, bool with_stress)
       : region_(region),
         interior_(std::move(interior)),
@@ -39,7 +39,7 @@ class BoundaryEvaluator final : public Evaluator {
 
  private:
   const BoundaryRegion& region_;
-  bem::InteriorEvaluator interior_;
+  InteriorOfPieces interior_;
   LinearBodyForce particular_;
   double load_factor_;
   bool with_stress_;
@@ -166,7 +166,7 @@ FieldValues BoundaryRegion::at_nodes(Field which, const FieldValues& values) con
 std::unique_ptr<Evaluator> BoundaryRegion::evaluator(const Solution& solution, const FieldsOfRegion&,
                                                      bool with_stress) const {
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
-  return std::make_unique<BoundaryEvaluator>(*this, interior_without(particular, solution), particular,
+  return std::make_unique<BoundaryEvaluator>(*this, inside_without(particular, solution), particular,
                                              solution.load_factor, with_stress);
 }
 

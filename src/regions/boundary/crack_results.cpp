@@ -86,7 +86,9 @@ Eigen::VectorXd BoundaryRegion::tractions_under(const Eigen::VectorXd& displacem
 void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const {
   const auto traction = cracks_->traction({load}, part == 0 ? 1 : 0, part == 0 ? 0 : 1);
   const Eigen::VectorXd forces = bem::crack_forces(cracks_->elements(), traction, elasticity().thickness);
-  scatter(trace_.transpose() * cracked().forces_on_boundary(forces), force);
+  Eigen::VectorXd on_boundary = cracked().forces_on_boundary(forces);
+  bem::add_forces_on_cuts(mesh_, cracks_->elements(), traction, elasticity().thickness, on_boundary);
+  scatter(trace_.transpose() * on_boundary, force);
 }
 
 // Constant and proportional ones, on all openings.
@@ -184,18 +186,18 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
 
 std::vector<Point> BoundaryRegion::crack_openings(int crack, const std::vector<double>& fractions,
                                                   const Solution& solution) const {
-  const Eigen::VectorXd openings = cracked_state(solution).openings;
+  const bem::CrackedState state = cracked_state(solution);
   std::vector<Point> values;
   values.reserve(fractions.size());
-  for (const double fraction : fractions) values.push_back(cracks_->opening_at(crack, fraction, openings));
+  for (const double fraction : fractions) values.push_back(cracks_->opening_at(crack, fraction, state));
   return values;
 }
 
 std::vector<CrackPicture> BoundaryRegion::crack_pictures(const Solution& solution) const {
   if (!cracks_) return {};
-  std::vector<CrackPicture> pictures = cracks_->pictures(cracked_state(solution).openings);
+  std::vector<CrackPicture> pictures = cracks_->pictures(cracked_state(solution));
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
-  const bem::InteriorEvaluator rest = interior_without(particular, solution);
+  const InteriorOfPieces rest = inside_without(particular, solution);
   for (CrackPicture& picture : pictures) {
     for (std::size_t k = 0; k < picture.places.size(); ++k) {
       const Point& place = picture.places[k];
@@ -210,7 +212,7 @@ const CrackLines* BoundaryRegion::crack_lines() const { return cracks_ ? &cracks
 
 std::optional<Overlap> BoundaryRegion::overlap(const Solution& solution) const {
   if (!cracks_ || closing_) return std::nullopt;
-  return cracks_->overlap(cracked_state(solution).openings);
+  return cracks_->overlap(cracked_state(solution));
 }
 
 }  // namespace bempd::regions

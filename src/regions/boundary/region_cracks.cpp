@@ -6,7 +6,6 @@
 
 #include "error.hpp"
 #include "geometry/turning.hpp"
-#include "linalg/disjoint_sets.hpp"
 #include "regions/memory_limit.hpp"
 
 namespace bempd::regions {
@@ -35,11 +34,11 @@ double way_to(const CrackPath& path, int point) {
 }
 
 // Values of the element's functions at a part of its length.
-std::array<double, 3> shape_at(const bem::CrackElement& element, double part) {
-  if (element.tip == bem::TipEnd::none) return bem::ElementGeometry{}.shape(2 * part - 1);
+std::array<double, 3> shape_at(bem::TipEnd tip, double part) {
+  if (tip == bem::TipEnd::none) return bem::ElementGeometry{}.shape(2 * part - 1);
   bem::ElementGeometry geometry{};
-  geometry.tip = element.tip;
-  return geometry.shape(element.tip == bem::TipEnd::start ? 2 * std::sqrt(part) - 1 : 1 - 2 * std::sqrt(1 - part));
+  geometry.tip = tip;
+  return geometry.shape(tip == bem::TipEnd::start ? 2 * std::sqrt(part) - 1 : 1 - 2 * std::sqrt(1 - part));
 }
 
 }  // namespace
@@ -58,29 +57,6 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
               "a crack in region ", region, " reaches the interface with region ", other->id(), " at (", mouth.x(),
               ", ", mouth.y(), "); end it at a free edge or inside");
   }
-  require_one_piece(p, region);
-}
-
-// Lines that close a ring, the boundary's loops counting as places, cut the body into pieces.
-void RegionCracks::require_one_piece(const Preparation& p, int region) const {
-  const Outline& outline = p.scene.region(region).outline();
-  const int joints = static_cast<int>(lines_.joints.size());
-  linalg::DisjointSets joined(joints + static_cast<int>(outline.loops.size()));
-  for (int j = 0; j < joints; ++j) {
-    if (!lines_.joints[j].mouth) continue;
-    std::size_t edge = 0;
-    for (std::size_t loop = 0; loop < outline.loops.size(); ++loop)
-      for (std::size_t k = 0; k < outline.loops[loop].size(); ++k, ++edge)
-        if (distance(edges_[edge], lines_.joints[j].place) <= 8 * tolerance_)
-          joined.join(j, joints + static_cast<int>(loop));
-  }
-  for (const CrackLine& line : lines_.lines) {
-    if (line.joints[0] < 0 || line.joints[1] < 0) continue;
-    require(joined.find(line.joints[0]) != joined.find(line.joints[1]), "crack ", paths_[line.crack].id,
-            " completes a cut through region ", region, " near (", line.points.front().x(), ", ",
-            line.points.front().y(), "); leave a ligament, or describe the pieces as regions of their own");
-    joined.join(line.joints[0], line.joints[1]);
-  }
 }
 
 std::vector<Point> RegionCracks::mouths() const {
@@ -92,6 +68,8 @@ std::vector<Point> RegionCracks::mouths() const {
 
 void RegionCracks::mesh(BoundaryMesh& boundary) {
   mesh_ = bem::mesh_cracks(lines_, sizes_.stations(), boundary, tolerance_);
+  for (const bem::CutElement& e : mesh_.cuts)
+    cut_places_.push_back({boundary.nodes[e.left[0]], boundary.nodes[e.left[1]], boundary.nodes[e.left[2]]});
 }
 
 std::string RegionCracks::gap_sentence(const bem::NarrowGap& gap) const {
@@ -163,10 +141,44 @@ bem::FaceTraction RegionCracks::traction(const std::vector<CrackLoad>& loads, do
   };
 }
 
-Point RegionCracks::opening_at(int crack, double fraction, const Eigen::VectorXd& openings) const {
+bool RegionCracks::has_inside(int crack) const {
+  return std::any_of(mesh_.elements.begin(), mesh_.elements.end(),
+                     [&](const bem::CrackElement& e) { return paths_[lines_.lines[e.line].crack].id == crack; });
+}
+
+// At the three nodes of an element.
+std::array<Point, 3> RegionCracks::openings_on(const bem::CrackElement& e, const bem::CrackedState& state) {
+  std::array<Point, 3> openings;
+  for (int k = 0; k < 3; ++k) openings[k] = state.openings.segment<2>(2 * e.nodes[k]);
+  return openings;
+}
+
+std::array<Point, 3> RegionCracks::openings_on(const bem::CutElement& e, const bem::CrackedState& state) {
+  std::array<Point, 3> openings;
+  for (int k = 0; k < 3; ++k)
+    openings[k] = state.displacements.segment<2>(2 * e.left[k]) - state.displacements.segment<2>(2 * e.right[k]);
+  return openings;
+}
+
+std::vector<RegionCracks::Opened> RegionCracks::opened(const bem::CrackedState& state) const {
+  std::vector<Opened> all;
+  for (const bem::CrackElement& e : mesh_.elements)
+    all.push_back({e.line,
+                   e.from,
+                   e.to,
+                   e.tip,
+                   {mesh_.nodes[e.nodes[0]], mesh_.nodes[e.nodes[1]], mesh_.nodes[e.nodes[2]]},
+                   openings_on(e, state)});
+  for (std::size_t c = 0; c < mesh_.cuts.size(); ++c)
+    all.push_back({mesh_.cuts[c].line, mesh_.cuts[c].from, mesh_.cuts[c].to, bem::TipEnd::none, cut_places_[c],
+                   openings_on(mesh_.cuts[c], state)});
+  return all;
+}
+
+Point RegionCracks::opening_at(int crack, double fraction, const bem::CrackedState& state) const {
   Point found = Point::Zero();
   double least = std::numeric_limits<double>::infinity();
-  for (const bem::CrackElement& e : mesh_.elements) {
+  for (const Opened& e : opened(state)) {
     const CrackLine& line = lines_.lines[e.line];
     if (paths_[line.crack].id != crack) continue;
     const double way = fraction * length_of(line.crack) - line.start;
@@ -174,39 +186,39 @@ Point RegionCracks::opening_at(int crack, double fraction, const Eigen::VectorXd
     const double off = std::abs(way - (e.from + part * (e.to - e.from)));
     if (off >= least) continue;
     least = off;
-    const auto shape = shape_at(e, part);
+    const auto shape = shape_at(e.tip, part);
     Point opening = Point::Zero();
-    for (int k = 0; k < 3; ++k) opening += shape[k] * openings.segment<2>(2 * e.nodes[k]);
-    const Point along = (mesh_.nodes[e.nodes[2]] - mesh_.nodes[e.nodes[0]]).normalized();
+    for (int k = 0; k < 3; ++k) opening += shape[k] * e.openings[k];
+    const Point along = (e.places[2] - e.places[0]).normalized();
     found = {opening.dot(along), opening.dot(left_of(along))};
   }
   return found;
 }
 
-std::vector<CrackPicture> RegionCracks::pictures(const Eigen::VectorXd& openings) const {
+std::vector<CrackPicture> RegionCracks::pictures(const bem::CrackedState& state) const {
   std::vector<CrackPicture> all;
   for (const CrackPath& path : paths_) all.push_back({path.id, {}, {}, {}});
-  for (const bem::CrackElement& e : mesh_.elements) {
+  for (const Opened& e : opened(state)) {
     CrackPicture& picture = all[lines_.lines[e.line].crack];
-    for (const int n : e.nodes) {
-      picture.places.push_back(mesh_.nodes[n]);
-      picture.openings.emplace_back(openings.segment<2>(2 * n));
-    }
+    picture.places.insert(picture.places.end(), e.places.begin(), e.places.end());
+    picture.openings.insert(picture.openings.end(), e.openings.begin(), e.openings.end());
   }
   return all;
 }
 
-std::optional<Overlap> RegionCracks::overlap(const Eigen::VectorXd& openings) const {
+std::optional<Overlap> RegionCracks::overlap(const bem::CrackedState& state) const {
   Overlap worst{0, Point::Zero(), 0};
-  for (const bem::CrackElement& e : mesh_.elements) {
-    const Point left = left_of((mesh_.nodes[e.nodes[2]] - mesh_.nodes[e.nodes[0]]).normalized());
-    for (const int n : e.nodes) {
-      const double depth = -left.dot(openings.segment<2>(2 * n));
-      if (depth > worst.depth) worst = {paths_[lines_.lines[e.line].crack].id, mesh_.nodes[n], depth};
+  double largest = 0;
+  for (const Opened& e : opened(state)) {
+    const Point left = left_of((e.places[2] - e.places[0]).normalized());
+    for (int k = 0; k < 3; ++k) {
+      largest = std::max(largest, e.openings[k].cwiseAbs().maxCoeff());
+      const double depth = -left.dot(e.openings[k]);
+      if (depth > worst.depth) worst = {paths_[lines_.lines[e.line].crack].id, e.places[k], depth};
     }
   }
   // Faces that slide on each other part by rounding.
-  if (worst.depth <= 1e-9 * openings.cwiseAbs().maxCoeff()) return std::nullopt;
+  if (worst.depth <= 1e-9 * largest) return std::nullopt;
   return worst;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,12 @@ class RegionCracks {
   std::vector<Point> mouths() const;
   const bem::CrackSizes& sizes() const { return sizes_; }
 
-  // Splits nodes of the boundary's mesh.
+  // Splits nodes of the boundary's mesh, and adds the faces of cracks between pieces to it.
   void mesh(BoundaryMesh& boundary);
   const bem::CrackMesh& elements() const { return mesh_; }
 
   const CrackLines& lines() const { return lines_; }
+  double tolerance() const { return tolerance_; }
 
   // Throws Error (argument) if the operator on the boundary and the cracks needs more memory than there is.
   void require_memory(const BoundaryMesh& boundary, const scene::Options& options) const;
@@ -38,16 +40,26 @@ class RegionCracks {
   // Nothing if there are no loads; of the loads' constant part, their proportional part, or both at a load factor.
   bem::FaceTraction traction(const std::vector<CrackLoad>& loads, double constant, double proportional) const;
   // The opening at a part of the length of a crack, along it and normal to it.
-  Point opening_at(int crack, double fraction, const Eigen::VectorXd& openings) const;
-  std::vector<CrackPicture> pictures(const Eigen::VectorXd& openings) const;
-  std::optional<Overlap> overlap(const Eigen::VectorXd& openings) const;
+  Point opening_at(int crack, double fraction, const bem::CrackedState& state) const;
+  std::vector<CrackPicture> pictures(const bem::CrackedState& state) const;
+  std::optional<Overlap> overlap(const bem::CrackedState& state) const;
+  // Whether a crack has a part that does not cut the region.
+  bool has_inside(int crack) const;
 
  private:
+  // An element, be it inside a piece or between two.
+  struct Opened {
+    int line;
+    double from, to;  // ways along its line
+    bem::TipEnd tip;
+    std::array<Point, 3> places, openings;
+  };
+  std::vector<Opened> opened(const bem::CrackedState& state) const;
+  static std::array<Point, 3> openings_on(const bem::CrackElement& element, const bem::CrackedState& state);
+  static std::array<Point, 3> openings_on(const bem::CutElement& element, const bem::CrackedState& state);
   double length_of(int path) const;
   // Part of the crack as it was given: loads stay where they are when it grows, and go on beyond its ends.
   double fraction_at(int line, const Point& x) const;
-  void require_one_piece(const Preparation& preparation, int region) const;
-
   std::string gap_sentence(const bem::NarrowGap& gap) const;
 
   int region_;
@@ -57,6 +69,7 @@ class RegionCracks {
   CrackLines lines_;
   bem::CrackSizes sizes_;
   bem::CrackMesh mesh_;
+  std::vector<std::array<Point, 3>> cut_places_;  // of its elements between pieces
 };
 
 // The cracks that a region is to have elements on; null if there are none.

@@ -1,0 +1,71 @@
+#include <algorithm>
+
+#include "regions/boundary/boundary_region.hpp"
+#include "regions/boundary/region_cracks.hpp"
+
+// Pieces into which cracks cut a region.
+namespace bempd::regions {
+
+namespace {
+
+// Of distances that are equal up to rounding the first one counts.
+constexpr double clearly_farther = 1 + 1e-6;
+
+}  // namespace
+
+int BoundaryRegion::piece_count() const { return cracks_ ? cracks_->elements().pieces.count : 1; }
+
+bool BoundaryRegion::has_inner_crack(int crack) const { return cracks_ && cracks_->has_inside(crack); }
+
+std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
+  if (piece_count() == 1) return {};
+  const bem::CrackMesh& cracks = cracks_->elements();
+  std::vector<int> piece_of(mesh_.nodes.size(), 0);
+  std::vector<char> on_face(mesh_.nodes.size(), 0);
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
+    for (const int node : mesh_.elements[e].nodes) {
+      piece_of[node] = cracks.pieces.of_element[e];
+      if (mesh_.elements[e].panel >= cracks.first_face_panel) on_face[node] = 1;
+    }
+  std::vector<coupling::BodyPiece> pieces(static_cast<std::size_t>(piece_count()));
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    // Where faces meet their own displacements decide, not those of nodes that springs may hold.
+    std::vector<std::size_t> own, beside_faces;
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
+      if (node_of_mesh_node_[i] < 0 || piece_of[i] != static_cast<int>(p)) continue;
+      pieces[p].nodes.push_back(node_of_mesh_node_[i]);
+      own.push_back(i);
+      if (!on_face[i]) beside_faces.push_back(i);
+    }
+    if (beside_faces.size() > 1) own.swap(beside_faces);
+    const auto farthest_from = [&](std::size_t from) {
+      std::size_t best = own.front();
+      const auto way = [&](std::size_t i) { return (mesh_.nodes[i] - mesh_.nodes[from]).norm(); };
+      for (const std::size_t i : own)
+        if (way(i) > clearly_farther * way(best)) best = i;
+      return best;
+    };
+    const std::size_t one = farthest_from(own.front()), other = farthest_from(one);
+    pieces[p].holdable = {node_of_mesh_node_[one], node_of_mesh_node_[other]};
+  }
+  return pieces;
+}
+
+std::vector<int> BoundaryRegion::nodes_of_entries() const {
+  std::vector<int> nodes = node_of_mesh_node_;
+  // Middles that are none of the scene go with the start of their element.
+  for (const BoundaryElement& element : mesh_.elements)
+    if (nodes[element.nodes[1]] < 0) nodes[element.nodes[1]] = nodes[element.nodes[0]];
+  return nodes;
+}
+
+InteriorOfPieces BoundaryRegion::inside_without(const LinearBodyForce& particular, const Solution& solution) const {
+  if (piece_count() == 1) return InteriorOfPieces(interior_without(particular, solution));
+  const bem::CrackedState state = cracked_state(solution);
+  std::vector<bem::InteriorEvaluator> interiors;
+  for (int piece = 0; piece < piece_count(); ++piece)
+    interiors.push_back(bem::interior_of_piece(cracked(), state, piece));
+  return {std::move(interiors), mesh_, cracks_->elements(), cracks_->tolerance()};
+}
+
+}  // namespace bempd::regions

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "bem/crack_mesh.hpp"
+#include "bem/interior.hpp"
+#include "geometry/edge.hpp"
+
+namespace bempd::regions {
+
+// Displacement and stress inside a region, in that piece of it where a place lies.
+class InteriorOfPieces {
+ public:
+  // A region of one piece.
+  explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
+  // One for every piece.
+  InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
+                   const bem::CrackMesh& cracks, double tolerance);
+
+  bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
+  Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
+  // On a crack, also on one between pieces.
+  void look_from_right(bool right);
+  std::int64_t kernel_evaluations() const;
+
+ private:
+  struct Cut {
+    Segment segment;
+    std::size_t left, right;  // pieces
+  };
+  std::size_t piece_at(const Point& x) const;
+
+  std::vector<bem::InteriorEvaluator> interiors_;
+  std::vector<std::vector<Edge>> edges_;  // of each piece
+  std::vector<Cut> cuts_;
+  double tolerance_ = 0;
+  bool from_right_ = false;
+};
+
+}  // namespace bempd::regions
