@@ -103,6 +103,10 @@ void Model::grow_lines(PreparedScene& p) const {
       if (k < shares.size()) laws.share_of_node[node] += shares[k];
     }
     laws.laws.push_back(*law);
+    const Outline& outline = scene_.region(region->id()).outline();
+    const std::vector<Edge> edges = edges_of(outline);
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      (k < outline.loops.front().size() ? laws.outer_edges : laws.hole_edges).push_back(edges[k]);
   }
   std::vector<fracture::GrowingTip> tips;
   for (const regions::StartingTip& tip : regions::tips_of_cracks(scene_, p.cracks, p.discretization, options_))

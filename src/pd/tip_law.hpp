@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "elasticity/kinked_tip.hpp"
+#include "geometry/edge.hpp"
 
 namespace bempd::pd {
 
@@ -21,6 +22,7 @@ struct TipLaws {
   std::vector<int> of_node;                              // law of its region; -1 where there is none
   std::vector<double> share_of_node{};                   // of the area of a full point; 0 where it is not known
   KinkCriterion criterion = KinkCriterion::hoop_stress;  // says when tips grow, not where to
+  std::vector<Edge> outer_edges{}, hole_edges{};         // of these regions
   bool more_begin = false;                               // besides the cracks that the host described
   std::vector<double> of_crack{};                        // length of each of those [m]
 };

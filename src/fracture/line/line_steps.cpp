@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -41,6 +42,12 @@ constexpr double least_stress = 1e-8;
 AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
   intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
   return intensity;
+}
+
+double distance_to(const std::vector<Edge>& edges, const Point& place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : edges) nearest = std::min(nearest, distance(edge, place));
+  return nearest;
 }
 
 }  // namespace
@@ -172,7 +179,9 @@ CrackExtension LineSteps::remember(const LineStep& step, double ratio, double re
   const bool is_first = tip.energy_ratios.empty();
   tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
-  tip.state = step.way.ends_as;
+  const bool at_hole = step.way.ends_as == crack::TipState::at_edge &&
+                       distance_to(laws_.hole_edges, tip.place) < distance_to(laws_.outer_edges, tip.place);
+  tip.state = at_hole ? crack::TipState::at_hole : step.way.ends_as;
   CrackExtension extension = extension_from(tip.place - step.way.length * step.direction, tip, step.way.length);
   const Point factors = step.factors.at(load_factor);
   extension.angle = step.angle, extension.load_factor = load_factor;

@@ -86,3 +86,25 @@ def test_a_step_that_is_taken_back_leaves_no_extensions() -> None:
     with pytest.raises(ZeroDivisionError):
         model.run_to_separation(1e6)
     assert len(model.extensions()) == 1
+
+
+@pytest.mark.parametrize("what, state", [("edge", bempd.TipState.AT_EDGE), ("hole", bempd.TipState.AT_HOLE),
+                                         ("crack", bempd.TipState.AT_CRACK)])
+def test_ends_at_an_edge_a_hole_and_a_crack_are_told_apart(what: str, state: bempd.TipState) -> None:
+    model = bempd.Model(options={"pd.crack_rule": "tips"})
+    material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
+    body = model.add_pd_region(material, bempd.rectangle(0, 0, 40, 40), 1.0, 3)
+    model.add_crack([(0, 20.3), (10, 20.3)])
+    if what == "hole":
+        model.add_hole(body, [(20, 15), (20, 26), (30, 26), (30, 15)])
+    if what == "crack":
+        model.add_crack([(20.3, 14), (20.3, 27)])
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+        model.fix_edge(body, edge, "x")
+    for _ in range(40):
+        if model.step_to_next_event(1e6).stop_reason != bempd.StopReason.EVENT:
+            break
+    *before, last = [e for e in model.extensions() if e.crack == 1]
+    assert last.ended and last.state == state
+    assert all(e.state == bempd.TipState.GROWS for e in before)
