@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "error.hpp"
 #include "geometry/segment.hpp"
@@ -33,6 +34,9 @@ constexpr double longest = 0.5, longest_at_tip = 0.25;
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
 // Where gaps are wide enough for elements of this part of the length without a gap, nothing is saved by longer ones.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
+
+// Of elements behind a mouth on a row of nodes: each is at most 1.6 times as long as the one before.
+constexpr double growth_from_rows = 0.6;
 
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
 
@@ -79,8 +83,14 @@ void halve(double from, double to, double length, const Limit& limit, int depth,
 }  // namespace
 
 CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& boundary, double tolerance,
-                       const CrackGrading& grading, const std::vector<Point>& panel_ends)
-    : cracks_(cracks), boundary_(boundary), tolerance_(tolerance), grading_(grading), ends_(panel_ends) {
+                       const CrackGrading& grading, const std::vector<Point>& panel_ends,
+                       std::vector<MouthOnRow> mouths)
+    : cracks_(cracks),
+      boundary_(boundary),
+      tolerance_(tolerance),
+      grading_(grading),
+      mouths_(std::move(mouths)),
+      ends_(panel_ends) {
   for (const Edge& edge : boundary) ends_.push_back(edge.start);
   for (const CrackLine& line : cracks.lines) {
     ways_.push_back({0.0});
@@ -130,6 +140,13 @@ double CrackSizes::from_kinks(int l, double way) const {
   const auto branches = [&](int joint) { return joint >= 0 && !cracks_.joints[joint].mouth; };
   if (branches(line.joints[0])) consider(0, ways[1]);
   if (branches(line.joints[1])) consider(ways.back(), ways.back() - ways[ways.size() - 2]);
+  return limit;
+}
+
+double CrackSizes::from_rows(const Point& x) const {
+  double limit = infinite;
+  for (const MouthOnRow& mouth : mouths_)
+    limit = std::min(limit, mouth.spacing + growth_from_rows * (x - mouth.place).norm());
   return limit;
 }
 
@@ -191,7 +208,7 @@ double CrackSizes::on_line(int l, double way) const {
   const double own = target(l, segment_at(l, way));
   // In the angle between a line and what it leads to elements get no smaller than at kinks.
   const double least = std::ldexp(own, -grading_.halvings_at_kinks);
-  double limit = std::min(share * from_kinks(l, way), from_tips(l, way));
+  double limit = std::min({share * from_kinks(l, way), from_tips(l, way), from_rows(x)});
   for (const Neighbour& thing : neighbours(l, way, x)) {
     if (thing.apart == infinite)
       limit = std::min(limit, along_gap(thing.gap, share * thing.gap, part_along_crack * own, x));

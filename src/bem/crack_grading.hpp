@@ -23,6 +23,12 @@ struct NarrowGap {
   Point place;  // on the line
 };
 
+// A mouth on a row of nodes that are so far apart: elements of the crack are as short there, and grow from it.
+struct MouthOnRow {
+  Point place;
+  double spacing;
+};
+
 // Lengths that elements on cracks and around them may have: no longer than the way to the next crack, edge or tip that
 // is not just the continuation of their own line. Along a gap that is narrow over its length they are longer away from
 // its ends, as only at ends do fields vary within the width of a gap.
@@ -30,7 +36,8 @@ class CrackSizes {
  public:
   // `panel_ends`: places on the boundary where supports or loads end; corners are known.
   CrackSizes(const CrackLines& cracks, const std::vector<Edge>& boundary, double tolerance,
-             const CrackGrading& grading = {}, const std::vector<Point>& panel_ends = {});
+             const CrackGrading& grading = {}, const std::vector<Point>& panel_ends = {},
+             std::vector<MouthOnRow> mouths = {});
 
   // Ways along each line at which its elements end, from 0 to its length.
   const std::vector<std::vector<double>>& stations() const { return stations_; }
@@ -56,12 +63,14 @@ class CrackSizes {
   double on_line(int line, double way) const;
   double on_boundary(const Point& x, double undivided) const;
   double from_kinks(int line, double way) const;
+  double from_rows(const Point& x) const;
   std::vector<double> stations_of(int line) const;
 
   const CrackLines& cracks_;
   const std::vector<Edge>& boundary_;
   double tolerance_;
   CrackGrading grading_;
+  std::vector<MouthOnRow> mouths_;
   std::vector<std::vector<double>> ways_;  // of the points of each line
   std::vector<double> targets_;            // of the elements on what each line has not grown
   std::vector<Point> ends_;                // of gaps: where fields vary quickly along them

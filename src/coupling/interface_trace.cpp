@@ -44,15 +44,31 @@ struct Entry {
   int row, column;
 };
 
+// The lattice points 0 .. length; those at ends are boundary nodes, unless the interface ends half a spacing beyond.
+struct LatticeRow {
+  explicit LatticeRow(const std::vector<double>& stations)
+      : length(static_cast<int>(std::floor(stations.back() + 0.25))),
+        from_point(stations.front() > -0.25),
+        to_point(stations.back() < length + 0.25) {}
+
+  int length;
+  bool from_point, to_point;
+
+  bool is_end(int i) const { return (i == 0 && from_point) || (i == length && to_point); }
+};
+
 // Entries that may differ from zero: nodes of the elements within a spacing of the lattice point.
-std::vector<Entry> pattern(const Elements& elements, int length) {
-  std::vector<Entry> entries{{0, 0}};
-  for (int i = 1; i < length; ++i) {
+std::vector<Entry> pattern(const Elements& elements, const LatticeRow& row) {
+  std::vector<Entry> entries;
+  for (int i = 0; i <= row.length; ++i) {
+    if (row.is_end(i)) {
+      entries.push_back({i, i == 0 ? 0 : elements.node_count() - 1});
+      continue;
+    }
     const double reach = 1 - 1e-9;
-    const int first = elements.at(std::max(0.0, i - reach)), last = elements.at(i + reach);
+    const int first = elements.at(std::max(elements.stations.front(), i - reach)), last = elements.at(i + reach);
     for (int a = 2 * first; a <= 2 * last + 2; ++a) entries.push_back({i, a});
   }
-  entries.push_back({length, elements.node_count() - 1});
   return entries;
 }
 
@@ -60,9 +76,10 @@ std::vector<Entry> pattern(const Elements& elements, int length) {
 
 std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(const std::vector<double>& stations) {
   const Elements elements{stations};
-  const int length = static_cast<int>(std::lround(stations.back()));
-  assert(length >= 1 && std::abs(stations.back() - length) < 1e-6);
-  const std::vector<Entry> entries = pattern(elements, length);
+  const LatticeRow row(stations);
+  const int length = row.length;
+  assert(length >= 1 || !row.from_point || !row.to_point);
+  const std::vector<Entry> entries = pattern(elements, row);
   const auto count = static_cast<Eigen::Index>(entries.size());
 
   // Equations: per point sum N = 1 and sum N x_a = x_i (relative to the point), per node the forces.
@@ -74,7 +91,7 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   std::vector<Eigen::Triplet<double>> equations;
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto [i, a] = entries[k];
-    const bool is_end = i == 0 || i == length;
+    const bool is_end = row.is_end(i);
     problem.start[k] = elements.interpolation(a, i);
     if (is_end) problem.scale[k] = 0;
     equations.emplace_back(2 * i, k, 1.0);

@@ -20,6 +20,12 @@ double distance(const Segment& segment, const Point& p) {
   return (p - segment.at(closest_fraction(segment, p))).norm();
 }
 
+double polyline_length(const std::vector<Point>& points) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) sum += (points[i + 1] - points[i]).norm();
+  return sum;
+}
+
 std::optional<Crossing> proper_crossing(const Segment& a, const Segment& b) {
   const Point u = a.direction(), v = b.direction();
   const double start_side = cross(v, a.start - b.start), end_side = cross(v, a.end - b.start);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/point.hpp"
 
@@ -19,6 +20,8 @@ struct Segment {
 double closest_fraction(const Segment& segment, const Point& p);
 
 double distance(const Segment& segment, const Point& p);
+
+double polyline_length(const std::vector<Point>& points);
 
 struct Crossing {
   double fraction_a, fraction_b;

@@ -22,7 +22,7 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
                                  const std::vector<fracture::CrackExtension>& extensions) {
   std::vector<double> thickness;
   for (const fracture::CrackExtension& e : extensions) {
-    const int region = prepared.discretization.crack_regions[static_cast<std::size_t>(e.crack) - 1];
+    const int region = prepared.discretization.cracks[static_cast<std::size_t>(e.crack) - 1].region_at(e.end);
     thickness.push_back(scene.material_of(region).elasticity.thickness);
   }
   return thickness;

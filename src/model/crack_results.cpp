@@ -47,6 +47,18 @@ void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& 
   values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.modulus);
 }
 
+// By how much an end of a crack has grown as a line, of which the scene's crack does not know.
+double grown_among_bonds(int crack, int end, const scene::Crack& described,
+                         std::span<const fracture::CrackExtension> extensions) {
+  double sum = 0;
+  for (const fracture::CrackExtension& e : extensions) {
+    const bool is_known =
+        std::find(described.points.begin(), described.points.end(), Point(e.x, e.y)) != described.points.end();
+    if (e.crack == crack && e.end == end && !is_known) sum += e.length;
+  }
+  return sum;
+}
+
 }  // namespace
 
 regions::BondedBody Model::bonded_body() const {
@@ -149,13 +161,23 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
             "; it must lie between 0 and 1");
   prepare();
   ensure_equilibrium();
-  const std::vector<int>& region_of = prepared_->discretization.crack_regions;
+  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
   const auto number = static_cast<std::size_t>(crack) - 1;
-  if (number < region_of.size() && region_of[number] > 0)
-    return region(region_of[number]).crack_openings(crack, fractions, solution());
+  if (number < cracks.size() && cracks[number].has_elements() && !cracks[number].cuts_bonds())
+    return region(cracks[number].region_at(0)).crack_openings(crack, fractions, solution());
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
   require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
-  return regions::lattice_openings(bonded_body(), paths, number, fractions, solution().displacement);
+  std::vector<Point> openings =
+      regions::lattice_openings(bonded_body(), paths, number, fractions, solution().displacement);
+  if (number >= cracks.size() || !cracks[number].has_elements()) return openings;
+  const double length = polyline_length(paths[number]), own = polyline_length(cracks[number].crack.points);
+  const double before = grown_among_bonds(crack, 0, scene_.cracks()[number], extensions());
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    const double part = (fractions[k] * length - before) / own;
+    const int with_elements = part < 0 || part > 1 ? 0 : cracks[number].part_at(part).region;
+    if (with_elements > 0) openings[k] = region(with_elements).crack_openings(crack, {part}, solution()).front();
+  }
+  return openings;
 }
 
 int Model::crack_count() const {
@@ -169,7 +191,7 @@ std::vector<PathVertex> Model::crack_path(int crack) const {
   if (crack < 1 || crack > crack_count()) scene_.crack(crack);  // throws
   if (crack > described) return path_of(crack, {}, extensions());
   const auto number = static_cast<std::size_t>(crack) - 1;
-  const bool in_lattice = prepared_ && prepared_->discretization.crack_regions[number] == 0;
+  const bool in_lattice = prepared_ && prepared_->discretization.cracks[number].cuts_bonds();
   const scene::Crack& found = in_lattice ? prepared_->cracks[number] : scene_.cracks()[number];
   if (found.points.empty()) return {};
   return path_of(crack, found.given(), extensions());
@@ -183,10 +205,10 @@ double Model::crack_length(int crack) const {
 }
 
 std::vector<std::vector<Point>> Model::paths_in_lattices() const {
-  const std::vector<int>& region_of = prepared_->discretization.crack_regions;
+  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
   std::vector<std::vector<Point>> paths(static_cast<std::size_t>(crack_count()));
   for (std::size_t c = 0; c < paths.size(); ++c)
-    if (c >= region_of.size() || region_of[c] == 0) paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
+    if (c >= cracks.size() || cracks[c].cuts_bonds()) paths[c] = places_of(crack_path(static_cast<int>(c) + 1));
   return paths;
 }
 
@@ -204,8 +226,8 @@ int Model::crack_nearest(const Point& place, const std::vector<std::vector<Point
 }
 
 bool Model::has_crack_elements() const {
-  const std::vector<int>& regions = prepared_->discretization.crack_regions;
-  return std::any_of(regions.begin(), regions.end(), [](int region) { return region > 0; });
+  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
+  return std::any_of(cracks.begin(), cracks.end(), [](const auto& crack) { return crack.has_elements(); });
 }
 
 void Model::warn_of_overlap() {

@@ -51,7 +51,7 @@ std::vector<pd::FacePlace> places_on_cracks(const std::vector<scene::Crack>& cra
   };
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     const std::vector<Point>& points = cracks[c].points;
-    if (d.crack_regions[c] > 0) continue;
+    if (!d.cracks[c].cuts_bonds()) continue;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
       check_cancelled();
       const Point along = (points[k + 1] - points[k]).normalized(), normal(-along.y(), along.x());

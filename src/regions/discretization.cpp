@@ -5,7 +5,6 @@
 #include "cancellation.hpp"
 #include "error.hpp"
 #include "geometry/gaps.hpp"
-#include "regions/initial_cracks.hpp"
 #include "regions/interfaces.hpp"
 #include "regions/scheme.hpp"
 #include "stopwatch.hpp"
@@ -96,12 +95,12 @@ Discretization discretize(const scene::Scene& scene, const scene::Options& optio
   number_by_ids(d.arrangement, scene);
   warn_of_gaps(scene, outlines, d);
   const std::unique_ptr<Scheme> scheme = make_scheme(options);
-  const Preparation preparation{scene,       options,   *scheme,         d.arrangement,
-                                d.tolerance, d.regions, d.crack_regions, before ? &before->regions : nullptr};
+  const Preparation preparation{scene,       options,   *scheme,  d.arrangement,
+                                d.tolerance, d.regions, d.cracks, before ? &before->regions : nullptr};
   require_compatible(preparation);
 
   for (int id : scene.region_ids()) d.regions.push_back(scene.region(id).build(id, preparation));
-  d.crack_regions = regions_of_cracks(preparation);
+  d.cracks = parted_cracks(preparation, d.warnings);
   for (const auto& region : d.regions) {
     check_cancelled();
     const Stopwatch watch(region->seconds_preparing);

@@ -7,6 +7,7 @@
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
 #include "geometry/arrangement.hpp"
+#include "regions/crack_parts.hpp"
 #include "regions/region.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
@@ -22,7 +23,7 @@ struct Discretization {
   coupling::NodeTies ties;               // of nodes that follow the elements of an interface that do not match
   std::vector<double> critical_stretch;  // per term of `bonds`
   std::vector<std::string> warnings;
-  std::vector<int> crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
+  std::vector<PartedCrack> cracks;  // by the regions that have elements on them or bonds that they cut
 
   const Region& region(int id) const;  // one that the scene has
   std::vector<coupling::DenseOperator> dense_operators() const;

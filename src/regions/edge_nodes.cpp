@@ -96,8 +96,11 @@ coupling::Affine loads_on(const scene::Scene& scene, const Discretization& d, co
   const auto acts = [&](const scene::Place& place) {
     if (place.is_built_in()) return false;
     if (std::any_of(regions.begin(), regions.end(), [&](int id) { return place.needs(id); })) return true;
-    for (std::size_t crack = 0; crack < d.crack_regions.size(); ++crack)
-      if (has(regions, d.crack_regions[crack]) && place.needs_crack(static_cast<int>(crack) + 1)) return true;
+    for (std::size_t crack = 0; crack < d.cracks.size(); ++crack) {
+      const auto is_on = [&](int id) { return d.cracks[crack].has_elements_in(id); };
+      if (place.needs_crack(static_cast<int>(crack) + 1) && std::any_of(regions.begin(), regions.end(), is_on))
+        return true;
+    }
     return false;
   };
   DofConditions c;

@@ -9,10 +9,6 @@
 
 namespace bempd::regions {
 
-// Per crack the region that has elements on it, or 0 for one that lies where bonds can be cut. Throws Error (argument)
-// for a crack that leaves the body, runs along an interface, or goes from one region to another.
-std::vector<int> regions_of_cracks(const Preparation& preparation);
-
 // The scene's cracks as they are in lattices: as described, but for those through material points, which pass them by;
 // with pd.crack_tip = stated, they end so that their tips are felt at the described places. There some bonds have a
 // share of their stiffness only.

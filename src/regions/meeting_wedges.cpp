@@ -40,6 +40,13 @@ WedgeFinder::WedgeFinder(const scene::Scene& scene, const Discretization& d) : s
   tree_ = BoxTree(boxes);
 }
 
+// The first region that has a place, 0 if none.
+int WedgeFinder::region_at(const Point& place) const {
+  for (int id : scene_.region_ids())
+    if (locate(scene_.region(id).outline(), place, d_.tolerance) != Location::outside) return id;
+  return 0;
+}
+
 int WedgeFinder::held_on(const OutlineEdge& edge, double fraction) const {
   int components = 0;
   for (const scene::Condition& support : scene_.supports())
@@ -90,13 +97,15 @@ void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector
 void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors) const {
   const double near = 8 * d_.tolerance;
   std::map<int, std::vector<Ray>> rays;
-  for (std::size_t c = 0; c < scene_.cracks().size(); ++c) {
-    if (d_.crack_regions[c] == 0) continue;
-    const std::vector<Point>& points = scene_.cracks()[c].points;
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-      if (distance(Segment{points[k], points[k + 1]}, place) > near) continue;
-      for (const Point& end : {points[k], points[k + 1]})
-        if ((end - place).norm() > near) rays[d_.crack_regions[c]].push_back({angle_of(end - place), 0, true});
+  for (const PartedCrack& crack : d_.cracks) {
+    for (const CrackPart& part : crack.parts) {
+      for (std::size_t k = 0; k + 1 < part.points.size(); ++k) {
+        const Segment piece{part.points[k], part.points[k + 1]};
+        if (!crack.has_elements() || distance(piece, place) > near) continue;
+        const int region = part.region > 0 ? part.region : region_at(piece.at(0.5));
+        for (const Point& end : {piece.start, piece.end})
+          if ((end - place).norm() > near) rays[region].push_back({angle_of(end - place), 0, true});
+      }
     }
   }
   for (auto& [region, cracks] : rays) {

@@ -8,6 +8,7 @@
 #include "coupling/operators.hpp"
 #include "geometry/arrangement.hpp"
 #include "pd/network.hpp"
+#include "regions/crack_parts.hpp"
 #include "regions/node_registry.hpp"
 #include "scene/options.hpp"
 #include "scene/scene.hpp"
@@ -25,7 +26,7 @@ struct Preparation {
   const Arrangement& arrangement;
   double tolerance;                                     // distance below which places are the same
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
-  const std::vector<int>& crack_regions;  // per crack: the region that has elements on it; 0: it cuts bonds
+  const std::vector<PartedCrack>& cracks;               // once all regions are there
   // Those of the same scene with shorter cracks, of which what has not changed is taken over; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
 };

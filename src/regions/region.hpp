@@ -159,6 +159,9 @@ class Region {
   // Places of nodes on interfaces with another region, once meshed [m].
   virtual std::vector<Point> places_facing(int /*other_region*/) const { return {}; }
 
+  // Material points on an interface, in order along its own edge [m]; others may ask before it is meshed itself.
+  virtual std::vector<Point> interface_points(const Preparation& /*preparation*/, const Contact& /*own*/) { return {}; }
+
   // --- Strains that its material wants, which loads make of heat; before operators are asked for
 
   // Throws Error (argument) if the region cannot swell like that.
@@ -219,7 +222,7 @@ class Region {
   virtual bool is_cut() const { return false; }
   // Whether a crack has elements in it that are no boundary of its pieces.
   virtual bool has_inner_crack(int /*crack*/) const { return false; }
-  // Whether it puts elements on cracks: those that Preparation::crack_regions gives it. Then it has what is below.
+  // Whether it puts elements on cracks: those parts of Preparation::cracks that it has. Then it has what is below.
   virtual bool has_crack_elements() const { return false; }
   // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
   virtual void add_crack_load(const CrackLoad& /*load*/, int /*part*/, Eigen::Ref<Eigen::VectorXd> /*force*/) const {}

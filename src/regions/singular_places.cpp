@@ -27,9 +27,9 @@ std::vector<Point> candidates(const scene::Scene& scene, const Discretization& d
       }
     }
   }
-  for (std::size_t c = 0; c < scene.cracks().size(); ++c)
-    if (d.crack_regions[c] > 0)
-      places.insert(places.end(), scene.cracks()[c].points.begin(), scene.cracks()[c].points.end());
+  for (const PartedCrack& crack : d.cracks)
+    for (const CrackPart& part : crack.parts)
+      if (part.region > 0) places.insert(places.end(), part.points.begin(), part.points.end());
   return places;
 }
 

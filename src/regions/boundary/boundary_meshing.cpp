@@ -6,13 +6,13 @@
 #include "error.hpp"
 #include "geometry/segment.hpp"
 #include "regions/boundary/corner_grading.hpp"
+#include "regions/boundary/grid_borders.hpp"
 #include "regions/outlined/outlined_region.hpp"
 
 namespace bempd::regions {
 
 using scene::Condition;
 using scene::EdgeMesh;
-using scene::NodeGrid;
 using scene::Scene;
 
 namespace {
@@ -83,30 +83,6 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
   return distinct;
 }
 
-void require_grid_ends(const Scene& scene, int region, const Contact& contact, const Arc& piece, double tolerance) {
-  const scene::Region& other = scene.region(contact.other_region + 1);
-  const NodeGrid grid = *other.node_grid();
-  for (const Point& end : {piece.start, piece.end}) {
-    const Point scaled = (end - grid.origin) / grid.spacing;
-    const Point nearest = scaled.array().round();
-    require((scaled - nearest).norm() * grid.spacing <= 100 * tolerance, "the interface between region ", region,
-            " and the ", other.adjective(), " region ", contact.other_region + 1, " ends at (", end.x(), ", ", end.y(),
-            "), which is not a lattice point; move that corner to a multiple of the spacing ", grid.spacing,
-            " from the ", other.adjective(), " region's corner, such as (",
-            grid.origin.x() + grid.spacing * nearest.x(), ", ", grid.origin.y() + grid.spacing * nearest.y(), ")");
-  }
-}
-
-// Element ends on the points of a grid; `step` 2 if their middles are to be points too.
-std::vector<double> grid_stations(const Scene& scene, const Contact& contact, const Arc& piece, int step) {
-  const double spacing = scene.region(contact.other_region + 1).node_grid()->spacing;
-  const int count = static_cast<int>(std::lround(piece.length() / spacing));
-  std::vector<double> stations;
-  for (int i = 0; i < count; i += step) stations.push_back(static_cast<double>(i) / count);
-  stations.push_back(1);
-  return stations;
-}
-
 // Both sides of an interface must come to the same elements: the finer wish counts, seen from the lower region number.
 std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
                                     const Arc& piece) {
@@ -135,11 +111,12 @@ Held held_on(const Scene& scene, int region, const PanelSource& source) {
 constexpr double reach_of_corners = 8;
 
 bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
-  for (std::size_t c = 0; c < p.crack_regions.size(); ++c) {
-    if (p.crack_regions[c] != region) continue;
-    const std::vector<Point>& points = p.scene.cracks()[c].points;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      if (distance(Segment{points[i], points[i + 1]}, x) < reach) return true;
+  for (const PartedCrack& crack : p.cracks) {
+    for (const CrackPart& part : crack.parts) {
+      if (part.region != region) continue;
+      for (std::size_t i = 0; i + 1 < part.points.size(); ++i)
+        if (distance(Segment{part.points[i], part.points[i + 1]}, x) < reach) return true;
+    }
   }
   return false;
 }
@@ -175,18 +152,18 @@ void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
 
 // Element ends of a piece of an edge.
 std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules, int region, const PanelSource& source,
-                                const Contact* contact, const Arc& piece) {
+                                const Contact* contact, const Arc& piece, const std::vector<Point>& mouths) {
   if (source.border == Border::elements) return shared_stations(p.scene, region, source.edge, *contact, piece);
   const scene::Region& described = p.scene.region(region);
   if (source.border == Border::grid && !described.has_own_mesh(source.edge))
-    return grid_stations(p.scene, *contact, piece, rules.nodes_on_grids ? 2 : 1);
+    return grid_stations(p, *contact, piece, rules.nodes_on_grids ? 2 : 1, mouths);
   const EdgeMesh mesh = described.edge_mesh(source.edge);
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
 // Elements between the points on a neighbour's outline, one a chord, or of the host's choosing on a straight edge.
 void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource source, const Contact& contact,
-                    const Arc& piece, BoundaryPanels& result) {
+                    const Arc& piece, const std::vector<Point>& mouths, BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(contact.region + 1);
   const auto add = [&](const Panel& panel) {
     result.loops.back().push_back(panel);
@@ -200,15 +177,7 @@ void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource sou
     source.tied = true;
     return add({piece.start, piece.end, element_stations(piece.length(), mesh.element_length, mesh.grading, 0), 0});
   }
-  const auto theirs = [&](double fraction) {
-    const double part = (fraction - contact.from) / (contact.to - contact.from);
-    return contact.other_from + part * (contact.other_to - contact.other_from);
-  };
-  const Contact seen{contact.other_region, contact.other_edge, theirs(source.to), theirs(source.from),
-                     contact.region,       contact.edge,       source.to,         source.from};
-  std::vector<Point> points = other.points_on(p, seen);
-  std::reverse(points.begin(), points.end());
-  points.front() = piece.start, points.back() = piece.end;
+  const std::vector<Point> points = points_of_neighbour(p, other, source, contact, piece, mouths);
   const std::size_t count = points.size() - 1;
   if (piece.straight()) {
     std::vector<double> stations;
@@ -235,14 +204,14 @@ void mesh_edge(const Preparation& p, const MeshingRules& rules, int region, int 
     const Border border = border_of(p, contact);
     if (OutlinedRegion* other = contact ? outlined_at(p, *contact) : nullptr) {
       const PanelSource source{edge, breaks[b], breaks[b + 1], border, contact->other_region + 1, false};
-      follow_outline(p, *other, source, *contact, piece, result);
+      follow_outline(p, *other, source, *contact, piece, mouths, result);
       continue;
     }
-    if (border == Border::grid) require_grid_ends(p.scene, region, *contact, piece, p.tolerance);
+    if (border == Border::grid) require_grid_ends(p, *contact, piece, mouths);
     const bool tied = border == Border::grid && described.has_own_mesh(edge) && !rules.nodes_on_grids;
     const PanelSource source{edge, breaks[b], breaks[b + 1], border, contact ? contact->other_region + 1 : 0, tied};
     result.loops.back().push_back(
-        {piece.start, piece.end, stations_of(p, rules, region, source, contact, piece), piece.sweep});
+        {piece.start, piece.end, stations_of(p, rules, region, source, contact, piece, mouths), piece.sweep});
     result.sources.push_back(source);
   }
 }

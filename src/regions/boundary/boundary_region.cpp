@@ -9,10 +9,16 @@
 
 namespace bempd::regions {
 
-// Nodes that other regions may have too, and mid nodes whose displacement is the mean of the element's ends.
+// Nodes that other regions may have too, and nodes whose displacement follows from that of others: mid nodes have the
+// mean of the element's ends.
 struct BoundaryRegion::NodeRoles {
   std::vector<char> shared, slaved;
-  std::vector<std::array<int, 2>> masters;
+  std::vector<std::vector<std::pair<int, double>>> masters;  // with weights; they may be slaved themselves
+
+  void add(int node, double weight, std::vector<std::pair<int, double>>& to) const {
+    if (!slaved[static_cast<std::size_t>(node)]) return to.emplace_back(node, weight), void();
+    for (const auto& [master, share] : masters[static_cast<std::size_t>(node)]) add(master, weight * share, to);
+  }
 };
 
 BoundaryRegion::BoundaryRegion(int id, const BoundaryDescription&, const scene::Material& material)
@@ -55,7 +61,8 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
 
 BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
   const std::size_t count = mesh_.nodes.size();
-  NodeRoles roles{std::vector<char>(count, 0), std::vector<char>(count, 0), std::vector<std::array<int, 2>>(count)};
+  NodeRoles roles{std::vector<char>(count, 0), std::vector<char>(count, 0),
+                  std::vector<std::vector<std::pair<int, double>>>(count)};
   for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
     const BoundaryElement& element = mesh_.elements[e];
     const PanelSource& panel = panels_[element.panel];
@@ -70,10 +77,37 @@ BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
     for (int node : element.nodes) roles.shared[node] = 1;
     if (panel.border == Border::grid && middles_follow_ends_) {
       roles.slaved[element.nodes[1]] = 1;
-      roles.masters[element.nodes[1]] = {element.nodes[0], element.nodes[2]};
+      roles.masters[element.nodes[1]] = {{element.nodes[0], 0.5}, {element.nodes[2], 0.5}};
     }
   }
+  if (cracks_) follow_rows_to_mouths(roles);
   return roles;
+}
+
+// Where a crack goes on among bonds its mouth lies between two material points: each side of it is where the two points
+// beside it lead straight on to, or free where there is one point only.
+void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
+  const auto lead_to = [&](int mouth, std::size_t element, int step) {
+    const BoundaryElement& own = mesh_.elements[element];
+    const PanelSource& panel = panels_[own.panel];
+    if (panel.border != Border::grid) return;
+    roles.shared[mouth] = 0;
+    const std::size_t next = element + static_cast<std::size_t>(step);
+    if (panel.tied || next >= mesh_.elements.size() || mesh_.elements[next].panel != own.panel) return;
+    const int near = own.nodes[step < 0 ? 0 : 2], far = mesh_.elements[next].nodes[step < 0 ? 0 : 2];
+    if (!roles.shared[far]) return;
+    const double beyond = (mesh_.nodes[mouth] - mesh_.nodes[near]).norm();
+    const double share = beyond / (mesh_.nodes[near] - mesh_.nodes[far]).norm();
+    roles.slaved[mouth] = 1;
+    roles.masters[mouth] = {{near, 1 + share}, {far, -share}};
+  };
+  for (const auto& [before, behind] : cracks_->elements().mouth_of_joint) {
+    if (before < 0) continue;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      if (mesh_.elements[e].nodes[2] == before) lead_to(before, e, -1);
+      if (mesh_.elements[e].nodes[0] == behind) lead_to(behind, e, 1);
+    }
+  }
 }
 
 void BoundaryRegion::number_nodes(NodeRegistry& registry) {
@@ -95,7 +129,10 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
         entries.emplace_back(row + component, 2 * column[i] + component, 1.0);
         continue;
       }
-      for (int master : roles.masters[i]) entries.emplace_back(row + component, 2 * column[master] + component, 0.5);
+      std::vector<std::pair<int, double>> masters;
+      roles.add(static_cast<int>(i), 1, masters);
+      for (const auto& [master, weight] : masters)
+        entries.emplace_back(row + component, 2 * column[master] + component, weight);
     }
   }
   trace_.resize(2 * static_cast<Eigen::Index>(count), 2 * static_cast<Eigen::Index>(nodes_.size()));

@@ -101,6 +101,7 @@ class BoundaryRegion : public Region {
   struct NodeRoles;
 
   NodeRoles roles() const;
+  void follow_rows_to_mouths(NodeRoles& roles) const;
   void number_nodes(NodeRegistry& registry);
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }

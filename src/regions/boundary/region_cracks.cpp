@@ -21,16 +21,37 @@ constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
 
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
   std::vector<CrackPath> paths;
-  for (std::size_t c = 0; c < p.crack_regions.size(); ++c)
-    if (const scene::Crack& crack = p.scene.cracks()[c]; p.crack_regions[c] == region)
-      paths.push_back({static_cast<int>(c) + 1, crack.points, crack.grown_at_start, crack.grown_at_end});
+  for (std::size_t c = 0; c < p.cracks.size(); ++c)
+    for (const CrackPart& part : p.cracks[c].parts)
+      if (part.region == region)
+        paths.push_back({static_cast<int>(c) + 1, part.points, part.grown_at_start, part.grown_at_end});
   return paths;
 }
 
-double way_to(const CrackPath& path, int point) {
-  double sum = 0;
-  for (int i = 0; i < point; ++i) sum += (path.points[i + 1] - path.points[i]).norm();
-  return sum;
+std::vector<CrackExtent> extents_in(const Preparation& p, int region) {
+  std::vector<CrackExtent> extents;
+  for (const PartedCrack& parted : p.cracks) {
+    for (const CrackPart& part : parted.parts) {
+      if (part.region != region) continue;
+      const auto first = parted.crack.points.begin();
+      const double from = polyline_length({first, first + parted.crack.grown_at_start + 1});
+      const double to = polyline_length({first, parted.crack.points.end() - parted.crack.grown_at_end});
+      extents.push_back({part.start, polyline_length(parted.crack.points), from, to - from});
+    }
+  }
+  return extents;
+}
+
+std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
+  std::vector<bem::MouthOnRow> mouths;
+  for (const PartedCrack& parted : p.cracks) {
+    for (const CrackPart& part : parted.parts) {
+      if (part.region != region) continue;
+      if (part.spacing_before > 0) mouths.push_back({part.points.front(), part.spacing_before});
+      if (part.spacing_behind > 0) mouths.push_back({part.points.back(), part.spacing_behind});
+    }
+  }
+  return mouths;
 }
 
 // Values of the element's functions at a part of its length.
@@ -47,16 +68,24 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
     : region_(region),
       tolerance_(p.tolerance),
       paths_(paths_in(p, region)),
+      extents_(extents_in(p, region)),
       edges_(edges_of(p.scene.region(region).outline())),
       lines_(crack_lines(paths_, edges_, p.tolerance)),
-      sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region)) {
+      rows_(mouths_on_rows(p, region)),
+      sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region), rows_) {
   for (const Point& mouth : mouths()) {
+    if (is_on_row(mouth)) continue;
     for (const auto& other : p.regions)
       require(other->id() == region ||
                   locate(p.scene.region(other->id()).outline(), mouth, p.tolerance) == Location::outside,
               "a crack in region ", region, " reaches the interface with region ", other->id(), " at (", mouth.x(),
               ", ", mouth.y(), "); end it at a free edge or inside");
   }
+}
+
+bool RegionCracks::is_on_row(const Point& mouth) const {
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [&](const auto& row) { return (row.place - mouth).norm() <= 8 * tolerance_; });
 }
 
 std::vector<Point> RegionCracks::mouths() const {
@@ -105,8 +134,6 @@ bool RegionCracks::has(int crack) const {
   return std::any_of(paths_.begin(), paths_.end(), [&](const CrackPath& path) { return path.id == crack; });
 }
 
-double RegionCracks::length_of(int path) const { return way_to(paths_[path], paths_[path].segments()); }
-
 double RegionCracks::fraction_at(int l, const Point& x) const {
   const CrackLine& line = lines_.lines[l];
   double way = 0, before = 0, least = std::numeric_limits<double>::infinity();
@@ -116,10 +143,8 @@ double RegionCracks::fraction_at(int l, const Point& x) const {
     if (gap < least) least = gap, way = before + along * segment.length();
     before += segment.length();
   }
-  const CrackPath& path = paths_[line.crack];
-  const double start = way_to(path, path.grown_at_start),
-               length = way_to(path, path.segments() - path.grown_at_end) - start;
-  return std::clamp((line.start + way - start) / length, 0.0, 1.0);
+  const CrackExtent& extent = extents_[line.crack];
+  return std::clamp((extent.start + line.start + way - extent.given_from) / extent.given_length, 0.0, 1.0);
 }
 
 bem::FaceTraction RegionCracks::traction(const std::vector<CrackLoad>& loads, double constant,
@@ -181,7 +206,8 @@ Point RegionCracks::opening_at(int crack, double fraction, const bem::CrackedSta
   for (const Opened& e : opened(state)) {
     const CrackLine& line = lines_.lines[e.line];
     if (paths_[line.crack].id != crack) continue;
-    const double way = fraction * length_of(line.crack) - line.start;
+    const CrackExtent& extent = extents_[line.crack];
+    const double way = fraction * extent.length - extent.start - line.start;
     const double part = std::clamp((way - e.from) / (e.to - e.from), 0.0, 1.0);
     const double off = std::abs(way - (e.from + part * (e.to - e.from)));
     if (off >= least) continue;
@@ -223,17 +249,19 @@ std::optional<Overlap> RegionCracks::overlap(const bem::CrackedState& state) con
 }
 
 std::unique_ptr<RegionCracks> cracks_of(const Preparation& p, int region) {
-  if (std::find(p.crack_regions.begin(), p.crack_regions.end(), region) == p.crack_regions.end()) return nullptr;
+  const auto has_part = [&](const PartedCrack& crack) { return crack.has_elements_in(region); };
+  if (std::none_of(p.cracks.begin(), p.cracks.end(), has_part)) return nullptr;
   return std::make_unique<RegionCracks>(p, region);
 }
 
 void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPanels& panels) {
-  if (std::all_of(p.crack_regions.begin(), p.crack_regions.end(), [](int id) { return id == 0; })) return;
+  if (std::none_of(p.cracks.begin(), p.cracks.end(), [](const auto& crack) { return crack.has_elements(); })) return;
   std::size_t number = 0;
   for (auto& loop : panels.loops) {
     for (Panel& panel : loop) {
       const PanelSource& source = panels.sources[number++];
-      if (source.border == Border::grid) continue;
+      const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
+      if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
       if (own) panel.stations = own->sizes().refined(panel.arc(), panel.stations);
       if (source.border != Border::elements) continue;
       if (const auto other = cracks_of(p, source.other_region))

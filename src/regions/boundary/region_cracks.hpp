@@ -11,6 +11,12 @@
 
 namespace bempd::regions {
 
+// Where a piece of a crack belongs on it: all ways along the crack [m].
+struct CrackExtent {
+  double start, length;             // of the piece's start; of all of the crack
+  double given_from, given_length;  // of what it was before it grew
+};
+
 // The cracks of one boundary element region: where they part, elements on them, and the tractions on their faces.
 class RegionCracks {
  public:
@@ -21,6 +27,8 @@ class RegionCracks {
 
   // Places on the boundary where cracks start or end.
   std::vector<Point> mouths() const;
+  // Whether the crack of a mouth goes on among bonds there.
+  bool is_on_row(const Point& mouth) const;
   const bem::CrackSizes& sizes() const { return sizes_; }
 
   // Splits nodes of the boundary's mesh, and adds the faces of cracks between pieces to it.
@@ -57,16 +65,17 @@ class RegionCracks {
   std::vector<Opened> opened(const bem::CrackedState& state) const;
   static std::array<Point, 3> openings_on(const bem::CrackElement& element, const bem::CrackedState& state);
   static std::array<Point, 3> openings_on(const bem::CutElement& element, const bem::CrackedState& state);
-  double length_of(int path) const;
   // Part of the crack as it was given: loads stay where they are when it grows, and go on beyond its ends.
   double fraction_at(int line, const Point& x) const;
   std::string gap_sentence(const bem::NarrowGap& gap) const;
 
   int region_;
   double tolerance_;
-  std::vector<CrackPath> paths_;
+  std::vector<CrackPath> paths_;  // their pieces in this region
+  std::vector<CrackExtent> extents_;
   std::vector<Edge> edges_;
   CrackLines lines_;
+  std::vector<bem::MouthOnRow> rows_;
   bem::CrackSizes sizes_;
   bem::CrackMesh mesh_;
   std::vector<std::array<Point, 3>> cut_places_;  // of its elements between pieces

@@ -148,16 +148,19 @@ void BondedRegion::add_statistics(RegionStatistics& statistics) const {
 void BondedRegion::tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
                               coupling::NodeTies& ties) const {
   const Point &start = leading.places.front(), &end = leading.places.back();
+  // Half a spacing before the first and behind the last point where a crack has its mouth.
+  const bool from_point = (position(points.front()) - start).norm() < 0.25 * apart;
+  const bool to_point = (position(points.back()) - end).norm() < 0.25 * apart;
   std::vector<double> stations;
   for (std::size_t a = 0; a < leading.places.size(); a += 2)
-    stations.push_back((leading.places[a] - start).norm() / apart);
-  stations.back() = static_cast<double>(points.size() - 1);
+    stations.push_back((leading.places[a] - start).norm() / apart - (from_point ? 0 : 0.5));
+  stations.back() = static_cast<double>(points.size() - 1) + (to_point ? 0 : 0.5);
   const auto trace = coupling::interface_trace(stations);
   require(trace.has_value(), "edge ", leading.edge, " of region ", leader,
           " has elements of its own on the interface with region ", id(), ", from (", start.x(), ", ", start.y(),
           ") to (", end.x(), ", ", end.y(), "), that cannot be joined to its ", points.size(),
           " material points; leave out bempd_set_edge_mesh() for this edge, so that its elements follow them");
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+  for (std::size_t i = from_point ? 1 : 0; i + (to_point ? 1 : 0) < points.size(); ++i) {
     std::vector<coupling::NodeTies::Master> masters;
     using Row = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
     for (Row it(*trace, static_cast<Eigen::Index>(i)); it; ++it)

@@ -31,6 +31,13 @@ std::vector<int> LatticeRegion::points_along(const Point& start, const Point& en
   return found;
 }
 
+std::vector<Point> LatticeRegion::interface_points(const Preparation& preparation, const Contact& own) {
+  const Edge edge = preparation.scene.region(id()).edge(own.edge + 1);
+  std::vector<Point> places;
+  for (const int point : points_along(edge.at(own.from), edge.at(own.to))) places.push_back(position(point));
+  return places;
+}
+
 std::vector<char> LatticeRegion::shared_points(const Preparation& preparation) const {
   std::vector<char> shared(points_.size(), 0);
   for (const Contact& contact : preparation.arrangement.contacts) {
@@ -117,7 +124,15 @@ void LatticeRegion::bond_alone(const Preparation& preparation, Contributions& co
 }
 
 void LatticeRegion::follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const {
-  tie_points(leading, leader, points_along(leading.places.front(), leading.places.back()), spacing(), ties);
+  const Point &start = leading.places.front(), &end = leading.places.back();
+  const Point half = 0.5 * spacing() * (end - start).normalized();
+  const auto is_point = [&](const Point& place) {
+    const Point scaled = to_grid(place), nearest = scaled.array().round();
+    return (scaled - nearest).norm() < 0.25;
+  };
+  // From a crack's mouth to the first point.
+  const Point first = is_point(start) ? start : start + half, last = is_point(end) ? end : end - half;
+  tie_points(leading, leader, points_along(first, last), spacing(), ties);
 }
 
 }  // namespace bempd::regions

@@ -21,6 +21,7 @@ class LatticeRegion : public BondedRegion {
   void mesh(const Preparation& preparation) override;
   void build(const Preparation& preparation, Contributions& contributions) override;
   void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const override;
+  std::vector<Point> interface_points(const Preparation& preparation, const Contact& own) override;
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
   void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,

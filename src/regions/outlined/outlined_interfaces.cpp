@@ -24,14 +24,14 @@ void OutlinedRegion::require_common_points(const Preparation& preparation, const
   }
 }
 
-std::vector<Point> OutlinedRegion::points_on(const Preparation& preparation, const Contact& interface) {
+std::vector<Point> OutlinedRegion::interface_points(const Preparation& preparation, const Contact& own) {
   divide_outline(preparation);
-  const Edge edge = preparation.scene.region(id()).edge(interface.edge + 1);
-  std::vector<Point> found{edge.at(interface.from)};
+  const Edge edge = preparation.scene.region(id()).edge(own.edge + 1);
+  std::vector<Point> found{edge.at(own.from)};
   for (const Piece& piece : pieces_) {
     const double middle = 0.5 * (piece.from + piece.to);
     const auto p = static_cast<std::size_t>(&piece - pieces_.data());
-    if (piece.edge != interface.edge + 1 || middle < interface.from || middle > interface.to) continue;
+    if (piece.edge != own.edge + 1 || middle < own.from || middle > own.to) continue;
     for (int node = body_.chords.piece_start[p] + 1; node < body_.chords.piece_start[p + 1]; ++node)
       found.push_back(from_grid(body_.chords.nodes[node]));
     found.push_back(edge.at(piece.to));
@@ -94,7 +94,10 @@ void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling
     if (distance(Segment{start, end}, position(i)) < 1e-6 * spacing()) points.push_back(i);
   const auto along = [&](int i) { return (position(i) - start).dot(end - start); };
   std::sort(points.begin(), points.end(), [&](int i, int j) { return along(i) < along(j); });
-  const double chord = (end - start).norm() / static_cast<double>(points.size() - 1);
+  // Less where it ends at a crack's mouth, half a chord beyond.
+  const double beyond = (position(points.front()) - start).norm() + (end - position(points.back())).norm();
+  const double at_mouths = beyond > 1e-6 * spacing() ? beyond : 0;
+  const double chord = ((end - start).norm() - at_mouths) / static_cast<double>(points.size() - 1);
   tie_points(leading, leader, points, chord, ties);
 }
 

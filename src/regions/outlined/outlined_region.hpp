@@ -20,8 +20,7 @@ class OutlinedRegion final : public BondedRegion {
   void build(const Preparation& preparation, Contributions& contributions) override;
   void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const override;
 
-  // Its points on an interface in the direction of its edge [m]; neighbours may ask before it is meshed itself.
-  std::vector<Point> points_on(const Preparation& preparation, const Contact& interface);
+  std::vector<Point> interface_points(const Preparation& preparation, const Contact& own) override;
 
   std::vector<PlacedNode> nodes_on(const EdgeSpan& span, double tolerance) const override;
   void add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,

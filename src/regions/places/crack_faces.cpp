@@ -14,18 +14,26 @@ std::vector<PlacedNode> CrackFaces::held_nodes(const scene::Scene&, const Discre
 
 void CrackFaces::add_load(const scene::Scene& scene, const Discretization& d, int load,
                           DofConditions& conditions) const {
-  const int region = d.crack_regions[static_cast<std::size_t>(crack_) - 1];
-  require(region > 0, "load ", load + 1, " acts on the faces of crack ", crack_,
-          ", which lies in a peridynamic region; faces can be given a traction in BEM regions only, "
+  require(!d.cracks[static_cast<std::size_t>(crack_) - 1].cuts_bonds(), "load ", load + 1,
+          " acts on the faces of crack ", crack_,
+          ", which lies in a peridynamic region, if only in part; faces can be given a traction in BEM regions only, "
           "and a uniform pressure by bempd_add_crack_pressure() in both kinds");
+  add_to_elements(scene, d, load, conditions);
+}
+
+void CrackFaces::add_to_elements(const scene::Scene& scene, const Discretization& d, int load,
+                                 DofConditions& conditions) const {
   // The condition may get new values while the result of this one is in use.
   const scene::Condition condition = scene.loads()[load];
   conditions.crack_loads.push_back({crack_, [condition](double fraction) -> std::array<Point, 2> {
                                       const auto value = condition.acting_value(Point::Zero(), fraction);
                                       return {value.constant, value.proportional};
                                     }});
-  for (int part = 0; part < 2; ++part)
-    d.region(region).add_crack_load(conditions.crack_loads.back(), part, conditions.force.col(part));
+  for (const auto& region : d.regions) {
+    if (!d.cracks[static_cast<std::size_t>(crack_) - 1].has_elements_in(region->id())) continue;
+    for (int part = 0; part < 2; ++part)
+      region->add_crack_load(conditions.crack_loads.back(), part, conditions.force.col(part));
+  }
 }
 
 }  // namespace bempd::regions

@@ -24,6 +24,9 @@ class CrackFaces : public OffEdges {
 
  protected:
   int crack() const { return crack_; }
+  // On those parts of the crack that have elements.
+  void add_to_elements(const scene::Scene& scene, const Discretization& discretization, int load,
+                       DofConditions& conditions) const;
 
  private:
   int crack_;

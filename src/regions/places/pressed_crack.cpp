@@ -11,8 +11,9 @@ void PressedCrack::identify(Hash& hash) const {
 
 void PressedCrack::add_load(const scene::Scene& scene, const Discretization& d, int load,
                             DofConditions& conditions) const {
-  if (d.crack_regions[static_cast<std::size_t>(crack()) - 1] > 0)
-    return CrackFaces::add_load(scene, d, load, conditions);
+  const PartedCrack& parted = d.cracks[static_cast<std::size_t>(crack()) - 1];
+  if (parted.has_elements()) add_to_elements(scene, d, load, conditions);
+  if (!parted.cuts_bonds()) return;
   const scene::BoundaryValue value = scene.loads()[static_cast<std::size_t>(load)].value(Point::Zero(), 0);
   conditions.crack_pressures.push_back({crack(), {value.constant.x(), value.proportional.x()}});
 }

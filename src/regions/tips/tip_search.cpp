@@ -211,8 +211,9 @@ std::vector<LatticeTip> find_lattice_tips(const BondedBody& body) {
   std::vector<LatticeTip> tips;
   TipSearch search(body);
   for (std::size_t c = 0; c < body.scene.cracks().size(); ++c) {
-    std::vector<Point> points = body.scene.cracks()[c].points;
-    if (body.discretization.crack_regions[c] > 0 || points.size() < 2) continue;
+    const PartedCrack& parted = body.discretization.cracks[c];
+    const std::vector<Point>& points = parted.crack.points;
+    if (!parted.cuts_bonds() || points.size() < 2) continue;
     const std::vector<Point> reversed(points.rbegin(), points.rend());
     search.add(static_cast<int>(c) + 1, 0, reversed, tips);
     search.add(static_cast<int>(c) + 1, 1, points, tips);

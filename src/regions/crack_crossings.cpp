@@ -1,0 +1,188 @@
+#include "regions/crack_crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "error.hpp"
+#include "regions/region.hpp"
+
+namespace bempd::regions {
+
+namespace {
+
+// How far from a crossing a crack is bent at most, and what it keeps straight beside it, in spacings.
+constexpr double bent_reach = 3, straight_reach = 1;
+
+// Shifts below this share of a spacing are rounding.
+constexpr double rounding_of_places = 1e-6;
+
+struct Middle {
+  Point place;
+  double spacing;
+  int lattice;  // id of its region
+};
+
+// Of the places half way between two material points on interfaces of a boundary region with lattices the one nearest
+// to a crossing; of two as near the one on the crack's right.
+Middle nearest_middle(const Preparation& p, int crack, int boundary, const CrackCrossing& crossing) {
+  Middle nearest{Point::Zero(), 0, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Contact& contact : p.arrangement.contacts) {
+    if (contact.other_region != boundary - 1) continue;
+    const auto lattice = std::find_if(p.regions.begin(), p.regions.end(),
+                                      [&](const auto& region) { return region->id() == contact.region + 1; });
+    if (!(*lattice)->takes_cracks()) continue;
+    const std::vector<Point> points = (*lattice)->interface_points(p, contact);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Point middle = 0.5 * (points[i] + points[i + 1]);
+      const double spacing = (points[i + 1] - points[i]).norm(), gap = (middle - crossing.place).norm();
+      const bool as_near = std::abs(gap - least) <= rounding_of_places * spacing;
+      const bool on_right = cross(crossing.direction, Point(middle - crossing.place)) < 0;
+      if (as_near ? !on_right : gap > least) continue;
+      least = gap;
+      nearest = {middle, spacing, (*lattice)->id()};
+      const Edge edge = p.scene.region(contact.region + 1).edge(contact.edge + 1);
+      require(edge.straight() || gap > spacing, "crack ", crack, " crosses the interface of the regions ", boundary,
+              " and ", nearest.lattice, " at (", crossing.place.x(), ", ", crossing.place.y(),
+              "), which is curved; interfaces between elements and material points that cracks cross have to be "
+              "straight there");
+    }
+  }
+  return nearest;
+}
+
+struct Vertex {
+  double way;
+  Point place;
+  char grown;  // whether growth has added the segment that begins here
+};
+
+class Bending {
+ public:
+  explicit Bending(const scene::Crack& crack) {
+    double way = 0;
+    const auto count = static_cast<int>(crack.points.size());
+    for (int i = 0; i < count; ++i) {
+      if (i > 0) way += (crack.points[i] - crack.points[i - 1]).norm();
+      const bool grown = i < crack.grown_at_start || i >= count - 1 - crack.grown_at_end;
+      vertices_.push_back({way, crack.points[static_cast<std::size_t>(i)], static_cast<char>(grown)});
+    }
+  }
+
+  double length() const { return vertices_.back().way; }
+
+  // To a place; between two ways at most.
+  void bend(const CrackCrossing& c, double low, double high) {
+    const Vertex at = at_way(c.way);
+    double from = c.way, to = c.way;
+    if ((at.place - c.place).norm() > rounding_of_places * c.spacing) {
+      from = std::max(low, c.way - bent_reach * c.spacing), to = std::min(high, c.way + bent_reach * c.spacing);
+      for (const Vertex& v : vertices_) {
+        if (v.way <= c.way - straight_reach * c.spacing) from = std::max(from, v.way);
+        if (v.way >= c.way + straight_reach * c.spacing) to = std::min(to, v.way);
+      }
+    }
+    std::vector<Vertex> bent;
+    const double same = rounding_of_places * c.spacing;
+    for (const Vertex& v : vertices_)
+      if (v.way < from - same) bent.push_back(v);
+    if (from < c.way) bent.push_back(at_way(from));
+    bent.push_back({c.way, c.place, at.grown});
+    if (to > c.way) bent.push_back(at_way(to));
+    for (const Vertex& v : vertices_)
+      if (v.way > to + same) bent.push_back(v);
+    vertices_ = std::move(bent);
+  }
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+
+ private:
+  Vertex at_way(double way) const {
+    std::size_t i = 0;
+    while (i + 2 < vertices_.size() && way >= vertices_[i + 1].way) ++i;
+    const Vertex &a = vertices_[i], &b = vertices_[i + 1];
+    const double part = std::min(1.0, (way - a.way) / (b.way - a.way));
+    return {way, Segment{a.place, b.place}.at(part), a.grown};
+  }
+
+  std::vector<Vertex> vertices_;
+};
+
+}  // namespace
+
+void move_between_rows(const Preparation& p, int crack, std::vector<CrackCrossing>& crossings, double length,
+                       std::vector<std::string>& warnings) {
+  double before = 0;  // way of the crossing before
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    CrackCrossing& c = crossings[k];
+    require(c.before == 0 || c.after == 0, "crack ", crack, " goes from the BEM region ", c.before,
+            " into the BEM region ", c.after, " before (", c.place.x(), ", ", c.place.y(),
+            "); end it at the interface");
+    const Middle middle = nearest_middle(p, crack, std::max(c.before, c.after), c);
+    const double behind = (k + 1 < crossings.size() ? crossings[k + 1].way : length) - c.way;
+    require(middle.spacing > 0 && std::min(c.way - before, behind) >= straight_reach * middle.spacing, "crack ", crack,
+            " crosses the interface of the regions ", std::max(c.before, c.after), " and ", middle.lattice, " at (",
+            c.place.x(), ", ", c.place.y(), ") and runs less than a spacing (", middle.spacing,
+            ") on one side of it; let it end before the interface, or farther behind it");
+    before = c.way;
+    const double shift = (middle.place - c.place).norm() / middle.spacing;
+    if (shift > rounding_of_places)
+      warnings.push_back(text("crack ", crack, " crosses the interface of the regions ", std::max(c.before, c.after),
+                              " and ", middle.lattice, " at (", c.place.x(), ", ", c.place.y(), "), ", shift,
+                              " spacings beside the middle between two material points; it is bent to that, (",
+                              middle.place.x(), ", ", middle.place.y(), ")"));
+    c.place = middle.place, c.spacing = middle.spacing;
+  }
+}
+
+BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings) {
+  Bending bending(crack);
+  const double length = bending.length();
+  for (std::size_t k = 0; k < crossings.size(); ++k) {
+    const double way = crossings[k].way;
+    bending.bend(crossings[k], k == 0 ? 0 : 0.5 * (crossings[k - 1].way + way),
+                 k + 1 == crossings.size() ? length : 0.5 * (way + crossings[k + 1].way));
+  }
+  BentCrack bent;
+  for (const auto& v : bending.vertices()) {
+    const bool crosses = bent.crossings.size() < crossings.size() && crossings[bent.crossings.size()].place == v.place;
+    if (crosses) bent.crossings.push_back(bent.points.size());
+    bent.points.push_back(v.place);
+    bent.grown.push_back(v.grown);
+  }
+  bent.grown.pop_back();
+  return bent;
+}
+
+std::pair<int, int> BentCrack::grown_at_ends(std::size_t from, std::size_t to) const {
+  std::size_t first = from, last = to;
+  while (first < to && grown[first]) ++first;
+  while (last > first && grown[last - 1]) --last;
+  return {static_cast<int>(first - from), static_cast<int>(to - last)};
+}
+
+scene::Crack BentCrack::crack() const {
+  const auto [at_start, at_end] = grown_at_ends(0, points.size() - 1);
+  return {points, at_start, at_end};
+}
+
+void require_mouths_apart(const std::vector<PartedCrack>& cracks, double tolerance) {
+  struct Mouth {
+    std::size_t crack;
+    Point place;
+  };
+  std::vector<Mouth> mouths;
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    for (std::size_t k = 1; k < cracks[c].parts.size(); ++k) {
+      const Point& place = cracks[c].parts[k].points.front();
+      for (const Mouth& other : mouths)
+        require((other.place - place).norm() > 8 * tolerance, "cracks ", other.crack + 1, " and ", c + 1,
+                " cross an interface between the same two material points, at (", place.x(), ", ", place.y(),
+                "); move them apart, or choose a smaller spacing");
+      mouths.push_back({c, place});
+    }
+  }
+}
+
+}  // namespace bempd::regions

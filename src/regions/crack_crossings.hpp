@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "regions/crack_parts.hpp"
+#include "regions/preparation.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::regions {
+
+// A place where a crack passes from one region to another.
+struct CrackCrossing {
+  double way;              // along the crack, as described [m]
+  Point place, direction;  // direction: of the crack, a unit vector
+  int before, after;       // regions that have elements on it; 0: it cuts bonds
+  double spacing = 0;      // of the material points beside `place`, once it lies half way between two of them [m]
+};
+
+// Moves the crossings between elements and bonds of a crack of some length along the interface, to half way between
+// two material points there: elsewhere the crack would be longer for the elements than for the bonds, or shorter.
+// Throws Error (argument) for what no crack can cross.
+void move_between_rows(const Preparation& preparation, int crack, std::vector<CrackCrossing>& crossings, double length,
+                       std::vector<std::string>& warnings);
+
+// A crack that passes the places of its crossings, within a few spacings of which it may be bent.
+struct BentCrack {
+  std::vector<Point> points;
+  std::vector<char> grown;             // by segment
+  std::vector<std::size_t> crossings;  // points, by crossing
+
+  // Segments that growth has added at the start and the end of the piece between two points.
+  std::pair<int, int> grown_at_ends(std::size_t from, std::size_t to) const;
+  scene::Crack crack() const;
+};
+BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings);
+
+// Throws Error (argument) where two of all crossings between elements and bonds lie between the same two points.
+void require_mouths_apart(const std::vector<PartedCrack>& cracks, double tolerance);
+
+}  // namespace bempd::regions

@@ -1,0 +1,134 @@
+#include "regions/crack_parts.hpp"
+
+#include <algorithm>
+
+#include "cancellation.hpp"
+#include "error.hpp"
+#include "regions/crack_crossings.hpp"
+#include "regions/region.hpp"
+
+namespace bempd::regions {
+
+using scene::Scene;
+
+namespace {
+
+// Where a segment may pass from one region to another: crossings with edges, and vertices and ends that touch.
+std::vector<double> stations_on(const Scene& scene, const Segment& segment, double tolerance) {
+  std::vector<double> fractions{0.0, 1.0};
+  for (int id : scene.region_ids()) {
+    for (const Edge& edge : edges_of(scene.region(id).outline())) {
+      for (const Crossing& crossing : meeting_points(Edge(segment.start, segment.end), edge))
+        fractions.push_back(crossing.fraction_a);
+      if (distance(segment, edge.start) <= tolerance) fractions.push_back(closest_fraction(segment, edge.start));
+    }
+  }
+  std::sort(fractions.begin(), fractions.end());
+  return fractions;
+}
+
+// The region that has elements on a piece of a crack, 0 where bonds can be cut.
+int region_of_piece(const Preparation& p, int crack, const Point& middle) {
+  std::vector<int> with_elements;
+  int other = 0;
+  for (const auto& region : p.regions) {
+    if (locate(p.scene.region(region->id()).outline(), middle, p.tolerance) == Location::outside) continue;
+    if (region->takes_cracks()) return 0;
+    if (region->has_crack_elements()) with_elements.push_back(region->id());
+    other = region->id();
+  }
+  require(other > 0, "crack ", crack, " passes (", middle.x(), ", ", middle.y(),
+          "), which is outside the body; end the crack on the body's boundary or inside");
+  require(!with_elements.empty(), "crack ", crack, " passes (", middle.x(), ", ", middle.y(), "), which is in region ",
+          other, ", a ", p.scene.region(other).adjective(),
+          " region; the chosen scheme has cracks in peridynamic regions only, scheme symmetric has them in both");
+  require(with_elements.size() == 1, "crack ", crack, " runs along the interface of the regions ",
+          with_elements.front(), " and ", with_elements.back(), " at (", middle.x(), ", ", middle.y(),
+          "); it has to lie inside of one of them");
+  return with_elements.front();
+}
+
+// Where a crack passes from one region with elements to another, or between these and lattices.
+std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const std::vector<Point>& points,
+                                        int& first_region) {
+  std::vector<CrackCrossing> found;
+  int present = -1;
+  double way = 0;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    check_cancelled();
+    const Segment segment{points[k], points[k + 1]};
+    const std::vector<double> stations = stations_on(p.scene, segment, p.tolerance);
+    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+      if ((stations[i + 1] - stations[i]) * segment.length() <= 10 * p.tolerance) continue;
+      const int region = region_of_piece(p, crack, segment.at(0.5 * (stations[i] + stations[i + 1])));
+      if (present < 0) {
+        first_region = region;
+      } else if (region != present) {
+        found.push_back({way + stations[i] * segment.length(), segment.at(stations[i]),
+                         segment.direction().normalized(), present, region});
+      }
+      present = region;
+    }
+    way += segment.length();
+  }
+  // All of it may be too short for the question where it passes from one region to another.
+  if (present < 0) first_region = region_of_piece(p, crack, 0.5 * (points[0] + points[1]));
+  return found;
+}
+
+PartedCrack parted(const Preparation& p, int id, const scene::Crack& crack, std::vector<std::string>& warnings) {
+  if (crack.points.empty()) return {};
+  int region = 0;
+  std::vector<CrackCrossing> crossings = crossings_of(p, id, crack.points, region);
+  if (crossings.empty()) return {crack, {{region, crack.points, crack.grown_at_start, crack.grown_at_end}}};
+  move_between_rows(p, id, crossings, polyline_length(crack.points), warnings);
+  const BentCrack bent = bent_to(crack, crossings);
+  PartedCrack result{bent.crack(), {}};
+  std::size_t from = 0;
+  double start = 0;
+  for (std::size_t k = 0; k <= crossings.size(); ++k) {
+    const bool last = k == crossings.size();
+    const std::size_t to = last ? bent.points.size() - 1 : bent.crossings[k];
+    CrackPart part{region,
+                   {bent.points.begin() + static_cast<std::ptrdiff_t>(from),
+                    bent.points.begin() + static_cast<std::ptrdiff_t>(to) + 1}};
+    const auto [at_start, at_end] = bent.grown_at_ends(from, to);
+    part.grown_at_start = at_start, part.grown_at_end = at_end;
+    part.start = start, part.from_another = k > 0, part.into_another = !last;
+    if (k > 0) part.spacing_before = crossings[k - 1].spacing;
+    if (!last) part.spacing_behind = crossings[k].spacing;
+    start += polyline_length(part.points);
+    result.parts.push_back(std::move(part));
+    from = to;
+    if (!last) region = crossings[k].after;
+  }
+  return result;
+}
+
+}  // namespace
+
+bool PartedCrack::has_elements() const {
+  return std::any_of(parts.begin(), parts.end(), [](const CrackPart& part) { return part.region > 0; });
+}
+
+bool PartedCrack::has_elements_in(int region) const {
+  return std::any_of(parts.begin(), parts.end(), [&](const CrackPart& part) { return part.region == region; });
+}
+
+const CrackPart& PartedCrack::part_at(double fraction) const {
+  const double way = fraction * polyline_length(crack.points);
+  const CrackPart* found = &parts.front();
+  for (const CrackPart& part : parts)
+    if (way > part.start || (way == part.start && part.region > 0)) found = &part;
+  return *found;
+}
+
+std::vector<PartedCrack> parted_cracks(const Preparation& preparation, std::vector<std::string>& warnings) {
+  std::vector<PartedCrack> cracks;
+  for (const scene::Crack& crack : preparation.scene.cracks())
+    cracks.push_back(parted(preparation, static_cast<int>(cracks.size()) + 1, crack, warnings));
+  require_mouths_apart(cracks, preparation.tolerance);
+  return cracks;
+}
+
+}  // namespace bempd::regions
