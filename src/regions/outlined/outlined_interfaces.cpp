@@ -97,7 +97,8 @@ void OutlinedRegion::follow(const LeadingElements& leading, int leader, coupling
   // Less where it ends at a crack's mouth, half a chord beyond.
   const double beyond = (position(points.front()) - start).norm() + (end - position(points.back())).norm();
   const double at_mouths = beyond > 1e-6 * spacing() ? beyond : 0;
-  const double chord = ((end - start).norm() - at_mouths) / static_cast<double>(points.size() - 1);
+  const double chord =
+      points.size() > 1 ? ((end - start).norm() - at_mouths) / static_cast<double>(points.size() - 1) : spacing();
   tie_points(leading, leader, points, chord, ties);
 }
 
