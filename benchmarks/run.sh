@@ -10,6 +10,7 @@
 #   benchmarks/run.sh compression     what breaks in bodies that are pressed, by criterion, into docs/materials.md
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/materials.md
 #   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/outlines.md with --write
+#   benchmarks/run.sh mixed_cracks    cracks across borders of elements and lattices, into docs/mixed_cracks.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -27,7 +28,8 @@ case "$name" in
   compression) programs=(bempd_compression) peers=() ;;
   materials) programs=() peers=() ;;
   outlines) programs=(bempd_outlines) peers=() ;;
-  *) sed -n '2,13s/^# *//p' "$0" >&2; exit 2 ;;
+  mixed_cracks) programs=() peers=() ;;
+  *) sed -n '2,14s/^# *//p' "$0" >&2; exit 2 ;;
 esac
 shift
 if [ "${*: -1}" = --with-peers ]; then set -- "${@:1:$#-1}"; else peers=(); fi

@@ -55,6 +55,18 @@ struct LatticeRow {
   bool from_point, to_point;
 
   bool is_end(int i) const { return (i == 0 && from_point) || (i == length && to_point); }
+  // Shares of the points. They have the moment of the whole row too: a mouth lies farther from its last point than that
+  // point's share reaches on average, which the two points beside it make even, as if they led to it on a straight
+  // line.
+  std::vector<double> shares() const {
+    constexpr double lever = 0.125;
+    std::vector<double> all(static_cast<std::size_t>(length) + 1, 1.0);
+    if (from_point) all.front() = 0.5;
+    if (to_point) all.back() = 0.5;
+    if (!from_point && length > 0) all[0] += lever, all[1] -= lever;
+    if (!to_point && length > 0) all.end()[-1] += lever, all.end()[-2] -= lever;
+    return all;
+  }
 };
 
 // Entries that may differ from zero: nodes of the elements within a spacing of the lattice point.
@@ -88,6 +100,7 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   problem.start.resize(count);
   problem.scale.setOnes(count);
   problem.target.setZero(2 * (length + 1) + elements.node_count());
+  const std::vector<double> shares = row.shares();
   std::vector<Eigen::Triplet<double>> equations;
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto [i, a] = entries[k];
@@ -96,7 +109,7 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
     if (is_end) problem.scale[k] = 0;
     equations.emplace_back(2 * i, k, 1.0);
     equations.emplace_back(2 * i + 1, k, elements.node(a) - i);
-    equations.emplace_back(2 * (length + 1) + a, k, is_end ? 0.5 : 1.0);
+    equations.emplace_back(2 * (length + 1) + a, k, shares[static_cast<std::size_t>(i)]);
   }
   for (int i = 0; i <= length; ++i) problem.target[2 * i] = 1;
   for (int a = 0; a < elements.node_count(); ++a) problem.target[2 * (length + 1) + a] = elements.share(a);

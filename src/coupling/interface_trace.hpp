@@ -14,8 +14,8 @@ namespace bempd::coupling {
 //
 // N starts from the quadratic interpolation and is changed as little as possible, so that
 //   - its rows reproduce constants and the coordinate: a linear displacement is continuous;
-//   - forces N^T of a constant traction on the lattice points' shares (1, or 1/2 at ends that are points) are the
-//   boundary
+//   - forces N^T of a constant traction on the lattice points' shares (1; 1/2 at ends that are points; 9/8 and 7/8
+//   beside a mouth) are the boundary
 //     element's own, the integrals of the shape functions: a constant stress passes from one side to the other.
 // Interpolation alone has the first property only; its forces are those of a trapezoid rule. The points at the ends
 // keep the displacement of the boundary nodes there. Empty if there is no such N, as on an interface one spacing long.

@@ -54,8 +54,8 @@ void Model::let_fluid_in(PreparedScene& p) const {
     std::vector<std::string> told_before;
     std::vector<int>& bonds = cut[pressure.crack];
     if (!bonds.empty()) continue;
-    for (const auto& region : p.discretization.regions)
-      region->cut(scene_.crack(pressure.crack), pressure.crack, bonds, told_before);
+    const scene::Crack& crack = p.cracks[static_cast<std::size_t>(pressure.crack) - 1];
+    for (const auto& region : p.discretization.regions) region->cut(crack, pressure.crack, bonds, told_before);
   }
   const coupling::Terms& terms = p.system->terms();
   p.evolution->let_in(
