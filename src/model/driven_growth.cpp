@@ -30,9 +30,12 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
 // A material without a fracture energy has stationary cracks.
 bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
   if (stepping.mode != fracture::SteppingMode::events) return false;
-  const std::vector<int>& regions = prepared_->discretization.crack_regions;
-  return std::any_of(regions.begin(), regions.end(),
-                     [&](int region) { return region > 0 && scene_.material_of(region).fracture_energy > 0; });
+  const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
+  return std::any_of(cracks.begin(), cracks.end(), [&](const regions::PartedCrack& crack) {
+    return std::any_of(crack.parts.begin(), crack.parts.end(), [&](const regions::CrackPart& part) {
+      return part.region > 0 && scene_.material_of(part.region).fracture_energy > 0;
+    });
+  });
 }
 
 // From growth to growth, each in a scene of its own.
