@@ -250,10 +250,12 @@ GrowthResult Model::grow_cracks(double length) {
 std::unique_ptr<PreparedScene> Model::as_grown(std::vector<fracture::CrackExtension> extensions) {
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
-  const std::vector<int>& region_of = prepared_->discretization.crack_regions;
+  const regions::Discretization& d = prepared_->discretization;
   const auto in_lattice = [&](const auto& e) {
-    const auto number = static_cast<std::size_t>(e.crack);
-    return number > region_of.size() || region_of[number - 1] == 0;
+    return std::any_of(d.regions.begin(), d.regions.end(), [&](const auto& region) {
+      return region->takes_cracks() &&
+             locate(scene_.region(region->id()).outline(), Point(e.from_x, e.from_y), d.tolerance) != Location::outside;
+    });
   };
   const std::span<const fracture::CrackExtension> all = this->extensions();
   std::vector<fracture::CrackExtension> present(all.begin(), all.end());
