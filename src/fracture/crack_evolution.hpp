@@ -108,7 +108,8 @@ class CrackEvolution {
 
   // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
   // node the one that was there before, or one close by. book() has to follow.
-  void go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before);
+  void go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before,
+                          const std::vector<crack::TipId>& entering);
   // Energy that this released, at constant loads, and what that is beyond the one on the path of equilibrium, along
   // which the load factor goes to another one [J].
   double released_by_growth() const { return growth_.released_energy; }
@@ -191,7 +192,9 @@ class CrackEvolution {
   bool perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached);
   StopReason go_to_growth(const Event& growth);
   double potential_at(double load_factor) const;
-  void take_over_body(const BodyState& old, const std::vector<int>& node_before);
+  void take_over_lattices(const BodyState& old, const std::vector<crack::TipId>& entering);
+  void take_over_body(const BodyState& old, const std::vector<int>& node_before,
+                      const std::vector<crack::TipId>& entering);
   void forget_lines(const Start& start) noexcept;  // of the history, and what was added to the sums
   void return_to(const Start& start) noexcept;
   double within(double load_factor) const;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "fracture/balance.hpp"
 #include "fracture/crack_evolution.hpp"
@@ -61,17 +62,43 @@ double potential_of_lost_loads(const Affine& force, const std::vector<char>& los
 
 }  // namespace
 
+// Bonds that longer cracks cut are gone beside those that were, and cracks that have come among bonds have tips there.
+void CrackEvolution::take_over_lattices(const BodyState& old, const std::vector<crack::TipId>& entering) {
+  const std::vector<std::uint8_t> cut = std::move(state_.stages);
+  state_.stages = old.stages;
+  for (std::size_t t = 0; t < cut.size(); ++t) state_.stages[t] = std::max(state_.stages[t], cut[t]);
+  std::vector<GrowingTip> tips = old.tips;
+  for (const GrowingTip& tip : state_.tips) {
+    if (std::find(entering.begin(), entering.end(), tip.id) == entering.end()) continue;
+    std::erase_if(tips, [&](const GrowingTip& other) { return other.id == tip.id; });
+    tips.push_back(tip);
+  }
+  state_.tips = std::move(tips);
+  // Places where faces of cracks meet, then those of broken bonds, which may have become places of a longer crack: of
+  // that all are open at first.
+  FaceState faces = old.faces;
+  const std::size_t before = old.faces.closed.size() - old.faces.grown.size();
+  if (state_.faces.closed.size() != before) {
+    faces.grown.clear();
+    faces.closed = state_.faces.closed;
+    for (std::size_t k = 0; k < old.faces.grown.size(); ++k) {
+      if (cut[static_cast<std::size_t>(old.faces.grown[k].term)] != 0) continue;
+      faces.grown.push_back(old.faces.grown[k]);
+      faces.closed.push_back(old.faces.closed[before + k]);
+    }
+  }
+  faces.closed_inside = std::move(state_.faces.closed_inside);
+  state_.faces = std::move(faces);
+}
+
 // What broke and what holds parts where they are stays as it was; faces inside operators are found anew.
-void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>& node_before) {
+void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>& node_before,
+                                    const std::vector<crack::TipId>& entering) {
   state_.load_factor = old.load_factor;
   state_.largest_force = old.largest_force;
   state_.separated = old.separated;
   state_.first_unit_energy = old.first_unit_energy;
-  state_.stages = old.stages;
-  state_.tips = old.tips;
-  std::vector<char> closed_inside = std::move(state_.faces.closed_inside);
-  state_.faces = old.faces;
-  state_.faces.closed_inside = std::move(closed_inside);
+  take_over_lattices(old, entering);
   std::vector<int> node_now(old.unloaded.size(), -1);
   for (std::size_t node = node_before.size(); node-- > 0;) {
     const auto before = static_cast<std::size_t>(node_before[node]);
@@ -90,7 +117,8 @@ void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>
 
 // At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
 // have come to.
-void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before) {
+void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before,
+                                        const std::vector<crack::TipId>& entering) {
   const EvolutionState& old = before.state();
   static_cast<Sums&>(state_) = old;
   state_.history = old.history;
@@ -98,7 +126,7 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vecto
   state_.reactions_before = old.reactions_before;
   state_.support_displacements = old.support_displacements;
   state_.extensions = old.extensions;
-  take_over_body(old, node_before);
+  take_over_body(old, node_before, entering);
   const std::vector<char> lost_before = state_.unloaded;
   const Eigen::VectorXd displacement = state_.total_displacement;
   const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();

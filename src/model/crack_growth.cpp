@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_rounds_of_faces = 64;
 
-// By extension.
+// By extension, of the scene before it.
 std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
                                  const std::vector<fracture::CrackExtension>& extensions) {
   std::vector<double> thickness;
@@ -154,7 +154,23 @@ Growing Model::go_to_growth(double length) {
 // With the cracks that these values load: those of the scene, or others on a way to them.
 std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                      const scene::SceneValues* on_way) {
-  scene_.set_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing));
+  return with_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing), on_way);
+}
+
+// Ends of cracks that had elements and lie among bonds now.
+std::vector<crack::TipId> Model::entering(const regions::Discretization& next) const {
+  std::vector<crack::TipId> tips;
+  const std::vector<regions::PartedCrack>& before = prepared_->discretization.cracks;
+  for (std::size_t c = 0; c < next.cracks.size(); ++c)
+    for (const int end : {0, 1})
+      if (!next.cracks[c].parts.empty() && next.cracks[c].region_at(end) == 0 && before[c].region_at(end) > 0)
+        tips.push_back({static_cast<int>(c) + 1, end});
+  return tips;
+}
+
+// The run goes on in it.
+std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
+  scene_.set_cracks(std::move(longer));
   const auto build_next = [&] { return build(prepared_.get()); };
   std::unique_ptr<PreparedScene> next;
   if (on_way) {
@@ -166,7 +182,8 @@ std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Cr
   next->fingerprint = prepared_->fingerprint;
   next->anchored_pieces = prepared_->anchored_pieces;
   next->evolution->go_on_after_growth(*prepared_->evolution,
-                                      nodes_before(next->discretization, prepared_->discretization));
+                                      nodes_before(next->discretization, prepared_->discretization),
+                                      entering(next->discretization));
   return next;
 }
 
@@ -195,7 +212,7 @@ Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, boo
     if (!too_long) break;
     for (std::size_t k = 0; k < angles.size(); ++k) growing.lengths[k] /= 2, growing.extensions[k].angle = angles[k];
   }
-  const std::vector<double> thickness = thickness_at(scene_, *result.scene, growing.extensions);
+  const std::vector<double> thickness = thickness_at(scene_, *prepared_, growing.extensions);
   fracture::CrackEvolution& evolution = *result.scene->evolution;
   std::optional<double> beyond_path;
   if (const std::optional<double> end = end_of_path(growing, result.tips, options_))
@@ -243,39 +260,6 @@ GrowthResult Model::grow_cracks(double length) {
     warn_of_equilibrium();
   });
   return result;
-}
-
-// Grown again event by event, so that what regions take over from the scene before has the same digits. Extensions in
-// lattices leave the scene as it is.
-std::unique_ptr<PreparedScene> Model::as_grown(std::vector<fracture::CrackExtension> extensions) {
-  const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
-  const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
-  const regions::Discretization& d = prepared_->discretization;
-  const auto in_lattice = [&](const auto& e) {
-    return std::any_of(d.regions.begin(), d.regions.end(), [&](const auto& region) {
-      return region->takes_cracks() &&
-             locate(scene_.region(region->id()).outline(), Point(e.from_x, e.from_y), d.tolerance) != Location::outside;
-    });
-  };
-  const std::span<const fracture::CrackExtension> all = this->extensions();
-  std::vector<fracture::CrackExtension> present(all.begin(), all.end());
-  std::erase_if(present, in_lattice), std::erase_if(extensions, in_lattice);
-  if (std::equal(present.begin(), present.end(), extensions.begin(), extensions.end(), same)) return nullptr;
-  std::vector<scene::Crack> cracks;
-  for (const scene::Crack& crack : scene_.cracks())
-    cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
-  scene_.set_cracks(cracks);
-  std::unique_ptr<PreparedScene> grown = build(nullptr);
-  for (std::size_t k = 0; k < extensions.size(); ++k) {
-    const fracture::CrackExtension& e = extensions[k];
-    require(e.crack <= static_cast<int>(cracks.size()) && !cracks[static_cast<std::size_t>(e.crack) - 1].points.empty(),
-            "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
-    extend(cracks[static_cast<std::size_t>(e.crack) - 1], e.end, {e.x, e.y});
-    if (k + 1 < extensions.size() && extensions[k + 1].event == e.event) continue;
-    scene_.set_cracks(cracks);
-    grown = build(grown.get());
-  }
-  return grown;
 }
 
 }  // namespace bempd::model

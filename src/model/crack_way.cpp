@@ -81,6 +81,48 @@ class Meetings {
   std::vector<Point> ends_;
 };
 
+// A tip of elements that would come closer than this to material points goes on to them, so that no element becomes
+// much shorter than their spacing; and so far behind the interface, in spacings.
+constexpr double near_a_lattice = 2, into_a_lattice = 4, least_into_a_lattice = 1;
+
+// Where a way through one region first meets a straight edge of a lattice of the same material.
+struct LatticeAhead {
+  Point place;
+  double way, spacing, width;  // width: of the lattice on the way
+};
+
+std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point& from, const Point& direction,
+                                          double length, double tolerance) {
+  std::optional<LatticeAhead> first;
+  const std::vector<int> ids = scene.region_ids();
+  const auto own = std::find_if(ids.begin(), ids.end(), [&](int id) {
+    return locate(scene.region(id).outline(), from, tolerance) == Location::inside;
+  });
+  if (own == ids.end()) return std::nullopt;
+  for (const int id : ids) {
+    const scene::Region& region = scene.region(id);
+    if (region.has_elements() || scene.material_of(id) != scene.material_of(*own)) continue;
+    const double spacing = region.resolution(), farthest = length + near_a_lattice * spacing;
+    for (const Edge& edge : edges_of(region.outline())) {
+      if (!edge.straight()) continue;
+      for (const Crossing& meeting : meeting_points(Edge(from, from + farthest * direction), edge)) {
+        const double way = meeting.fraction_a * farthest;
+        const Point place = from + way * direction;
+        const bool corner = std::min((edge.start - place).norm(), (edge.end - place).norm()) < spacing;
+        if (!corner && (!first || way < first->way)) first = LatticeAhead{place, way, spacing, 0};
+      }
+    }
+    if (!first || first->width > 0) continue;
+    first->width = std::numeric_limits<double>::infinity();
+    const Point begin = first->place + 0.1 * spacing * direction;
+    const double most = 3 * into_a_lattice * spacing;
+    for (const Edge& edge : edges_of(region.outline()))
+      for (const Crossing& meeting : meeting_points(Edge(begin, begin + most * direction), edge))
+        first->width = std::min(first->width, meeting.fraction_a * most);
+  }
+  return first;
+}
+
 bool is_on_interface(const scene::Scene& scene, const Point& place, double tolerance) {
   int regions = 0;
   for (const int region : scene.region_ids())
@@ -108,6 +150,11 @@ TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cr
   for (std::size_t c = 0; c < cracks.size(); ++c)
     if (!cracks[c].points.empty()) meetings.with(cracks[c], static_cast<int>(c) + 1 == crack, end);
   std::optional<TipWay> met = meetings.first();
+  const auto lattice = lattice_ahead(scene, from, direction, reach * length, tolerance);
+  if (lattice && lattice->width >= 2 * least_into_a_lattice * lattice->spacing &&
+      (!met || lattice->way <= (met->to - from).norm() + tolerance))
+    return {from + (lattice->way + std::min(into_a_lattice * lattice->spacing, lattice->width / 2)) * direction,
+            TipState::grows};
   if (!met) return {from + length * direction, TipState::grows};
   if (met->state == TipState::at_crack || !is_on_interface(scene, met->to, tolerance)) return *met;
   const double way = (met->to - from).norm(), left = std::min(before_an_interface * length, 0.5 * way);

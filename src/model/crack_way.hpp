@@ -15,7 +15,8 @@ struct TipWay {
 
 // The way of the tip at `end` of a crack that goes straight on by a length: to the first edge, hole or crack that lies
 // on it or little beyond, for a thin ligament breaks; to a crack's own end if it passes close to that. Before an edge
-// that another region shares it stops.
+// that another region shares it stops, unless that is a lattice of the same material: it goes on to the points behind
+// it.
 TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                   const Point& direction, double length, double tolerance);
 

@@ -1,31 +1,15 @@
 #include "model/driven_growth.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "cancellation.hpp"
 #include "error.hpp"
-#include "geometry/outline.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
 // Steps that let cracks with boundary elements grow on their way.
 namespace bempd::model {
-
-namespace {
-
-// Whether a tip among bonds has come to where boundary elements begin: there it would run along the interface.
-bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
-  constexpr double closely = 0.25;  // of a step
-  const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
-  const auto& regions = d.regions;
-  const auto is_in = [&](const regions::Region& region, const Point& place) {
-    return locate(scene.region(region.id()).outline(), place, d.tolerance) != Location::outside;
-  };
-  return std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return r->bonds() && is_in(*r, from); }) &&
-         std::any_of(regions.begin(), regions.end(), [&](const auto& r) { return !r->bonds() && is_in(*r, ahead); });
-}
-
-}  // namespace
 
 // A material without a fracture energy has stationary cracks.
 bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
@@ -51,6 +35,11 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
   for (;;) {
     const fracture::StopReason reason =
         prepared_->evolution->advance(run.target, run.goal, run.stepping, run.on_event, run.on_end);
+    const bool one_event = reason == fracture::StopReason::event;
+    if ((one_event || reason == fracture::StopReason::requested) && go_on_in_elements(tips, run)) {
+      if (one_event) return reason;
+      continue;
+    }
     if (reason != fracture::StopReason::growth) return with_stopped_lines(reason, run);
     check_cancelled();
     grow_next(tips, run);
@@ -94,16 +83,34 @@ void Model::grow_next(ElementTips& tips, DrivenRun& run) {
   growing.ties = tips.ties();
   set_lengths(growing, chosen_length(scene_, growing, options_), options_);
   const std::vector<scene::Crack> before = scene_.cracks();
-  Grown next = grown(before, std::move(growing), true, run.on_way);
+  Grown next;
+  try {
+    next = grown(before, std::move(growing), true, run.on_way);
+  } catch (const Error& error) {
+    // Where it cannot cross an interface with a lattice it stops.
+    const auto is_about = [&](const char* words) {
+      return std::string_view(error.what()).find(words) != std::string_view::npos;
+    };
+    if (!is_about("the interface of the regions") && !is_about("cross an interface")) throw;
+    scene_.set_cracks(before);
+    say([&] { log(1, error.what()); });
+    run.crack_stopped = true;
+    return;
+  }
   run.crack_stopped = std::any_of(next.growth.extensions.begin(), next.growth.extensions.end(),
                                   [](const auto& e) { return e.state == crack::TipState::at_interface; });
+  go_on_in(std::move(next.scene), next.growth, tips, run);
+}
+
+void Model::go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips,
+                     DrivenRun& run) {
   const Seconds spent = seconds_of(*prepared_);
   run.seconds.solve -= spent.solve, run.seconds.update -= spent.update, run.seconds.search -= spent.search;
-  prepared_.swap(next.scene);
+  prepared_.swap(next);
   ++generation_;
   tips.follow(*prepared_->evolution);
-  say([&] { tell_of_growth(next.growth, *next.scene); });
-  if (!run.start) run.start = std::move(next.scene);
+  say([&] { tell_of_growth(growth, *next); });
+  if (!run.start) run.start = std::move(next);
 }
 
 // After a failure, wherever it has come.

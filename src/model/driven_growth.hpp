@@ -43,4 +43,9 @@ struct DrivenRun {
   Seconds seconds;                          // of the present scene before the run, less those of scenes before it
 };
 
+// Whether a step among bonds has come to where boundary elements begin, or so close that its crack can go on in them
+// (border_crossing.cpp).
+bool leaves_lattice(const fracture::CrackExtension& extension, const scene::Scene& scene,
+                    const regions::Discretization& discretization);
+
 }  // namespace bempd::model

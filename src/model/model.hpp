@@ -237,17 +237,23 @@ class Model {
   Growing go_to_growth(double length);
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);
+  std::vector<crack::TipId> entering(const regions::Discretization& next) const;
+  std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   // `chosen`: the library has chosen the lengths, and may shorten them.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
   // Whether steps have to look after tips with elements (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
   void grow_next(ElementTips& tips, DrivenRun& run);
+  void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips, DrivenRun& run);
+  // Lines that leave their lattice (border_crossing.cpp).
+  bool go_on_in_elements(ElementTips& tips, DrivenRun& run);
+  bool cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run);
   void take_back(DrivenRun& run) noexcept;
   void look_after_lines(DrivenRun& run);
   fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
   // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
-  std::unique_ptr<PreparedScene> as_grown(std::vector<fracture::CrackExtension> extensions);
+  std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void check_loads_inside_free_pieces(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;

@@ -7,11 +7,12 @@ import pytest
 
 
 def lattice_beside_elements(control: str) -> bempd.Model:
-    """A crack in a lattice, 20 spacings wide, runs at boundary elements that go on beside it."""
+    """A crack in a lattice, 20 spacings wide, runs at boundary elements of another material."""
     model = bempd.Model(options={"stepping.control": control})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
     lattice = model.add_pd_region(material, bempd.rectangle(0, -10, 20, 10), 1.0, 3)
-    elements = model.add_bem_region(material, bempd.rectangle(20, -10, 60, 10), 2.5)
+    tougher = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=2)
+    elements = model.add_bem_region(tougher, bempd.rectangle(20, -10, 60, 10), 2.5)
     model.add_crack([(0, 0.5), (8, 0.5)])
     for region in (lattice, elements):
         model.prescribe_edge(region, 1, "y", -1.0)

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "error.hpp"
+#include "geometry/outline.hpp"
+#include "model/crack_way.hpp"
+#include "model/driven_growth.hpp"
+#include "model/model.hpp"
+
+// Lines that leave their lattice go on in the boundary elements behind it.
+namespace bempd::model {
+
+namespace {
+
+// So far behind the interface a crack has its first tip with elements, in spacings.
+constexpr double into_elements = 1.5;
+
+// Closer than this to the interface, in horizons, the points ahead of a line no longer tell what its tip carries: from
+// there on it goes on in elements at once (docs/mixed_cracks.md).
+constexpr double near_elements = 1.5;
+
+bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
+  return locate(scene.region(id).outline(), place, tolerance) != Location::outside;
+}
+
+// Whether a step among bonds ends where boundary elements begin.
+bool is_at_border(const scene::Scene& scene, const fracture::CrackExtension& e, double tolerance) {
+  constexpr double closely = 0.25;  // of a step
+  const Point from(e.from_x, e.from_y), to(e.x, e.y), ahead = to + closely * (to - from);
+  const std::vector<int> ids = scene.region_ids();
+  const auto any = [&](bool elements, const Point& place) {
+    return std::any_of(ids.begin(), ids.end(), [&](int id) {
+      return scene.region(id).has_elements() == elements && is_in(scene, id, place, tolerance);
+    });
+  };
+  return any(false, from) && any(true, ahead);
+}
+
+// On the straight way of a line, where it leaves its lattice within so many spacings into elements of the same
+// material: the place so far behind the interface that it becomes a tip there.
+std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture::CrackExtension& e, double spacings,
+                                       double tolerance) {
+  const Point from(e.from_x, e.from_y), to(e.x, e.y), along = (to - from).normalized();
+  for (const int lattice : scene.region_ids()) {
+    if (scene.region(lattice).has_elements() || !is_in(scene, lattice, from, tolerance)) continue;
+    const double spacing = scene.region(lattice).resolution();
+    const Edge way(from, to + spacings * spacing * along);
+    double exit = 2;
+    bool straight = true;
+    for (const Edge& edge : edges_of(scene.region(lattice).outline()))
+      for (const Crossing& meeting : meeting_points(way, edge))
+        if (meeting.fraction_a > 1e-9 && meeting.fraction_a < exit)
+          exit = meeting.fraction_a, straight = edge.straight();
+    if (exit > 1 || !straight) continue;
+    const Point behind = way.at(exit) + 0.1 * spacing * along, tip = way.at(exit) + into_elements * spacing * along;
+    for (const int id : scene.region_ids())
+      if (scene.region(id).has_elements() && scene.material_of(id) == scene.material_of(lattice) &&
+          is_in(scene, id, behind, tolerance) && locate(scene.region(id).outline(), tip, tolerance) == Location::inside)
+        return tip;
+  }
+  return std::nullopt;
+}
+
+// The last of an end of a crack.
+fracture::CrackExtension last_of(const crack::TipId& tip, std::span<const fracture::CrackExtension> extensions) {
+  const auto found = std::find_if(extensions.rbegin(), extensions.rend(),
+                                  [&](const auto& e) { return e.crack == tip.crack && e.end == tip.end; });
+  return found == extensions.rend() ? fracture::CrackExtension{} : *found;
+}
+
+}  // namespace
+
+// Whether a tip among bonds has come to where boundary elements begin, where it would run along the interface, or so
+// close that it can go on in them.
+bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene, const regions::Discretization& d) {
+  if (is_at_border(scene, e, d.tolerance)) return true;
+  double horizons = 0;  // in spacings
+  for (const auto& region : d.regions)
+    if (const auto grid = region->lattice_grid()) horizons = std::max(horizons, grid->horizon / grid->spacing);
+  return e.crack <= static_cast<int>(scene.cracks().size()) &&
+         tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
+}
+
+// All of them, or what is left stops.
+bool Model::go_on_in_elements(ElementTips& tips, DrivenRun& run) {
+  if (run.stopped_lines.empty()) return false;
+  const double tolerance = prepared_->discretization.tolerance;
+  std::erase_if(run.stopped_lines, [&](const crack::TipId& tip) {
+    return cross_border(tip, tips, run) || !is_at_border(scene_, last_of(tip, extensions()), tolerance);
+  });
+  if (!run.stopped_lines.empty()) return false;
+  stop_requested_ = false;
+  return true;
+}
+
+// The crack becomes its path, which lattices know already, and a piece behind the interface.
+bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run) {
+  const auto number = static_cast<std::size_t>(tip.crack) - 1;
+  const std::vector<scene::Crack> before = scene_.cracks();
+  if (number >= before.size()) return false;  // a crack that has begun in the run
+  std::vector<scene::Crack> longer = before;
+  const fracture::CrackExtension last = last_of(tip, extensions());
+  for (const fracture::CrackExtension& e : prepared_->evolution->progress().extensions) {
+    if (e.crack != tip.crack || e.end != tip.end) continue;
+    const std::vector<Point>& known = before[number].points;
+    if (std::find(known.begin(), known.end(), Point(e.x, e.y)) == known.end())
+      extend(longer[number], tip.end, {e.x, e.y});
+  }
+  const Point to(last.x, last.y);
+  constexpr double far = 16;  // spacings: leaves_lattice() has said that it is near
+  const std::optional<Point> place = tip_behind_border(scene_, last, far, prepared_->discretization.tolerance);
+  if (!place) return false;
+  extend(longer[number], tip.end, *place);
+  std::unique_ptr<PreparedScene> next;
+  try {
+    next = with_cracks(std::move(longer), run.on_way);
+  } catch (const Error& error) {
+    scene_.set_cracks(before);
+    if (error.failure() != Failure::argument) throw;
+    say([&] { log(1, error.what()); });
+    return false;
+  }
+  next->evolution->stop_line(tip);
+  fracture::Growth growth{1, load_factor(), 0, 0, {last}};
+  fracture::CrackExtension& e = growth.extensions.front();
+  e.from_x = to.x(), e.from_y = to.y(), e.x = place->x(), e.y = place->y();
+  e.angle = 0, e.length = (*place - to).norm(), e.load_factor = load_factor();
+  e.crack_length = length_of(scene_.cracks()[number]), e.state = crack::TipState::grows;
+  e.released_energy = next->evolution->released_by_growth();
+  for (const regions::TipValues& found : tips_of(*next, regions::TipDetail::factors))
+    if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
+  const double thickness =
+      scene_.material_of(next->discretization.cracks[number].region_at(tip.end)).elasticity.thickness;
+  growth.surface_energy = e.resistance * e.length * thickness;
+  next->evolution->book(growth);
+  if (!run.stepping.other_tips) run.cracks = before;
+  go_on_in(std::move(next), growth, tips, run);
+  run.stepping.other_tips = &tips;
+  run.extensions_seen = prepared_->evolution->progress().extensions.size();
+  return true;
+}
+
+// Grown again event by event, so that what regions take over from the scene before has the same digits. What grows
+// among bonds leaves the scene as it is, until it goes on in elements.
+std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
+  const auto lies_in = [&](bool elements, double x, double y) {
+    const std::vector<int> ids = scene_.region_ids();
+    return std::any_of(ids.begin(), ids.end(), [&](int id) {
+      const Location at = locate(scene_.region(id).outline(), {x, y}, prepared_->discretization.tolerance);
+      return scene_.region(id).has_elements() == elements &&
+             (elements ? at == Location::inside : at != Location::outside);
+    });
+  };
+  const auto among_bonds = [&](const auto& e) {
+    return lies_in(false, e.from_x, e.from_y) && !lies_in(true, e.x, e.y);
+  };
+  const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
+  const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };
+  const std::span<const fracture::CrackExtension> all = this->extensions();
+  std::vector<fracture::CrackExtension> present(all.begin(), all.end()), wanted = extensions;
+  std::erase_if(present, among_bonds), std::erase_if(wanted, among_bonds);
+  if (std::equal(present.begin(), present.end(), wanted.begin(), wanted.end(), same)) return nullptr;
+  std::vector<scene::Crack> cracks;
+  for (const scene::Crack& crack : scene_.cracks())
+    cracks.push_back({{crack.given().begin(), crack.given().end()}, 0, 0});
+  scene_.set_cracks(cracks);
+  std::unique_ptr<PreparedScene> grown = build(nullptr);
+  std::map<std::pair<int, int>, std::vector<Point>> bonded;  // by crack and end
+  std::size_t left = wanted.size();
+  for (std::size_t k = 0; k < extensions.size(); ++k) {
+    const fracture::CrackExtension& e = extensions[k];
+    std::vector<Point>& path = bonded[{e.crack, e.end}];
+    path.emplace_back(e.x, e.y);
+    if (among_bonds(e)) continue;
+    require(e.crack <= static_cast<int>(cracks.size()) && !cracks[static_cast<std::size_t>(e.crack) - 1].points.empty(),
+            "the state's extensions are of crack ", e.crack, ", which the scene does not have; its bytes were altered");
+    for (const Point& to : std::exchange(path, {})) extend(cracks[static_cast<std::size_t>(e.crack) - 1], e.end, to);
+    --left;
+    if (left > 0 && wanted[wanted.size() - left].event == e.event) continue;
+    scene_.set_cracks(cracks);
+    grown = build(grown.get());
+  }
+  return grown;
+}
+
+}  // namespace bempd::model
