@@ -246,7 +246,6 @@ class Model {
   fracture::StopReason advance_growing(DrivenRun& run);
   void grow_next(ElementTips& tips, DrivenRun& run);
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips, DrivenRun& run);
-  // Lines that leave their lattice (border_crossing.cpp).
   bool go_on_in_elements(ElementTips& tips, DrivenRun& run);
   bool cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run);
   void take_back(DrivenRun& run) noexcept;

@@ -161,7 +161,6 @@ class Region {
 
   // Material points on an interface, in order along its own edge [m]; others may ask before it is meshed itself.
   virtual std::vector<Point> interface_points(const Preparation& /*preparation*/, const Contact& /*own*/) { return {}; }
-
   // --- Strains that its material wants, which loads make of heat; before operators are asked for
 
   // Throws Error (argument) if the region cannot swell like that.
