@@ -192,6 +192,7 @@ class CrackEvolution {
   bool perform(const Event& event, const SteppingOptions& options, bool keep_what_was_reached);
   StopReason go_to_growth(const Event& growth);
   double potential_at(double load_factor) const;
+  LoadedBody::FirstEquilibrium find_equilibrium_of_pieces();
   void take_over_lattices(const BodyState& old, const std::vector<crack::TipId>& entering);
   void take_over_body(const BodyState& old, const std::vector<int>& node_before,
                       const std::vector<crack::TipId>& entering);

@@ -115,6 +115,20 @@ void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>
   sources_.refresh();
 }
 
+// A piece that comes off is held where it was. Far away from where it was without loads the rounding of its stiffness
+// makes forces of that motion; there it is held where it is without loads.
+LoadedBody::FirstEquilibrium CrackEvolution::find_equilibrium_of_pieces() {
+  constexpr double balanced = 1e-8;
+  BodyState given = state_;
+  const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+  if (found.held.empty() || body_.residual() <= balanced) return found;
+  static_cast<BodyState&>(state_) = std::move(given);
+  state_.total_displacement.setZero();
+  sources_.abandon();
+  sources_.refresh();
+  return body_.find_equilibrium();
+}
+
 // At constant loads a body's potential energy falls by what its cracks take; what the loads do follows from where they
 // have come to.
 void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vector<int>& node_before,
@@ -129,7 +143,7 @@ void CrackEvolution::go_on_after_growth(CrackEvolution& before, const std::vecto
   take_over_body(old, node_before, entering);
   const std::vector<char> lost_before = state_.unloaded;
   const Eigen::VectorXd displacement = state_.total_displacement;
-  const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+  const LoadedBody::FirstEquilibrium found = find_equilibrium_of_pieces();
   held_ = found.held;
   const double f = state_.load_factor;
   const double lost =
