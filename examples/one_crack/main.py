@@ -73,10 +73,10 @@ def tear(name: str, model: bempd.Model) -> Result:
     report = model.run_to_separation(FAR)
     path = model.crack_path(1)
     seconds = time.perf_counter() - start
-    grown = path[path["event"] > 0]
-    tip = path[path["event"] == 0][-1:]
-    places = np.concatenate([tip, grown])
-    return Result(name, np.column_stack([places["x"], places["y"]]), grown["load_factor"], report.released_energy, seconds, report)
+    tip = [vertex for vertex in path if vertex.event == 0][-1]
+    grown = [vertex for vertex in path if vertex.event > 0]
+    return Result(name, np.array([(vertex.x, vertex.y) for vertex in (tip, *grown)]),
+                  np.array([vertex.load_factor for vertex in grown]), report.released_energy, seconds, report)
 
 
 def farthest(path: np.ndarray, other: np.ndarray) -> float:
