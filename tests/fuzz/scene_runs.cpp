@@ -82,7 +82,7 @@ void Scene::read_report(const char* call, const bempd_step_report& r) {
   const std::array numbers = {r.load_factor,   r.residual,       r.seconds_total,
                               r.seconds_solve, r.seconds_update, r.seconds_search};
   require_finite(call, numbers.data(), numbers.size());
-  const bool known = r.stop_reason >= BEMPD_STOP_LOAD_FACTOR && r.stop_reason <= BEMPD_STOP_REQUESTED;
+  const bool known = r.stop_reason >= BEMPD_STOP_LOAD_FACTOR && r.stop_reason <= BEMPD_STOP_CRACK_STOPPED;
   require_true(known, call, "an unknown reason to stop");
   require_true(r.events >= 0 && r.broken_bonds >= 0 && r.fragments >= 0, call, "a negative count");
 }
