@@ -49,7 +49,7 @@ def body(kind: str, spacing: float, turned: float = 0.0, shift: float = 0.0) -> 
 
     `turned` is the angle of the lattice's rows in degrees; `shift` moves crack and holes over the lattice, to the right and up.
     """
-    model = bempd.Model(options={"pd.lattice_angle": turned} if kind == "lattice" else {})
+    model = bempd.Model(options={"pd.lattice_angle": math.radians(turned)} if kind == "lattice" else {})
     pmma = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, fracture_energy=FRACTURE_ENERGY)
     left, bottom, right, top = WINDOW
     notch = [(0, top), (right, top), (right, bottom), (0, bottom)] if kind == "both" else []

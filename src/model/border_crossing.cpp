@@ -19,6 +19,10 @@ namespace {
 // So far behind the interface a crack has its first tip with elements, in spacings.
 constexpr double into_elements = 1.5;
 
+// With less room than this in the region ahead of that tip, in spacings, the line stops at the interface: next to the
+// mouth what is left of lattice and elements may come apart into parts that nothing holds.
+constexpr double room_in_elements = 8;
+
 // Closer than this to the interface, in horizons, the points ahead of a line no longer tell what its tip carries: from
 // there on it goes on in elements at once (docs/mixed_cracks.md).
 constexpr double near_elements = 1.5;
@@ -57,9 +61,11 @@ std::optional<Point> tip_behind_border(const scene::Scene& scene, const fracture
           exit = meeting.fraction_a, straight = edge.straight();
     if (exit > 1 || !straight) continue;
     const Point behind = way.at(exit) + 0.1 * spacing * along, tip = way.at(exit) + into_elements * spacing * along;
+    const Point far = tip + room_in_elements * spacing * along;
     for (const int id : scene.region_ids())
       if (scene.region(id).has_elements() && scene.material_of(id) == scene.material_of(lattice) &&
-          is_in(scene, id, behind, tolerance) && locate(scene.region(id).outline(), tip, tolerance) == Location::inside)
+          is_in(scene, id, behind, tolerance) &&
+          locate(scene.region(id).outline(), tip, tolerance) == Location::inside && is_in(scene, id, far, tolerance))
         return tip;
   }
   return std::nullopt;
@@ -147,16 +153,17 @@ bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& 
 // Grown again event by event, so that what regions take over from the scene before has the same digits. What grows
 // among bonds leaves the scene as it is, until it goes on in elements.
 std::unique_ptr<PreparedScene> Model::as_grown(const std::vector<fracture::CrackExtension>& extensions) {
-  const auto lies_in = [&](bool elements, double x, double y) {
+  // Lines may begin or end a little beyond the outline of their lattice.
+  const auto lies_in_elements = [&](double x, double y) {
     const std::vector<int> ids = scene_.region_ids();
     return std::any_of(ids.begin(), ids.end(), [&](int id) {
-      const Location at = locate(scene_.region(id).outline(), {x, y}, prepared_->discretization.tolerance);
-      return scene_.region(id).has_elements() == elements &&
-             (elements ? at == Location::inside : at != Location::outside);
+      return scene_.region(id).has_elements() &&
+             locate(scene_.region(id).outline(), {x, y}, prepared_->discretization.tolerance) == Location::inside;
     });
   };
   const auto among_bonds = [&](const auto& e) {
-    return lies_in(false, e.from_x, e.from_y) && !lies_in(true, e.x, e.y);
+    if (e.crack > static_cast<int>(scene_.cracks().size())) return true;  // those that begin in a run stay there
+    return !lies_in_elements(e.from_x, e.from_y) && !lies_in_elements(e.x, e.y);
   };
   const auto place = [](const fracture::CrackExtension& e) { return std::tuple(e.crack, e.end, e.x, e.y); };
   const auto same = [&](const auto& a, const auto& b) { return place(a) == place(b); };

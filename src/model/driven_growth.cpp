@@ -68,6 +68,7 @@ void Model::look_after_lines(DrivenRun& run) {
 fracture::StopReason Model::with_stopped_lines(fracture::StopReason reason, const DrivenRun& run) {
   using fracture::StopReason;
   if (run.stopped_lines.empty()) return reason;
+  stop_requested_ = false;  // by look_after_lines()
   for (const crack::TipId& tip : run.stopped_lines) prepared_->evolution->stop_line(tip);
   say([&] {
     for (const crack::TipId& tip : run.stopped_lines)

@@ -13,13 +13,11 @@
 #include <vector>
 
 #include "cancellation.hpp"
-#include "coupling/equilibrium_system.hpp"
 #include "fracture/crack_evolution.hpp"
-#include "fracture/interface_bonds.hpp"
 #include "model/answers.hpp"
 #include "model/crack_paths.hpp"
-#include "model/fingerprint.hpp"
 #include "model/host_listener.hpp"
+#include "model/prepared_scene.hpp"
 #include "model/saved_state.hpp"
 #include "model/tip_factors.hpp"
 #include "regions/boundary_conditions.hpp"
@@ -36,22 +34,6 @@
 #include "scene/scene.hpp"
 
 namespace bempd::model {
-
-// Everything that is built from a finished scene.
-struct PreparedScene {
-  SceneFingerprint fingerprint;
-  regions::Discretization discretization;
-  regions::DofConditions conditions;
-  std::vector<scene::Crack> cracks;  // as they are in lattices
-  std::vector<int> cut_bonds;
-  std::unique_ptr<coupling::EquilibriumSystem> system;
-  std::unique_ptr<fracture::CrackEvolution> evolution;
-  std::optional<fracture::InterfaceBonds> interface_bonds;
-  std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines
-  int anchored_pieces = 0;                   // at first
-  std::int64_t interior_kernel_evaluations = 0;
-  std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
-};
 
 struct Growing;
 struct Grown;

@@ -51,6 +51,8 @@ NAMES: dict[str, str] = {
     "bempd_extension_count": "Model.extensions",
     "bempd_extension": "Model.extensions",
     "bempd_crack_extension_init": "Model.extensions",
+    "bempd_crack_path_count": "Model.crack_path",
+    "bempd_path_vertex_init": "Model.crack_path",
     "bempd_edge_size": "Model.edge_nodes",
     "bempd_copy_edge_nodes": "Model.edge_nodes",
     "bempd_copy_edge_elements": "Model.edge_elements",

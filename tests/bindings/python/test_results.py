@@ -176,7 +176,7 @@ def test_enumerations_are_those_of_the_header():
 
     assert {reason.name: reason.value for reason in bempd.StopReason} == {
         name: getattr(lib, "BEMPD_STOP_" + name) for name in ("LOAD_FACTOR", "EVENT", "SEPARATED", "NO_FURTHER_EVENT",
-                                                       "NO_ADMISSIBLE_LOAD", "NO_EQUILIBRIUM", "REQUESTED")}
+                                                       "NO_ADMISSIBLE_LOAD", "NO_EQUILIBRIUM", "REQUESTED", "CRACK_STOPPED")}
     assert {state.name: state.value for state in bempd.BondState} == {
         name: getattr(lib, "BEMPD_BOND_" + name) for name in ("INTACT", "BROKEN", "CUT")}
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/crack_evolution.hpp"
+#include "fracture/interface_bonds.hpp"
+#include "model/fingerprint.hpp"
+#include "regions/boundary_conditions.hpp"
+#include "regions/discretization.hpp"
+#include "regions/singular_places.hpp"
+#include "scene/scene.hpp"
+
+namespace bempd::model {
+
+// Everything that is built from a finished scene.
+struct PreparedScene {
+  SceneFingerprint fingerprint;
+  regions::Discretization discretization;
+  regions::DofConditions conditions;
+  std::vector<scene::Crack> cracks;  // as they are in lattices
+  std::vector<int> cut_bonds;
+  std::unique_ptr<coupling::EquilibriumSystem> system;
+  std::unique_ptr<fracture::CrackEvolution> evolution;
+  std::optional<fracture::InterfaceBonds> interface_bonds;
+  std::size_t first_tips = 0, tip_laws = 0;  // of cracks that grow as lines
+  int anchored_pieces = 0;                   // at first
+  std::int64_t interior_kernel_evaluations = 0;
+  std::optional<std::vector<regions::SingularPlace>> singular_places;  // once they are asked for
+};
+
+}  // namespace bempd::model
