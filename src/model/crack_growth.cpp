@@ -34,6 +34,9 @@ struct HashOfPoint {
   }
 };
 
+constexpr const char* no_tip_with_elements =
+    "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
+
 // Whether lattices have the same bonds in the same order, so that what is broken among them can be taken over: where
 // material points lie on outlines a lattice may move out of the way of a longer crack.
 bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
@@ -141,8 +144,7 @@ std::vector<regions::TipValues> Model::growing_tips() {
 std::vector<regions::TipValues> Model::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
-  require(!tip_factors().empty(),
-          "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps");
+  require(!tip_factors().empty(), no_tip_with_elements);
   fail(Failure::argument,
        "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
 }
@@ -245,6 +247,7 @@ Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, boo
 GrowthResult Model::grow_cracks(double length) {
   require(std::isfinite(length) && length > 0, "length is ", length, "; it must be > 0");
   prepare();
+  require(has_crack_elements(), no_tip_with_elements);
   std::optional<LoadsBefore> loads;
   if (loads_.acting != Acting::values)
     loads = replace_loads(regions::apply_conditions(scene_, prepared_->discretization), Acting::values);
