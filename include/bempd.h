@@ -352,7 +352,8 @@ BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, i
  * The bonds cut ahead of a tip make the crack open like a slit that is 0.3 to 0.55 spacings longer there; the load at
  * which it grows depends on where the tip lies between points: best half way between two columns or rows. It may end on
  * a region's boundary. In a BEM region (scheme symmetric) it gets boundary elements, which are divided by themselves
- * around its tips: it stands still, and bempd_tip() tells how much it is loaded. There it may start or end at a free
+ * around its tips: steps grow it where its
+ * material has a fracture energy, and bempd_tip() tells how much it is loaded. There it may start or end at a free
  * edge, a hole or another crack, and cracks may cross. A crack may run from a BEM region into a peridynamic region and
  * back. It crosses their straight interface half way between two material points: elsewhere it is bent to there, over
  * three spacings on either side, which is logged. It goes on for at least a spacing behind the interface, and no other

@@ -135,7 +135,7 @@ Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   return merging.map() * kept;
 }
 
-// With the rigid motions of every piece held: forces in equilibrium do not notice. Openings have no part in them.
+// The rigid motions of every piece are held: forces in equilibrium do not notice. Openings have no part in them.
 void hold_rigid_motions(const CrackedOperator& body, const Map& map, Eigen::MatrixXd& stiffness) {
   const BoundaryMesh& mesh = body.mesh();
   const int pieces = body.cracks().pieces.count;

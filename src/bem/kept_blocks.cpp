@@ -58,7 +58,7 @@ std::vector<int> nodes_of_same(const std::vector<GalerkinElement>& before, const
   return kept;
 }
 
-// On which piece of the body nodes lie.
+// Piece of the body on which each node lies.
 std::vector<int> pieces_of_nodes(const std::vector<GalerkinElement>& elements, int count, bool tractions) {
   std::vector<int> pieces(count, 0);
   for (const GalerkinElement& e : elements)

@@ -20,7 +20,7 @@ class NormalOpenings {
   const Eigen::MatrixXd& of_displacements() const { return of_displacements_; }  // G
   const Eigen::MatrixXd& of_forces() const { return of_forces_; }                // S
 
-  // Of all openings [m]; 0 where the crack cuts the body.
+  // All openings [m]; 0 where the crack cuts the body.
   Eigen::VectorXd gaps(const Eigen::VectorXd& openings) const;
 
   // Openings where these places are held shut, from those where nothing presses.

@@ -49,7 +49,7 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
   return first_of(source, event, target);
 }
 
-// Of what is due at the present load factor already the one that is farthest beyond what it bears goes first.
+// If both are due at the present load factor, the event that is farthest beyond what it bears goes first.
 const Event* EventSources::sooner(const Event* breaks, const Event* growth, bool upwards, double present) {
   if (!breaks || !growth) return breaks ? breaks : growth;
   if (breaks->load_factor == present && growth->load_factor == present)

@@ -91,7 +91,7 @@ bool leaves_lattice(const fracture::CrackExtension& e, const scene::Scene& scene
          tip_behind_border(scene, e, near_elements * horizons, d.tolerance).has_value();
 }
 
-// All of them, or what is left stops.
+// True if all lines that have come to a border go on in elements; those that cannot stop.
 bool Model::go_on_in_elements(ElementTips& tips, DrivenRun& run) {
   if (run.stopped_lines.empty()) return false;
   const double tolerance = prepared_->discretization.tolerance;

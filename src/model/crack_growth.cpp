@@ -17,7 +17,7 @@ namespace {
 
 constexpr int most_rounds_of_faces = 64;
 
-// By extension, of the scene before it.
+// Thickness at each extension, in the scene before it.
 std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene& prepared,
                                  const std::vector<fracture::CrackExtension>& extensions) {
   std::vector<double> thickness;
@@ -130,7 +130,7 @@ const std::vector<regions::TipValues>& Model::tip_factors() {
   return tip_factors_.tips;
 }
 
-// Those that may grow.
+// Tips with elements that may grow.
 std::vector<regions::TipValues> Model::growing_tips() {
   std::vector<regions::TipValues> tips = tip_factors();
   const std::vector<fracture::CrackExtension>& extensions = prepared_->evolution->progress().extensions;
@@ -140,7 +140,7 @@ std::vector<regions::TipValues> Model::growing_tips() {
   return tips;
 }
 
-// Of these the host asks for one that grows.
+// Tips that may grow; bempd_grow_cracks() is refused where there is none.
 std::vector<regions::TipValues> Model::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;

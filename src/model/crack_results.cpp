@@ -37,7 +37,7 @@ void never_grows(regions::TipValues& tip) {
   tip.critical_kink_angle = regions::TipValues::unknown;
 }
 
-// Where no ring fits: the factors by which the tip grows.
+// Factors by which the tip grows, for tips around which no ring fits.
 void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& tip, double load_factor) {
   if (!tip.factors.at(load_factor).allFinite()) return;
   values.method = regions::TipMethod::stress_ahead;
@@ -47,7 +47,7 @@ void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& 
   values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.modulus);
 }
 
-// By how much an end of a crack has grown as a line, of which the scene's crack does not know.
+// Length by which an end of a crack has grown as a line; the scene's crack does not have it.
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
@@ -105,7 +105,7 @@ std::vector<regions::TipValues> Model::tips_in_lattices() const {
   return tips;
 }
 
-// Those that grow, where and as they do.
+// Tips of lines as the run grows them: place, direction and load factors.
 std::vector<regions::TipValues> Model::tips_of_lines() const {
   const std::vector<fracture::TipProspect> prospects = prepared_->evolution->tip_prospects();
   std::vector<regions::KnownTip> known;

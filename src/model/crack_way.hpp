@@ -25,7 +25,7 @@ void extend(scene::Crack& crack, int end, const Point& to);
 
 double length_of(const scene::Crack& crack);
 
-// From a tip to the nearest edge or hole, or another crack [m].
+// Distance from a tip to the nearest edge, hole or other crack [m].
 double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end);
 
 }  // namespace bempd::model

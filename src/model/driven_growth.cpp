@@ -22,7 +22,7 @@ bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
   });
 }
 
-// From growth to growth, each in a scene of its own.
+// The run goes from one growth to the next, each in a scene of its own.
 fracture::StopReason Model::advance_growing(DrivenRun& run) {
   ElementTips tips(options_, [this] { return growing_tips(); });
   if (drives_elements(run.stepping)) {
@@ -88,7 +88,7 @@ void Model::grow_next(ElementTips& tips, DrivenRun& run) {
   try {
     next = grown(before, std::move(growing), true, run.on_way);
   } catch (const Error& error) {
-    // Where it cannot cross an interface with a lattice it stops.
+    // A crack that cannot cross an interface with a lattice stops.
     const auto is_about = [&](const char* words) {
       return std::string_view(error.what()).find(words) != std::string_view::npos;
     };

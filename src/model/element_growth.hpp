@@ -34,7 +34,7 @@ crack::AffineFactors factors_of(const regions::TipValues& tip);
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options);
 
-// Of all tips by this length, or by less as the option growth.exponent has it.
+// Every tip grows by this length, or by less as the option growth.exponent has it.
 void set_lengths(Growing& growing, double length, const scene::Options& options);
 
 // How far growing tips go at once: a share of the crack's length and of the way to what is near, or what the option

@@ -21,7 +21,7 @@ class ElementTips final : public fracture::OtherTips {
   using Tips = std::function<std::vector<regions::TipValues>()>;
   ElementTips(const scene::Options& options, Tips tips) : options_(options), find_(std::move(tips)) {}
 
-  // Of which run the state is that they are in.
+  // Run whose state the tips are in.
   void follow(const fracture::CrackEvolution& evolution) {
     evolution_ = &evolution;
     is_known_ = false;
@@ -30,7 +30,7 @@ class ElementTips final : public fracture::OtherTips {
   const fracture::Event* next(double target, const fracture::SteppingOptions& options) override;
   bool rest_somewhere() override;
 
-  // Those that there are, and which of them the event told is of.
+  // Tips that there are, and the one that the told event is of.
   const std::vector<regions::TipValues>& tips() const { return tips_; }
   std::size_t first() const { return first_; }
   int ties() const { return ties_; }

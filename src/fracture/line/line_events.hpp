@@ -22,7 +22,7 @@ class LineEvents final : public EventSource {
   Outcome perform() override;
 
   const LineSteps& steps() const { return steps_; }
-  // Of all tips that have not ended, by crack and end.
+  // Prospects of all tips that have not ended, by crack and end.
   std::vector<TipProspect> prospects() const;
   bool tells_step() const { return step_.has_value(); }  // and no crack begins
 

@@ -8,7 +8,7 @@
 
 namespace bempd::fracture {
 
-// By what a tip grows. Load factors are counted on their way, where they rise.
+// Factors by which a tip grows. Load factors are counted on their way, where they rise.
 struct LineCriterion {
   double toughness;   // [Pa m^(1/2)]
   double correction;  // by which the intensity is multiplied before the two are compared

@@ -38,7 +38,7 @@ constexpr double farthest_load = 1e6;
 // Likewise a stress closely ahead that is this share of the one around.
 constexpr double least_stress = 1e-8;
 
-// With the load factor counted on its way.
+// The same intensity with the load factor counted on its way.
 AffineIntensity on_way(AffineIntensity intensity, const LoadWay& way) {
   intensity.one[1] *= way.sense(), intensity.two[1] *= way.sense();
   return intensity;

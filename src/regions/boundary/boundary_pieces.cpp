@@ -8,7 +8,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Of distances that are equal up to rounding the first one counts.
+// If distances are equal up to rounding, the first one counts.
 constexpr double clearly_farther = 1 + 1e-6;
 
 }  // namespace

@@ -171,7 +171,7 @@ bool RegionCracks::has_inside(int crack) const {
                      [&](const bem::CrackElement& e) { return paths_[lines_.lines[e.line].crack].id == crack; });
 }
 
-// At the three nodes of an element.
+// Openings at the three nodes of an element.
 std::array<Point, 3> RegionCracks::openings_on(const bem::CrackElement& e, const bem::CrackedState& state) {
   std::array<Point, 3> openings;
   for (int k = 0; k < 3; ++k) openings[k] = state.openings.segment<2>(2 * e.nodes[k]);
