@@ -62,17 +62,17 @@ typedef enum bempd_status {
   BEMPD_OK = 0,
   /** A value is wrong; correct it and call again. */
   BEMPD_ERROR_ARGUMENT = -1,
-  /** Called too early or too late in the order of a run. */
+  /** The call comes too early or too late in the order of a run. */
   BEMPD_ERROR_ORDER = -2,
   /** The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
    * error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
-   * never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning. */
+   * never BEMPD_OK. A fragment that cracks cut off or leave on a hinge is fixed in place, with a warning. */
   BEMPD_ERROR_UNSOLVABLE = -3,
   /** An iteration or the limit on events ended before the goal. */
   BEMPD_ERROR_CONVERGENCE = -4,
   /** A callback or bempd_request_cancel() asked to stop. */
   BEMPD_ERROR_CANCELLED = -5,
-  /** Not enough memory. */
+  /** Memory is not enough. */
   BEMPD_ERROR_MEMORY = -6,
   /** A file could not be written or read. */
   BEMPD_ERROR_IO = -7,
@@ -516,7 +516,8 @@ BEMPD_API bempd_status bempd_add_rotation(bempd_model* model, int32_t region, do
 BEMPD_API bempd_status bempd_add_temperature(bempd_model* model, int32_t region, double constant, double proportional,
                                              int32_t* load);
 
-/** @brief The same with values from a function of the place. In a BEM region they have to be linear in x and y.
+/** @brief Change the temperature of a region by a function of the position. In a BEM region it has to be linear in x
+ * and y.
  * @param[in] model the model @param[in] region id of a region
  * @param[in] function called once for each place while the model is prepared: it writes the constant part [K] to
  * constant[0] and the one multiplied by the load factor to proportional[0] @param[in] user handed to it; may be NULL
@@ -549,9 +550,9 @@ BEMPD_API bempd_status bempd_add_crack_traction(bempd_model* model, int32_t crac
  * In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of all bonds
  * that the crack cuts, and of those that break from there on and continue it: each pushes its points apart as it would
  * hold them together under a pressure on all sides, so that a straight crack of any direction feels the pressure times
- * its length. It reaches what breaks at once, does not care whether faces touch, and acts no more on pieces that have
- * come loose. Events are found in the whole body then, without windows. How far a crack has grown is seen where bonds
- * one spacing long are broken, which the last row of points beside a slanted or round outline does not have.
+ * its length. The pressure acts on new crack length at once, also where faces touch, and no longer on fragments that
+ * have come free. Events are found in the whole body then, without windows. How far a crack has grown is seen where
+ * bonds one spacing long are broken, which the last row of points beside a slanted or round outline does not have.
  * @param[in] model the model @param[in] crack id of a crack
  * @param[in] constant constant part [Pa]; positive opens @param[in] proportional part multiplied by the load factor
  * [Pa]
@@ -704,19 +705,19 @@ typedef enum bempd_stop_reason {
   BEMPD_STOP_LOAD_FACTOR = 1,
   /** One event happened (bempd_step_to_next_event()). */
   BEMPD_STOP_EVENT = 2,
-  /** The body is separated: what carried load between supports and loads, proportional or constant, bears nothing any
-   * more; or less than the option stepping.separation_share of the largest force so far, and the bonds that are left
-   * break under larger loads only (`hanging`); or a part has taken its loads along which other loads had balanced, so
-   * that supports that had borne a tenth of the loads at most would have to bear more. */
+  /** The body is separated. Either no intact part carries load between supports and loads any more; or what is left
+   * carries less than the option stepping.separation_share of the largest force so far and its bonds break under larger
+   * loads only (`hanging`); or a fragment came off with loads that had balanced other loads, so that supports that bore
+   * at most a tenth of the loads would have to bear more. */
   BEMPD_STOP_SEPARATED = 3,
   /** No bond can break however far the load factor goes in this direction. */
   BEMPD_STOP_NO_FURTHER_EVENT = 4,
-  /** With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
-   * load factor, or at all around this one, where faces of cracks meet, so that the path ends here; see
-   * bempd_admissible_load_factors(). @since 0.3 */
+  /** The equilibrium path ends here (option stepping.control = "path"): the constant parts of loads and supports
+   * stretch bonds beyond their critical stretch at every load factor, or, where crack faces touch, at all factors
+   * around this one; see bempd_admissible_load_factors(). @since 0.3 */
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
-  /** With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
-   * step keeps the increments before. Where already its first one leaves none the step fails instead, as
+  /** Equilibrium does not exist after the bonds of the next increment break (option stepping.mode = "paper"). The step
+   * keeps the increments before. If its first increment already leaves no equilibrium, the step fails instead, with
    * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
   BEMPD_STOP_NO_EQUILIBRIUM = 6,
   /** bempd_request_stop() asked for the end of the step, which keeps the events before. @since 0.3 */
@@ -740,8 +741,8 @@ typedef struct bempd_step_report {
   int64_t broken_bonds;        /**< bonds broken in this step */
   int64_t total_events;        /**< events since the beginning */
   int64_t total_broken_bonds;  /**< bonds broken since the beginning, without those cut by initial cracks */
-  int64_t fragments;           /**< pieces come free of all supports, as which faces that press do not count, or
-                                  loaded ones that swing on a hinge */
+  int64_t fragments;           /**< fragments without a support (contact of crack faces is no support), or loaded
+                                  ones that swing on a hinge */
   double load_factor;          /**< load factor reached [-] */
   double stored_energy;        /**< elastic energy at the end [J] */
   double released_energy;      /**< energy released by breaking bonds since the beginning [J]; where equilibrium is lost
@@ -758,10 +759,10 @@ typedef struct bempd_step_report {
   double seconds_solve;  /**< of it: solutions [s] */
   double seconds_update; /**< of it: changes of the factorization [s] */
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
-  /* Since 0.3. */
-  double bond_energy;     /**< of the energy released since the beginning, what bonds take where they just reach their
-                             critical stretch, and the fracture energy of what cracks in BEM regions have grown by; the
-                             rest would have become motion [J] */
+  /* Members since 0.3. */
+  double bond_energy;     /**< dissipated part of the energy released since the beginning: energy of bonds just at their
+                             critical stretch, and fracture energy of new crack length in BEM regions; the rest of the
+                             released energy would have become motion [J] */
   int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
                              stretched beyond what they bear; 0 if each event was in equilibrium */
   double resistance;      /**< force that the body bore after the last event: half of the sum of the magnitudes of all
@@ -774,9 +775,9 @@ typedef struct bempd_step_report {
   int64_t closed_places;  /**< places at which faces of cracks press on each other at the end: about one a spacing in
                              lattices (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact) */
   int64_t face_switches;  /**< how often such places have closed or opened in this step */
-  int64_t ties;           /**< tips of cracks, and places where cracks begin, that would have grown at events of this
-                             step as soon as those that did, but for rounding (1e-9): the crack with the least id grows
-                             first, its start before its end, and a crack begins at the bond with the least number */
+  int64_t ties;           /**< tips, and places where cracks begin, that would have grown at the same load factor as the
+                             one that did, up to rounding (1e-9), at events of this step: the crack with the least id
+                             grows first, its start before its end, and a crack begins at the bond with the least number */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill
@@ -792,7 +793,7 @@ BEMPD_API bempd_status bempd_step_report_init(bempd_step_report* report, int64_t
  * @param[in] model the model @return status @since 0.1 */
 BEMPD_API bempd_status bempd_prepare(bempd_model* model);
 
-/** @brief Move the load factor, breaking what reaches its critical load on the way.
+/** @brief Move the load factor; bonds break and cracks grow where they reach their critical load on the way.
  *
  * Between two events the response is linear in the load factor: a step without an event costs no solution. In
  * peridynamic regions cracks grow as lines by default: at an event the tip that reaches its toughness first goes on by
@@ -817,8 +818,8 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step(bempd_model* model, double load_factor, bempd_step_report* report);
 
-/** @brief Go to the next event and perform it: one batch of bonds. While something exceeds what it bears at the present
- * load factor the next event is there.
+/** @brief Go to the next event and perform it: one batch of bonds. The next event is at the present load factor while a
+ * bond exceeds its critical stretch, or a tip its toughness, there.
  * @param[in] model the model @param[in] load_factor_limit go no further than this, up or down [-]
  * @param[in,out] report struct_size in, the rest out; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_step_to_next_event(bempd_model* model, double load_factor_limit,
@@ -831,11 +832,11 @@ BEMPD_API bempd_status bempd_run_to_separation(bempd_model* model, double load_f
 
 /** @brief How far bempd_step_to_values() goes. @since 0.3 */
 typedef enum bempd_until {
-  /** To the values, whatever breaks on the way. */
+  /** The step ends at the values, whatever breaks on the way. */
   BEMPD_UNTIL_VALUES = 1,
-  /** One event, or to the values if none is left before them. */
+  /** The step ends after one event, or at the values if no event comes before them. */
   BEMPD_UNTIL_EVENT = 2,
-  /** Until the body is separated, or to the values. */
+  /** The step ends when the body is separated, or at the values. */
   BEMPD_UNTIL_SEPARATED = 3
 } bempd_until;
 
@@ -858,11 +859,11 @@ typedef enum bempd_until {
 BEMPD_API bempd_status bempd_step_to_values(bempd_model* model, double load_factor, int32_t until,
                                             bempd_step_report* report);
 
-/** @brief Whose factors a column of a load program has. @since 0.3 */
+/** @brief What the factors in a column of a load program belong to. @since 0.3 */
 typedef enum bempd_program_column {
-  /** Those of a support. */
+  /** The column has the factors of a support. */
   BEMPD_COLUMN_SUPPORT = 1,
-  /** Those of a load. */
+  /** The column has the factors of a load. */
   BEMPD_COLUMN_LOAD = 2
 } bempd_program_column;
 
@@ -901,11 +902,11 @@ typedef enum bempd_field {
   BEMPD_POSITION = 1,
   /** Displacements of the nodes, shape [nodes][2] [m]. */
   BEMPD_DISPLACEMENT = 2,
-  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes the mean of the elements that meet there.
-   * At material points the mean stress of their bonds: its error is of second order in the spacing inside (1e-4 of the
-   * largest stress in a beam of 50 cells' height) and of first order within a horizon of faces and interfaces (0.5 %
-   * there). Broken bonds carry none: the row of points beside a crack shows up to 30 % too little stress along it, the
-   * next ones some percent. */
+  /** Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes it is the mean of the elements there.
+   * At material points it is the mean stress of their bonds: its error is of second order in the spacing inside (1e-4
+   * of the largest stress in a beam of 50 cells' height) and of first order within a horizon of faces and interfaces
+   * (0.5 % there). Broken bonds carry none: the row of points beside a crack shows up to 30 % too little stress along
+   * it, the next ones some percent. */
   BEMPD_STRESS = 3,
   /** PD only: share of a point's bonds that is broken or cut, shape [nodes] [-]. */
   BEMPD_DAMAGE = 4,
@@ -926,7 +927,7 @@ typedef enum bempd_field {
 typedef enum bempd_bond_state {
   BEMPD_BOND_INTACT = 0,
   BEMPD_BOND_BROKEN = 1,
-  /** Cut by an initial crack. */
+  /** An initial crack has cut the bond. */
   BEMPD_BOND_CUT = 2
 } bempd_bond_state;
 
@@ -1214,7 +1215,7 @@ typedef enum bempd_tip_method {
  *
  * In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
  * rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field of
- * power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one given,
+ * power -1, G from the factors. They belong to the effective tip, which lies `felt_ahead` ahead of the place given,
  * and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20
  * spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
  * factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two horizons
@@ -1255,16 +1256,16 @@ typedef struct bempd_crack_tip {
                                   or from other rings [Pa m^(1/2)] */
   double kink_angle;           /**< angle by which the tip turns if it grows at the present load factor, by the option
                                   growth.criterion; from the direction, counter-clockwise [rad] */
-  double critical_load_factor; /**< at which the tip grows while the load factor rises; the largest double (DBL_MAX)
-                                  if it never does or its material does not break [-] */
+  double critical_load_factor; /**< load factor at which the tip grows while it rises; the largest double (DBL_MAX)
+                                  if it never grows or its material does not break [-] */
   int32_t method;              /**< a bempd_tip_method (since 0.3, as all that follows) */
   int32_t contours;            /**< rings that the values come from; 0 if none fits, and in BEM regions */
-  int32_t grown;               /**< 1 if bonds have broken since so that the tip is not the described end any more */
-  int32_t branched;            /**< 1 if other ways lead on from the crack than the one to this tip */
+  int32_t grown;               /**< 1 if broken bonds have moved the tip away from the end that was described */
+  int32_t branched;            /**< 1 if the crack has branches beside the one to this tip */
   double contour_radius;       /**< outer radius of the largest ring; 0 if there is none [m] */
-  double felt_ahead;           /**< how far ahead of its place the tip is felt; 0 in BEM regions [m] */
-  double critical_load_factor_down; /**< at which the tip grows while the load factor falls; minus the largest double
-                                       if it never does [-] */
+  double felt_ahead;           /**< distance of the effective tip ahead of the place; 0 in BEM regions [m] */
+  double critical_load_factor_down; /**< load factor at which the tip grows while it falls; minus the largest double
+                                       if it never grows [-] */
   double critical_kink_angle;       /**< angle by which it turns at critical_load_factor, counter-clockwise [rad];
                                        NaN if it does not grow there */
   double straight_load_factor;      /**< smallest load factor >= 0 at which G of growth straight on is the fracture
@@ -1277,8 +1278,8 @@ typedef struct bempd_crack_tip {
  * @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_tip_init(bempd_crack_tip* tip, int64_t struct_size);
 
-/** @brief Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none.
- * Prepares the model. What tips carry is computed when it is asked for.
+/** @brief Number of crack tips: ends at edges and holes, and in BEM regions at other cracks, are no tips. Prepares the
+ * model. Stress intensity factors are computed when a tip is asked for.
  * @param[in] model the model @param[out] count number of tips @return status @since 0.3 */
 BEMPD_API bempd_status bempd_tip_count(bempd_model* model, int64_t* count);
 
@@ -1295,7 +1296,7 @@ BEMPD_API bempd_status bempd_tip(bempd_model* model, int64_t index, bempd_crack_
  * @param[in] model the model @param[out] count number of records @return status @since 0.3 */
 BEMPD_API bempd_status bempd_tip_history_count(const bempd_model* model, int64_t* count);
 
-/** @brief A tip as it was, by time, at one time in the order of bempd_tip(). @param[in] model the model
+/** @brief A recorded tip; records are in the order of time, then of bempd_tip(). @param[in] model the model
  * @param[in] index 0 .. count-1 @param[out] event number of the event, or 0 for the end of a step; may be NULL
  * @param[out] total_broken_bonds bonds broken by then; may be NULL @param[out] load_factor then [-]; may be NULL
  * @param[in,out] tip struct_size in, the rest out @return status @since 0.3 */
@@ -1340,7 +1341,7 @@ typedef struct bempd_path_vertex {
   double stress_intensity_1;  /**< K_I of the tip just before [Pa m^(1/2)]; NaN also where the crack began */
   double stress_intensity_2;  /**< K_II [Pa m^(1/2)]; NaN likewise */
   double energy_release_rate; /**< G in the direction to here just before [J/m^2]; NaN likewise */
-  double resistance;          /**< fracture energy that was met on the way to here [J/m^2]; NaN likewise */
+  double resistance;          /**< fracture energy G0 along the way to here [J/m^2]; NaN likewise */
 } bempd_path_vertex;
 
 /** @brief Set struct_size and zeros. @param[out] vertex the struct to fill
@@ -1360,12 +1361,12 @@ BEMPD_API bempd_status bempd_crack_path(const bempd_model* model, int32_t crack,
 
 /** @brief What bempd_grow_cracks() did. Fill it with bempd_growth_init(). @since 0.3 */
 typedef struct bempd_growth {
-  int64_t struct_size; /**< sizeof(bempd_growth), set by bempd_growth_init() */
-  int32_t tips;        /**< tips that have grown */
-  int32_t ended;       /**< of them those that have reached an edge, a hole or another crack and are no tips any more */
-  double load_factor;  /**< load factor at which they did; the model is there now [-] */
-  double length;       /**< sum of their ways [m] */
-  double released_energy; /**< energy that the body has released by it [J] */
+  int64_t struct_size;    /**< sizeof(bempd_growth), set by bempd_growth_init() */
+  int32_t tips;           /**< tips that have grown */
+  int32_t ended;          /**< tips among them that ended at an edge, a hole or another crack */
+  double load_factor;     /**< load factor at which they grew; the model is there now [-] */
+  double length;          /**< sum of their growth [m] */
+  double released_energy; /**< energy that the body has released by the growth [J] */
 } bempd_growth;
 
 /** @brief Set struct_size and zeros. @param[out] growth the struct to fill
@@ -1375,14 +1376,14 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
 
 /** @brief Let the cracks of BEM regions grow by a length.
  *
- * The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in the
- * direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion = "energy", of
- * the largest energy release rate. That tip grows, and with it those whose load factor is at most the share
- * growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An extension
- * is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A tip that meets
- * an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
- * of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were given
- * on.
+ * The load factor is solved for: the smallest one >= 0 at which the energy release rate of a tip reaches its
+ * material's fracture_energy in the direction in which it grows, that of the largest hoop stress or, with the option
+ * growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose load factor
+ * is at most the share growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release
+ * rates. An extension is straight; growth.direction = "chord" makes paths of long extensions follow those of short
+ * ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a
+ * crack by less than a tenth of its way ends at that. Loads on crack faces stay where they are and go on beyond the
+ * ends of what they were given on.
  *
  * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
  * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
@@ -1404,17 +1405,17 @@ BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, i
 
 /** @brief What became of an end of a crack. @since 0.3 */
 typedef enum bempd_tip_state {
-  /** It is a tip, and grows where its toughness is reached. */
+  /** The end is a tip and grows when it reaches the fracture toughness. */
   BEMPD_TIP_GROWS = 0,
-  /** It has reached the outer boundary of the body. */
+  /** The end has reached the outer boundary of the body. */
   BEMPD_TIP_AT_EDGE = 1,
-  /** It has reached a hole. */
+  /** The end has reached a hole. */
   BEMPD_TIP_AT_HOLE = 2,
-  /** It has reached a crack. */
+  /** The end has reached another crack. */
   BEMPD_TIP_AT_CRACK = 3,
-  /** It has stopped at another material, or where its region ends. */
+  /** The end has stopped at another material, or at the border of its region. */
   BEMPD_TIP_AT_INTERFACE = 4,
-  /** What lay ahead of it has come apart. */
+  /** The end has no ligament left ahead of it. */
   BEMPD_TIP_SEPARATED = 5
 } bempd_tip_state;
 
@@ -1427,21 +1428,21 @@ typedef struct bempd_crack_extension {
   int32_t end;                       /**< a bempd_tip_end */
   int32_t ended;                     /**< 1: it has reached an edge, a hole or another crack; else 0 */
   int32_t count;                     /**< extensions of this end up to this one */
-  double x;                          /**< where it came to [m] */
+  double x;                          /**< end of the extension [m] */
   double y;                          /**< [m] */
-  double angle;                      /**< by which it turned, counter-clockwise [rad] */
-  double length;                     /**< of its way [m] */
-  double crack_length;               /**< of the whole crack after it [m] */
+  double angle;                      /**< angle by which it turned, counter-clockwise [rad] */
+  double length;                     /**< length of the extension [m] */
+  double crack_length;               /**< length of the whole crack after it [m] */
   double load_factor;                /**< at which it grew [-] */
-  double energy_release_rate_before; /**< when it set out in the new direction [J/m^2] */
-  double energy_release_rate_after;  /**< when it had arrived [J/m^2]; 0 if it has ended */
-  double released_energy;            /**< mean of both times the way and the thickness; of a tip that has ended, what
-                                        the others of the event leave of the history's [J] */
-  double from_x;                     /**< where it began (since 0.3, as all that follows) [m] */
+  double energy_release_rate_before; /**< G in the new direction at the start of the extension [J/m^2] */
+  double energy_release_rate_after;  /**< G at the end of the extension [J/m^2]; 0 if the end is no tip now */
+  double released_energy;            /**< mean of both G times length and thickness; for an end that is no tip now, the
+                                        energy of the event in the history less that of its other extensions [J] */
+  double from_x;                     /**< start of the extension (since 0.3, as all that follows) [m] */
   double from_y;                     /**< [m] */
   double stress_intensity_1;         /**< K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)] */
   double stress_intensity_2;         /**< K_II; NaN likewise [Pa m^(1/2)] */
-  double resistance;                 /**< fracture energy of what it went through [J/m^2] */
+  double resistance;                 /**< fracture energy G0 along the extension [J/m^2] */
   int32_t state;                     /**< what became of the end, a bempd_tip_state */
   int32_t reserved;                  /**< 0 */
 } bempd_crack_extension;
@@ -1510,15 +1511,15 @@ typedef struct bempd_history_entry {
   double work;                 /**< work of loads and supports so far [J] */
   double energy_balance_error; /**< |work - stored - released| over the largest work so far [-] */
   double residual;             /**< largest unbalanced force over the largest internal nodal force so far [-] */
-  /* Since 0.3: the equilibrium path, whatever the option stepping.control. */
+  /* Equilibrium path, whatever the option stepping.control says (since 0.3). */
   double critical_load_factor;   /**< at which the most stretched bond of the event just reaches its critical
                                     stretch, or its tip its toughness; at the end of a step the load factor
                                     [-] */
   double critical_stored_energy; /**< elastic energy at that load factor, after the event [J] */
   double bond_energy;            /**< energy that bonds broken so far take where they just reach their critical
                                     stretch [J] */
-  /* Since 0.3: the state just before the event, at its load factor; at the end of a step the state there. A
-   * load-displacement curve has its peak there. */
+  /* State just before the event, at its load factor; at the end of a step, the state there (since 0.3). It holds the
+   * peak of a load-displacement curve. */
   double load_factor_before;   /**< load factor [-] */
   double stored_energy_before; /**< elastic energy [J] */
   double work_before;          /**< work of loads and supports until then [J] */
@@ -1552,7 +1553,7 @@ BEMPD_API bempd_status bempd_get_history_entry(const bempd_model* model, int64_t
 BEMPD_API bempd_status bempd_get_history_support(const bempd_model* model, int64_t index, int32_t support,
                                                  double* displacement, double* force, double* force_before);
 
-/** @brief The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
+/** @brief Name of bempd_get_history_entry() in version 0.1; new programs use bempd_get_history_entry().
  * @param[in] model the model @param[in] index 0 .. count-1
  * @param[in,out] entry struct_size in, the rest out @return status @since 0.1 */
 BEMPD_API bempd_status bempd_history(const bempd_model* model, int64_t index, bempd_history_entry* entry);
@@ -1571,7 +1572,8 @@ BEMPD_API bempd_status bempd_state_save(bempd_model* model, bempd_state** state)
 typedef enum bempd_state_contents {
   /** Bonds, cracks, displacements, history: loads and supports keep the values they have when it is restored. */
   BEMPD_STATE_BODY = 1,
-  /** With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which restoring brings back. */
+  /** All of BEMPD_STATE_BODY, the values of loads and supports, and the tips that bempd_set_tip_frozen() freezes:
+   * restoring brings them back. */
   BEMPD_STATE_BODY_AND_VALUES = 2
 } bempd_state_contents;
 

@@ -17,17 +17,17 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_OK = 0
   !> A value is wrong; correct it and call again.
   integer(c_int), parameter :: BEMPD_ERROR_ARGUMENT = -1
-  !> Called too early or too late in the order of a run.
+  !> The call comes too early or too late in the order of a run.
   integer(c_int), parameter :: BEMPD_ERROR_ORDER = -2
   !> The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or energy balance
   !> error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the range of doubles, is this error too,
-  !> never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off, are held where they are, with a warning.
+  !> never BEMPD_OK. A fragment that cracks cut off or leave on a hinge is fixed in place, with a warning.
   integer(c_int), parameter :: BEMPD_ERROR_UNSOLVABLE = -3
   !> An iteration or the limit on events ended before the goal.
   integer(c_int), parameter :: BEMPD_ERROR_CONVERGENCE = -4
   !> A callback or bempd_request_cancel() asked to stop.
   integer(c_int), parameter :: BEMPD_ERROR_CANCELLED = -5
-  !> Not enough memory.
+  !> Memory is not enough.
   integer(c_int), parameter :: BEMPD_ERROR_MEMORY = -6
   !> A file could not be written or read.
   integer(c_int), parameter :: BEMPD_ERROR_IO = -7
@@ -81,21 +81,21 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_STOP_LOAD_FACTOR = 1
   !> One event happened (bempd_step_to_next_event()).
   integer(c_int), parameter :: BEMPD_STOP_EVENT = 2
-  !> The body is separated: what carried load between supports and loads, proportional or constant, bears nothing any
-  !> more; or less than the option stepping.separation_share of the largest force so far, and the bonds that are left
-  !> break under larger loads only (`hanging`); or a part has taken its loads along which other loads had balanced, so
-  !> that supports that had borne a tenth of the loads at most would have to bear more.
+  !> The body is separated. Either no intact part carries load between supports and loads any more; or what is left
+  !> carries less than the option stepping.separation_share of the largest force so far and its bonds break under larger
+  !> loads only (`hanging`); or a fragment came off with loads that had balanced other loads, so that supports that bore
+  !> at most a tenth of the loads would have to bear more.
   integer(c_int), parameter :: BEMPD_STOP_SEPARATED = 3
   !> No bond can break however far the load factor goes in this direction.
   integer(c_int), parameter :: BEMPD_STOP_NO_FURTHER_EVENT = 4
-  !> With the option stepping.control = "path": what is constant of loads and supports stretches bonds too far at every
-  !> load factor, or at all around this one, where faces of cracks meet, so that the path ends here; see
-  !> bempd_admissible_load_factors().
+  !> The equilibrium path ends here (option stepping.control = "path"): the constant parts of loads and supports stretch
+  !> bonds beyond their critical stretch at every load factor, or, where crack faces touch, at all factors around this
+  !> one; see bempd_admissible_load_factors().
   !>
   !> since: 0.3
   integer(c_int), parameter :: BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
-  !> With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no equilibrium. The
-  !> step keeps the increments before. Where already its first one leaves none the step fails instead, as
+  !> Equilibrium does not exist after the bonds of the next increment break (option stepping.mode = "paper"). The step
+  !> keeps the increments before. If its first increment already leaves no equilibrium, the step fails instead, with
   !> BEMPD_ERROR_UNSOLVABLE.
   !>
   !> since: 0.3
@@ -115,20 +115,20 @@ module bempd_c
   !>
   !> since: 0.3
   integer, parameter :: bempd_until = c_int
-  !> To the values, whatever breaks on the way.
+  !> The step ends at the values, whatever breaks on the way.
   integer(c_int), parameter :: BEMPD_UNTIL_VALUES = 1
-  !> One event, or to the values if none is left before them.
+  !> The step ends after one event, or at the values if no event comes before them.
   integer(c_int), parameter :: BEMPD_UNTIL_EVENT = 2
-  !> Until the body is separated, or to the values.
+  !> The step ends when the body is separated, or at the values.
   integer(c_int), parameter :: BEMPD_UNTIL_SEPARATED = 3
 
-  !> Whose factors a column of a load program has.
+  !> What the factors in a column of a load program belong to.
   !>
   !> since: 0.3
   integer, parameter :: bempd_program_column = c_int
-  !> Those of a support.
+  !> The column has the factors of a support.
   integer(c_int), parameter :: BEMPD_COLUMN_SUPPORT = 1
-  !> Those of a load.
+  !> The column has the factors of a load.
   integer(c_int), parameter :: BEMPD_COLUMN_LOAD = 2
 
   !> A field on a region. Nodes are boundary nodes or material points.
@@ -139,11 +139,11 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_POSITION = 1
   !> Displacements of the nodes, shape [nodes][2] [m].
   integer(c_int), parameter :: BEMPD_DISPLACEMENT = 2
-  !> Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes the mean of the elements that meet there.
-  !> At material points the mean stress of their bonds: its error is of second order in the spacing inside (1e-4 of the
-  !> largest stress in a beam of 50 cells' height) and of first order within a horizon of faces and interfaces (0.5 %
-  !> there). Broken bonds carry none: the row of points beside a crack shows up to 30 % too little stress along it, the
-  !> next ones some percent.
+  !> Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes it is the mean of the elements there. At
+  !> material points it is the mean stress of their bonds: its error is of second order in the spacing inside (1e-4 of
+  !> the largest stress in a beam of 50 cells' height) and of first order within a horizon of faces and interfaces (0.5
+  !> % there). Broken bonds carry none: the row of points beside a crack shows up to 30 % too little stress along it,
+  !> the next ones some percent.
   integer(c_int), parameter :: BEMPD_STRESS = 3
   !> PD only: share of a point's bonds that is broken or cut, shape [nodes] [-].
   integer(c_int), parameter :: BEMPD_DAMAGE = 4
@@ -166,7 +166,7 @@ module bempd_c
   integer, parameter :: bempd_bond_state = c_int
   integer(c_int), parameter :: BEMPD_BOND_INTACT = 0
   integer(c_int), parameter :: BEMPD_BOND_BROKEN = 1
-  !> Cut by an initial crack.
+  !> An initial crack has cut the bond.
   integer(c_int), parameter :: BEMPD_BOND_CUT = 2
 
   !> Face of a crack, seen from its first point.
@@ -211,17 +211,17 @@ module bempd_c
   !>
   !> since: 0.3
   integer, parameter :: bempd_tip_state = c_int
-  !> It is a tip, and grows where its toughness is reached.
+  !> The end is a tip and grows when it reaches the fracture toughness.
   integer(c_int), parameter :: BEMPD_TIP_GROWS = 0
-  !> It has reached the outer boundary of the body.
+  !> The end has reached the outer boundary of the body.
   integer(c_int), parameter :: BEMPD_TIP_AT_EDGE = 1
-  !> It has reached a hole.
+  !> The end has reached a hole.
   integer(c_int), parameter :: BEMPD_TIP_AT_HOLE = 2
-  !> It has reached a crack.
+  !> The end has reached another crack.
   integer(c_int), parameter :: BEMPD_TIP_AT_CRACK = 3
-  !> It has stopped at another material, or where its region ends.
+  !> The end has stopped at another material, or at the border of its region.
   integer(c_int), parameter :: BEMPD_TIP_AT_INTERFACE = 4
-  !> What lay ahead of it has come apart.
+  !> The end has no ligament left ahead of it.
   integer(c_int), parameter :: BEMPD_TIP_SEPARATED = 5
 
   !> What a saved state contains.
@@ -230,7 +230,8 @@ module bempd_c
   integer, parameter :: bempd_state_contents = c_int
   !> Bonds, cracks, displacements, history: loads and supports keep the values they have when it is restored.
   integer(c_int), parameter :: BEMPD_STATE_BODY = 1
-  !> With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which restoring brings back.
+  !> All of BEMPD_STATE_BODY, the values of loads and supports, and the tips that bempd_set_tip_frozen() freezes:
+  !> restoring brings them back.
   integer(c_int), parameter :: BEMPD_STATE_BODY_AND_VALUES = 2
 
   !> Description of one option. Fill it with bempd_option_info_init().
@@ -320,7 +321,7 @@ module bempd_c
     integer(c_int64_t) :: total_events
     !> bonds broken since the beginning, without those cut by initial cracks
     integer(c_int64_t) :: total_broken_bonds
-    !> pieces come free of all supports, as which faces that press do not count, or loaded ones that swing on a hinge
+    !> fragments without a support (contact of crack faces is no support), or loaded ones that swing on a hinge
     integer(c_int64_t) :: fragments
     !> load factor reached [-]
     real(c_double) :: load_factor
@@ -346,8 +347,8 @@ module bempd_c
     real(c_double) :: seconds_update
     !> of it: stretches, choice of bonds, connectivity [s]
     real(c_double) :: seconds_search
-    !> of the energy released since the beginning, what bonds take where they just reach their critical stretch, and the
-    !> fracture energy of what cracks in BEM regions have grown by; the rest would have become motion [J]
+    !> dissipated part of the energy released since the beginning: energy of bonds just at their critical stretch, and
+    !> fracture energy of new crack length in BEM regions; the rest of the released energy would have become motion [J]
     real(c_double) :: bond_energy
     !> number of the first event of this step at which equilibrium was lost: bonds were stretched beyond what they bear;
     !> 0 if each event was in equilibrium
@@ -368,9 +369,9 @@ module bempd_c
     integer(c_int64_t) :: closed_places
     !> how often such places have closed or opened in this step
     integer(c_int64_t) :: face_switches
-    !> tips of cracks, and places where cracks begin, that would have grown at events of this step as soon as those that
-    !> did, but for rounding (1e-9): the crack with the least id grows first, its start before its end, and a crack
-    !> begins at the bond with the least number
+    !> tips, and places where cracks begin, that would have grown at the same load factor as the one that did, up to
+    !> rounding (1e-9), at events of this step: the crack with the least id grows first, its start before its end, and a
+    !> crack begins at the bond with the least number
     integer(c_int64_t) :: ties
   end type bempd_step_report
 
@@ -440,7 +441,7 @@ module bempd_c
   !>
   !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
   !> rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field
-  !> of power -1, G from the factors. They are those about the place where the tip is felt, `felt_ahead` of the one
+  !> of power -1, G from the factors. They belong to the effective tip, which lies `felt_ahead` ahead of the place
   !> given, and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the
   !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
   !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
@@ -495,22 +496,22 @@ module bempd_c
     !> angle by which the tip turns if it grows at the present load factor, by the option growth.criterion; from the
     !> direction, counter-clockwise [rad]
     real(c_double) :: kink_angle
-    !> at which the tip grows while the load factor rises; the largest double (DBL_MAX) if it never does or its material
+    !> load factor at which the tip grows while it rises; the largest double (DBL_MAX) if it never grows or its material
     !> does not break [-]
     real(c_double) :: critical_load_factor
     !> a bempd_tip_method (since 0.3, as all that follows)
     integer(c_int32_t) :: method
     !> rings that the values come from; 0 if none fits, and in BEM regions
     integer(c_int32_t) :: contours
-    !> 1 if bonds have broken since so that the tip is not the described end any more
+    !> 1 if broken bonds have moved the tip away from the end that was described
     integer(c_int32_t) :: grown
-    !> 1 if other ways lead on from the crack than the one to this tip
+    !> 1 if the crack has branches beside the one to this tip
     integer(c_int32_t) :: branched
     !> outer radius of the largest ring; 0 if there is none [m]
     real(c_double) :: contour_radius
-    !> how far ahead of its place the tip is felt; 0 in BEM regions [m]
+    !> distance of the effective tip ahead of the place; 0 in BEM regions [m]
     real(c_double) :: felt_ahead
-    !> at which the tip grows while the load factor falls; minus the largest double if it never does [-]
+    !> load factor at which the tip grows while it falls; minus the largest double if it never grows [-]
     real(c_double) :: critical_load_factor_down
     !> angle by which it turns at critical_load_factor, counter-clockwise [rad]; NaN if it does not grow there
     real(c_double) :: critical_kink_angle
@@ -541,7 +542,7 @@ module bempd_c
     real(c_double) :: stress_intensity_2
     !> G in the direction to here just before [J/m^2]; NaN likewise
     real(c_double) :: energy_release_rate
-    !> fracture energy that was met on the way to here [J/m^2]; NaN likewise
+    !> fracture energy G0 along the way to here [J/m^2]; NaN likewise
     real(c_double) :: resistance
   end type bempd_path_vertex
 
@@ -553,13 +554,13 @@ module bempd_c
     integer(c_int64_t) :: struct_size
     !> tips that have grown
     integer(c_int32_t) :: tips
-    !> of them those that have reached an edge, a hole or another crack and are no tips any more
+    !> tips among them that ended at an edge, a hole or another crack
     integer(c_int32_t) :: ended
-    !> load factor at which they did; the model is there now [-]
+    !> load factor at which they grew; the model is there now [-]
     real(c_double) :: load_factor
-    !> sum of their ways [m]
+    !> sum of their growth [m]
     real(c_double) :: length
-    !> energy that the body has released by it [J]
+    !> energy that the body has released by the growth [J]
     real(c_double) :: released_energy
   end type bempd_growth
 
@@ -580,26 +581,26 @@ module bempd_c
     integer(c_int32_t) :: ended
     !> extensions of this end up to this one
     integer(c_int32_t) :: count
-    !> where it came to [m]
+    !> end of the extension [m]
     real(c_double) :: x
     !> [m]
     real(c_double) :: y
-    !> by which it turned, counter-clockwise [rad]
+    !> angle by which it turned, counter-clockwise [rad]
     real(c_double) :: angle
-    !> of its way [m]
+    !> length of the extension [m]
     real(c_double) :: length
-    !> of the whole crack after it [m]
+    !> length of the whole crack after it [m]
     real(c_double) :: crack_length
     !> at which it grew [-]
     real(c_double) :: load_factor
-    !> when it set out in the new direction [J/m^2]
+    !> G in the new direction at the start of the extension [J/m^2]
     real(c_double) :: energy_release_rate_before
-    !> when it had arrived [J/m^2]; 0 if it has ended
+    !> G at the end of the extension [J/m^2]; 0 if the end is no tip now
     real(c_double) :: energy_release_rate_after
-    !> mean of both times the way and the thickness; of a tip that has ended, what the others of the event leave of the
-    !> history's [J]
+    !> mean of both G times length and thickness; for an end that is no tip now, the energy of the event in the history
+    !> less that of its other extensions [J]
     real(c_double) :: released_energy
-    !> where it began (since 0.3, as all that follows) [m]
+    !> start of the extension (since 0.3, as all that follows) [m]
     real(c_double) :: from_x
     !> [m]
     real(c_double) :: from_y
@@ -607,7 +608,7 @@ module bempd_c
     real(c_double) :: stress_intensity_1
     !> K_II; NaN likewise [Pa m^(1/2)]
     real(c_double) :: stress_intensity_2
-    !> fracture energy of what it went through [J/m^2]
+    !> fracture energy G0 along the extension [J/m^2]
     real(c_double) :: resistance
     !> what became of the end, a bempd_tip_state
     integer(c_int32_t) :: state
@@ -1698,7 +1699,7 @@ module bempd_c
       integer(c_int) :: bempd_add_temperature
     end function bempd_add_temperature
 
-    !> The same with values from a function of the place. In a BEM region they have to be linear in x and y.
+    !> Change the temperature of a region by a function of the position. In a BEM region it has to be linear in x and y.
     !>
     !> model [in]: the model
     !> region [in]: id of a region
@@ -1749,8 +1750,8 @@ module bempd_c
     !> In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of all bonds that the
     !> crack cuts, and of those that break from there on and continue it: each pushes its points apart as it would hold
     !> them together under a pressure on all sides, so that a straight crack of any direction feels the pressure times
-    !> its length. It reaches what breaks at once, does not care whether faces touch, and acts no more on pieces that
-    !> have come loose. Events are found in the whole body then, without windows. How far a crack has grown is seen
+    !> its length. The pressure acts on new crack length at once, also where faces touch, and no longer on fragments
+    !> that have come free. Events are found in the whole body then, without windows. How far a crack has grown is seen
     !> where bonds one spacing long are broken, which the last row of points beside a slanted or round outline does not
     !> have.
     !>
@@ -2063,7 +2064,7 @@ module bempd_c
       integer(c_int) :: bempd_prepare
     end function bempd_prepare
 
-    !> Move the load factor, breaking what reaches its critical load on the way.
+    !> Move the load factor; bonds break and cracks grow where they reach their critical load on the way.
     !>
     !> Between two events the response is linear in the load factor: a step without an event costs no solution. In
     !> peridynamic regions cracks grow as lines by default: at an event the tip that reaches its toughness first goes on
@@ -2098,8 +2099,8 @@ module bempd_c
       integer(c_int) :: bempd_step
     end function bempd_step
 
-    !> Go to the next event and perform it: one batch of bonds. While something exceeds what it bears at the present
-    !> load factor the next event is there.
+    !> Go to the next event and perform it: one batch of bonds. The next event is at the present load factor while a
+    !> bond exceeds its critical stretch, or a tip its toughness, there.
     !>
     !> model [in]: the model
     !> load_factor_limit [in]: go no further than this, up or down [-]
@@ -2765,8 +2766,8 @@ module bempd_c
       integer(c_int) :: bempd_crack_tip_init
     end function bempd_crack_tip_init
 
-    !> Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are none. Prepares
-    !> the model. What tips carry is computed when it is asked for.
+    !> Number of crack tips: ends at edges and holes, and in BEM regions at other cracks, are no tips. Prepares the
+    !> model. Stress intensity factors are computed when a tip is asked for.
     !>
     !> model [in]: the model
     !> count [out]: number of tips
@@ -2812,7 +2813,7 @@ module bempd_c
       integer(c_int) :: bempd_tip_history_count
     end function bempd_tip_history_count
 
-    !> A tip as it was, by time, at one time in the order of bempd_tip().
+    !> A recorded tip; records are in the order of time, then of bempd_tip().
     !>
     !> model [in]: the model
     !> index [in]: 0 .. count-1
@@ -2954,14 +2955,14 @@ module bempd_c
 
     !> Let the cracks of BEM regions grow by a length.
     !>
-    !> The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's fracture_energy in
-    !> the direction in which it goes on, that of the largest hoop stress or, with the option growth.criterion =
-    !> "energy", of the largest energy release rate. That tip grows, and with it those whose load factor is at most the
-    !> share growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release rates. An
-    !> extension is straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A
-    !> tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by
-    !> less than a tenth of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of
-    !> what they were given on.
+    !> The load factor is solved for: the smallest one >= 0 at which the energy release rate of a tip reaches its
+    !> material's fracture_energy in the direction in which it grows, that of the largest hoop stress or, with the
+    !> option growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose
+    !> load factor is at most the share growth.share higher; where growth.exponent is not 0, by lengths that follow
+    !> their energy release rates. An extension is straight; growth.direction = "chord" makes paths of long extensions
+    !> follow those of short ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one
+    !> that passes the end of a crack by less than a tenth of its way ends at that. Loads on crack faces stay where they
+    !> are and go on beyond the ends of what they were given on.
     !>
     !> Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
     !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the
@@ -3136,7 +3137,7 @@ module bempd_c
       integer(c_int) :: bempd_get_history_support
     end function bempd_get_history_support
 
-    !> The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
+    !> Name of bempd_get_history_entry() in version 0.1; new programs use bempd_get_history_entry().
     !>
     !> model [in]: the model
     !> index [in]: 0 .. count-1

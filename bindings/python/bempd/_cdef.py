@@ -514,15 +514,15 @@ Outcome of a call: 0 is good, negative values are errors, by what the caller can
 
 since: 0.1""",
     "BEMPD_ERROR_ARGUMENT": """A value is wrong; correct it and call again.""",
-    "BEMPD_ERROR_ORDER": """Called too early or too late in the order of a run.""",
+    "BEMPD_ERROR_ORDER": """The call comes too early or too late in the order of a run.""",
     "BEMPD_ERROR_UNSOLVABLE": """\
 The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual or
 energy balance error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the range of
-doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge, or cut off,
-are held where they are, with a warning.""",
+doubles, is this error too, never BEMPD_OK. A fragment that cracks cut off or leave on a hinge is
+fixed in place, with a warning.""",
     "BEMPD_ERROR_CONVERGENCE": """An iteration or the limit on events ended before the goal.""",
     "BEMPD_ERROR_CANCELLED": """A callback or bempd_request_cancel() asked to stop.""",
-    "BEMPD_ERROR_MEMORY": """Not enough memory.""",
+    "BEMPD_ERROR_MEMORY": """Memory is not enough.""",
     "BEMPD_ERROR_IO": """A file could not be written or read.""",
     "BEMPD_ERROR_INTERNAL": """A defect of the library; please report it. Only free the model now.""",
     "bempd_model": """A scene and its state.
@@ -1113,8 +1113,8 @@ load [out]: its id; may be NULL
 return: status
 since: 0.3""",
     "bempd_add_temperature_function": """\
-The same with values from a function of the place. In a BEM region they have to be linear in x and
-y.
+Change the temperature of a region by a function of the position. In a BEM region it has to be
+linear in x and y.
 
 model [in]: the model
 region [in]: id of a region
@@ -1152,9 +1152,9 @@ new value with bempd_set_load_values().
 In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of all
 bonds that the crack cuts, and of those that break from there on and continue it: each pushes its
 points apart as it would hold them together under a pressure on all sides, so that a straight crack
-of any direction feels the pressure times its length. It reaches what breaks at once, does not care
-whether faces touch, and acts no more on pieces that have come loose. Events are found in the whole
-body then, without windows. How far a crack has grown is seen where bonds one spacing long are
+of any direction feels the pressure times its length. The pressure acts on new crack length at once,
+also where faces touch, and no longer on fragments that have come free. Events are found in the
+whole body then, without windows. How far a crack has grown is seen where bonds one spacing long are
 broken, which the last row of points beside a slanted or round outline does not have.
 
 model [in]: the model
@@ -1351,22 +1351,22 @@ since: 0.1""",
     "BEMPD_STOP_LOAD_FACTOR": """The load factor asked for was reached.""",
     "BEMPD_STOP_EVENT": """One event happened (bempd_step_to_next_event()).""",
     "BEMPD_STOP_SEPARATED": """\
-The body is separated: what carried load between supports and loads, proportional or constant, bears
-nothing any more; or less than the option stepping.separation_share of the largest force so far, and
-the bonds that are left break under larger loads only (`hanging`); or a part has taken its loads
-along which other loads had balanced, so that supports that had borne a tenth of the loads at most
-would have to bear more.""",
+The body is separated. Either no intact part carries load between supports and loads any more; or
+what is left carries less than the option stepping.separation_share of the largest force so far and
+its bonds break under larger loads only (`hanging`); or a fragment came off with loads that had
+balanced other loads, so that supports that bore at most a tenth of the loads would have to bear
+more.""",
     "BEMPD_STOP_NO_FURTHER_EVENT": """No bond can break however far the load factor goes in this direction.""",
     "BEMPD_STOP_NO_ADMISSIBLE_LOAD": """\
-With the option stepping.control = "path": what is constant of loads and supports stretches bonds
-too far at every load factor, or at all around this one, where faces of cracks meet, so that the
-path ends here; see bempd_admissible_load_factors().
+The equilibrium path ends here (option stepping.control = "path"): the constant parts of loads and
+supports stretch bonds beyond their critical stretch at every load factor, or, where crack faces
+touch, at all factors around this one; see bempd_admissible_load_factors().
 
 since: 0.3""",
     "BEMPD_STOP_NO_EQUILIBRIUM": """\
-With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
-equilibrium. The step keeps the increments before. Where already its first one leaves none the step
-fails instead, as BEMPD_ERROR_UNSOLVABLE.
+Equilibrium does not exist after the bonds of the next increment break (option stepping.mode =
+"paper"). The step keeps the increments before. If its first increment already leaves no
+equilibrium, the step fails instead, with BEMPD_ERROR_UNSOLVABLE.
 
 since: 0.3""",
     "BEMPD_STOP_REQUESTED": """\
@@ -1396,8 +1396,8 @@ events in this step: batches of bonds broken at one load factor, or growth of cr
     "bempd_step_report.total_broken_bonds": """\
 bonds broken since the beginning, without those cut by initial cracks""",
     "bempd_step_report.fragments": """\
-pieces come free of all supports, as which faces that press do not count, or loaded ones that swing
-on a hinge""",
+fragments without a support (contact of crack faces is no support), or loaded ones that swing on a
+hinge""",
     "bempd_step_report.load_factor": """load factor reached [-]""",
     "bempd_step_report.stored_energy": """elastic energy at the end [J]""",
     "bempd_step_report.released_energy": """\
@@ -1417,9 +1417,9 @@ and proportional loads add up to where they cancel, whichever is largest [-]""",
     "bempd_step_report.seconds_update": """of it: changes of the factorization [s]""",
     "bempd_step_report.seconds_search": """of it: stretches, choice of bonds, connectivity [s]""",
     "bempd_step_report.bond_energy": """\
-of the energy released since the beginning, what bonds take where they just reach their critical
-stretch, and the fracture energy of what cracks in BEM regions have grown by; the rest would have
-become motion [J]""",
+dissipated part of the energy released since the beginning: energy of bonds just at their critical
+stretch, and fracture energy of new crack length in BEM regions; the rest of the released energy
+would have become motion [J]""",
     "bempd_step_report.unstable_event": """\
 number of the first event of this step at which equilibrium was lost: bonds were stretched beyond
 what they bear; 0 if each event was in equilibrium""",
@@ -1438,9 +1438,9 @@ places at which faces of cracks press on each other at the end: about one a spac
 (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact)""",
     "bempd_step_report.face_switches": """how often such places have closed or opened in this step""",
     "bempd_step_report.ties": """\
-tips of cracks, and places where cracks begin, that would have grown at events of this step as soon
-as those that did, but for rounding (1e-9): the crack with the least id grows first, its start
-before its end, and a crack begins at the bond with the least number""",
+tips, and places where cracks begin, that would have grown at the same load factor as the one that
+did, up to rounding (1e-9), at events of this step: the crack with the least id grows first, its
+start before its end, and a crack begins at the bond with the least number""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
 
@@ -1459,7 +1459,7 @@ model [in]: the model
 return: status
 since: 0.1""",
     "bempd_step": """\
-Move the load factor, breaking what reaches its critical load on the way.
+Move the load factor; bonds break and cracks grow where they reach their critical load on the way.
 
 Between two events the response is linear in the load factor: a step without an event costs no
 solution. In peridynamic regions cracks grow as lines by default: at an event the tip that reaches
@@ -1490,8 +1490,8 @@ report [in,out]: struct_size in, the rest out; may be NULL
 return: status
 since: 0.1""",
     "bempd_step_to_next_event": """\
-Go to the next event and perform it: one batch of bonds. While something exceeds what it bears at
-the present load factor the next event is there.
+Go to the next event and perform it: one batch of bonds. The next event is at the present load
+factor while a bond exceeds its critical stretch, or a tip its toughness, there.
 
 model [in]: the model
 load_factor_limit [in]: go no further than this, up or down [-]
@@ -1509,9 +1509,9 @@ since: 0.1""",
     "bempd_until": """How far bempd_step_to_values() goes.
 
 since: 0.3""",
-    "BEMPD_UNTIL_VALUES": """To the values, whatever breaks on the way.""",
-    "BEMPD_UNTIL_EVENT": """One event, or to the values if none is left before them.""",
-    "BEMPD_UNTIL_SEPARATED": """Until the body is separated, or to the values.""",
+    "BEMPD_UNTIL_VALUES": """The step ends at the values, whatever breaks on the way.""",
+    "BEMPD_UNTIL_EVENT": """The step ends after one event, or at the values if no event comes before them.""",
+    "BEMPD_UNTIL_SEPARATED": """The step ends when the body is separated, or at the values.""",
     "bempd_step_to_values": """\
 Go from the values with which the last step ended to those that loads and supports have now, on a
 straight line, breaking what reaches its critical load on the way.
@@ -1535,11 +1535,11 @@ report [in,out]: struct_size in, the rest out; stop_reason is BEMPD_STOP_LOAD_FA
   values were reached; may be NULL
 return: status; the present load factor is an argument error
 since: 0.3""",
-    "bempd_program_column": """Whose factors a column of a load program has.
+    "bempd_program_column": """What the factors in a column of a load program belong to.
 
 since: 0.3""",
-    "BEMPD_COLUMN_SUPPORT": """Those of a support.""",
-    "BEMPD_COLUMN_LOAD": """Those of a load.""",
+    "BEMPD_COLUMN_SUPPORT": """The column has the factors of a support.""",
+    "BEMPD_COLUMN_LOAD": """The column has the factors of a load.""",
     "bempd_run_program": """\
 Go through a table of factors by time, breaking what reaches its critical load on the way: loads
 that rise, rest, turn round, change their sign or go in cycles.
@@ -1576,11 +1576,11 @@ since: 0.1""",
     "BEMPD_POSITION": """Positions of the nodes, shape [nodes][2] [m].""",
     "BEMPD_DISPLACEMENT": """Displacements of the nodes, shape [nodes][2] [m].""",
     "BEMPD_STRESS": """\
-Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes the mean of the elements
-that meet there. At material points the mean stress of their bonds: its error is of second order in
-the spacing inside (1e-4 of the largest stress in a beam of 50 cells' height) and of first order
-within a horizon of faces and interfaces (0.5 % there). Broken bonds carry none: the row of points
-beside a crack shows up to 30 % too little stress along it, the next ones some percent.""",
+Stress xx, yy, xy at the nodes, shape [nodes][3] [Pa]. At boundary nodes it is the mean of the
+elements there. At material points it is the mean stress of their bonds: its error is of second
+order in the spacing inside (1e-4 of the largest stress in a beam of 50 cells' height) and of first
+order within a horizon of faces and interfaces (0.5 % there). Broken bonds carry none: the row of
+points beside a crack shows up to 30 % too little stress along it, the next ones some percent.""",
     "BEMPD_DAMAGE": """PD only: share of a point's bonds that is broken or cut, shape [nodes] [-].""",
     "BEMPD_TRACTION": """BEM only: tractions at the three nodes of every element, shape [elements * 3][2] [Pa].""",
     "BEMPD_BOND_STRETCH": """PD only: stretch of every bond, also of broken ones, shape [bonds] [-].""",
@@ -1597,7 +1597,7 @@ since: 0.3""",
     "bempd_bond_state": """State of a bond.
 
 since: 0.1""",
-    "BEMPD_BOND_CUT": """Cut by an initial crack.""",
+    "BEMPD_BOND_CUT": """An initial crack has cut the bond.""",
     "bempd_load_factor": """\
 Present load factor.
 
@@ -1986,12 +1986,12 @@ to 1e-4 and better where the boundary's elements are no longer than what they bo
 
 In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond
 forces do across rings around the tip on the singular dual fields of Williams' expansion, and
-reversely; T-stress by the dual field of power -1, G from the factors. They are those about the
-place where the tip is felt, `felt_ahead` of the one given, and agree there with a crack in a BEM
-region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to its
-middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
-factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
-two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is
+reversely; T-stress by the dual field of power -1, G from the factors. They belong to the effective
+tip, which lies `felt_ahead` ahead of the place given, and agree there with a crack in a BEM region
+to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to its middle. A
+crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its factors 1
+to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two
+horizons around a tip are free of other cracks, bends and branches, or the crack behind it is
 shorter, no ring fits and `contours` is 0. Of a crack that grows as a line the factors and G are
 then those by which it grows, fitted to the stress ahead (BEMPD_TIP_STRESS), which were within 9 %
 of K of boundary elements behind kinks and 13 % beside steep cracks; T, the error and felt_ahead,
@@ -2035,16 +2035,16 @@ rings [Pa m^(1/2)]""",
 angle by which the tip turns if it grows at the present load factor, by the option growth.criterion;
 from the direction, counter-clockwise [rad]""",
     "bempd_crack_tip.critical_load_factor": """\
-at which the tip grows while the load factor rises; the largest double (DBL_MAX) if it never does or
+load factor at which the tip grows while it rises; the largest double (DBL_MAX) if it never grows or
 its material does not break [-]""",
     "bempd_crack_tip.method": """a bempd_tip_method (since 0.3, as all that follows)""",
     "bempd_crack_tip.contours": """rings that the values come from; 0 if none fits, and in BEM regions""",
-    "bempd_crack_tip.grown": """1 if bonds have broken since so that the tip is not the described end any more""",
-    "bempd_crack_tip.branched": """1 if other ways lead on from the crack than the one to this tip""",
+    "bempd_crack_tip.grown": """1 if broken bonds have moved the tip away from the end that was described""",
+    "bempd_crack_tip.branched": """1 if the crack has branches beside the one to this tip""",
     "bempd_crack_tip.contour_radius": """outer radius of the largest ring; 0 if there is none [m]""",
-    "bempd_crack_tip.felt_ahead": """how far ahead of its place the tip is felt; 0 in BEM regions [m]""",
+    "bempd_crack_tip.felt_ahead": """distance of the effective tip ahead of the place; 0 in BEM regions [m]""",
     "bempd_crack_tip.critical_load_factor_down": """\
-at which the tip grows while the load factor falls; minus the largest double if it never does [-]""",
+load factor at which the tip grows while it falls; minus the largest double if it never grows [-]""",
     "bempd_crack_tip.critical_kink_angle": """\
 angle by which it turns at critical_load_factor, counter-clockwise [rad]; NaN if it does not grow
 there""",
@@ -2061,8 +2061,8 @@ struct_size [in]: sizeof(bempd_crack_tip) as the caller was compiled: older prog
 return: status
 since: 0.3""",
     "bempd_tip_count": """\
-Number of tips that cracks have: ends at edges and holes, and in BEM regions at other cracks, are
-none. Prepares the model. What tips carry is computed when it is asked for.
+Number of crack tips: ends at edges and holes, and in BEM regions at other cracks, are no tips.
+Prepares the model. Stress intensity factors are computed when a tip is asked for.
 
 model [in]: the model
 count [out]: number of tips
@@ -2089,7 +2089,7 @@ count [out]: number of records
 return: status
 since: 0.3""",
     "bempd_get_tip_history": """\
-A tip as it was, by time, at one time in the order of bempd_tip().
+A recorded tip; records are in the order of time, then of bempd_tip().
 
 model [in]: the model
 index [in]: 0 .. count-1
@@ -2151,7 +2151,7 @@ at which it grew to here; NaN if it was described, as all that follows [-]""",
 K_I of the tip just before [Pa m^(1/2)]; NaN also where the crack began""",
     "bempd_path_vertex.stress_intensity_2": """K_II [Pa m^(1/2)]; NaN likewise""",
     "bempd_path_vertex.energy_release_rate": """G in the direction to here just before [J/m^2]; NaN likewise""",
-    "bempd_path_vertex.resistance": """fracture energy that was met on the way to here [J/m^2]; NaN likewise""",
+    "bempd_path_vertex.resistance": """fracture energy G0 along the way to here [J/m^2]; NaN likewise""",
     "bempd_path_vertex_init": """\
 Set struct_size and zeros.
 
@@ -2183,11 +2183,10 @@ since: 0.3""",
 since: 0.3""",
     "bempd_growth.struct_size": """sizeof(bempd_growth), set by bempd_growth_init()""",
     "bempd_growth.tips": """tips that have grown""",
-    "bempd_growth.ended": """\
-of them those that have reached an edge, a hole or another crack and are no tips any more""",
-    "bempd_growth.load_factor": """load factor at which they did; the model is there now [-]""",
-    "bempd_growth.length": """sum of their ways [m]""",
-    "bempd_growth.released_energy": """energy that the body has released by it [J]""",
+    "bempd_growth.ended": """tips among them that ended at an edge, a hole or another crack""",
+    "bempd_growth.load_factor": """load factor at which they grew; the model is there now [-]""",
+    "bempd_growth.length": """sum of their growth [m]""",
+    "bempd_growth.released_energy": """energy that the body has released by the growth [J]""",
     "bempd_growth_init": """\
 Set struct_size and zeros.
 
@@ -2199,15 +2198,15 @@ since: 0.3""",
     "bempd_grow_cracks": """\
 Let the cracks of BEM regions grow by a length.
 
-The load factor is solved for: the smallest one >= 0 at which a tip is worth its material's
-fracture_energy in the direction in which it goes on, that of the largest hoop stress or, with the
-option growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it
-those whose load factor is at most the share growth.share higher; where growth.exponent is not 0, by
-lengths that follow their energy release rates. An extension is straight; growth.direction = "chord"
-makes paths of long extensions follow those of short ones. A tip that meets an edge, a hole or a
-crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth of
-its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what
-they were given on.
+The load factor is solved for: the smallest one >= 0 at which the energy release rate of a tip
+reaches its material's fracture_energy in the direction in which it grows, that of the largest hoop
+stress or, with the option growth.criterion = "energy", of the largest energy release rate. That tip
+grows, and with it those whose load factor is at most the share growth.share higher; where
+growth.exponent is not 0, by lengths that follow their energy release rates. An extension is
+straight; growth.direction = "chord" makes paths of long extensions follow those of short ones. A
+tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end
+of a crack by less than a tenth of its way ends at that. Loads on crack faces stay where they are
+and go on beyond the ends of what they were given on.
 
 Growth is an event of the history, at constant load factor: the run goes on with the longer cracks,
 and only what they touch is computed again. bempd_extension() has what each tip did; a state that
@@ -2237,12 +2236,12 @@ since: 0.3""",
     "bempd_tip_state": """What became of an end of a crack.
 
 since: 0.3""",
-    "BEMPD_TIP_GROWS": """It is a tip, and grows where its toughness is reached.""",
-    "BEMPD_TIP_AT_EDGE": """It has reached the outer boundary of the body.""",
-    "BEMPD_TIP_AT_HOLE": """It has reached a hole.""",
-    "BEMPD_TIP_AT_CRACK": """It has reached a crack.""",
-    "BEMPD_TIP_AT_INTERFACE": """It has stopped at another material, or where its region ends.""",
-    "BEMPD_TIP_SEPARATED": """What lay ahead of it has come apart.""",
+    "BEMPD_TIP_GROWS": """The end is a tip and grows when it reaches the fracture toughness.""",
+    "BEMPD_TIP_AT_EDGE": """The end has reached the outer boundary of the body.""",
+    "BEMPD_TIP_AT_HOLE": """The end has reached a hole.""",
+    "BEMPD_TIP_AT_CRACK": """The end has reached another crack.""",
+    "BEMPD_TIP_AT_INTERFACE": """The end has stopped at another material, or at the border of its region.""",
+    "BEMPD_TIP_SEPARATED": """The end has no ligament left ahead of it.""",
     "bempd_crack_extension": """\
 What one tip did at an event of a step, or in a call of bempd_grow_cracks(). A crack that begins in
 a lattice does so as two extensions from its middle. Fill it with bempd_crack_extension_init().
@@ -2254,23 +2253,25 @@ since: 0.3""",
     "bempd_crack_extension.end": """a bempd_tip_end""",
     "bempd_crack_extension.ended": """1: it has reached an edge, a hole or another crack; else 0""",
     "bempd_crack_extension.count": """extensions of this end up to this one""",
-    "bempd_crack_extension.x": """where it came to [m]""",
+    "bempd_crack_extension.x": """end of the extension [m]""",
     "bempd_crack_extension.y": """[m]""",
-    "bempd_crack_extension.angle": """by which it turned, counter-clockwise [rad]""",
-    "bempd_crack_extension.length": """of its way [m]""",
-    "bempd_crack_extension.crack_length": """of the whole crack after it [m]""",
+    "bempd_crack_extension.angle": """angle by which it turned, counter-clockwise [rad]""",
+    "bempd_crack_extension.length": """length of the extension [m]""",
+    "bempd_crack_extension.crack_length": """length of the whole crack after it [m]""",
     "bempd_crack_extension.load_factor": """at which it grew [-]""",
-    "bempd_crack_extension.energy_release_rate_before": """when it set out in the new direction [J/m^2]""",
-    "bempd_crack_extension.energy_release_rate_after": """when it had arrived [J/m^2]; 0 if it has ended""",
+    "bempd_crack_extension.energy_release_rate_before": """\
+G in the new direction at the start of the extension [J/m^2]""",
+    "bempd_crack_extension.energy_release_rate_after": """\
+G at the end of the extension [J/m^2]; 0 if the end is no tip now""",
     "bempd_crack_extension.released_energy": """\
-mean of both times the way and the thickness; of a tip that has ended, what the others of the event
-leave of the history's [J]""",
-    "bempd_crack_extension.from_x": """where it began (since 0.3, as all that follows) [m]""",
+mean of both G times length and thickness; for an end that is no tip now, the energy of the event in
+the history less that of its other extensions [J]""",
+    "bempd_crack_extension.from_x": """start of the extension (since 0.3, as all that follows) [m]""",
     "bempd_crack_extension.from_y": """[m]""",
     "bempd_crack_extension.stress_intensity_1": """\
 K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)]""",
     "bempd_crack_extension.stress_intensity_2": """K_II; NaN likewise [Pa m^(1/2)]""",
-    "bempd_crack_extension.resistance": """fracture energy of what it went through [J/m^2]""",
+    "bempd_crack_extension.resistance": """fracture energy G0 along the extension [J/m^2]""",
     "bempd_crack_extension.state": """what became of the end, a bempd_tip_state""",
     "bempd_crack_extension.reserved": """0""",
     "bempd_crack_extension_init": """\
@@ -2410,7 +2411,7 @@ force_before [out]: shape [2], the same just before the line's event, beyond equ
 return: status
 since: 0.3""",
     "bempd_history": """\
-The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the other one.
+Name of bempd_get_history_entry() in version 0.1; new programs use bempd_get_history_entry().
 
 model [in]: the model
 index [in]: 0 .. count-1
@@ -2434,8 +2435,8 @@ since: 0.3""",
 Bonds, cracks, displacements, history: loads and supports keep the values they have when it is
 restored.""",
     "BEMPD_STATE_BODY_AND_VALUES": """\
-With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which restoring
-brings back.""",
+All of BEMPD_STATE_BODY, the values of loads and supports, and the tips that bempd_set_tip_frozen()
+freezes: restoring brings them back.""",
     "bempd_state_save_with": """\
 Save the state as bempd_state_save(), with or without the values of loads and supports.
 

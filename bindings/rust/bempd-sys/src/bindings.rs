@@ -5,18 +5,18 @@
 pub const BEMPD_OK: bempd_status = 0;
 /// A value is wrong; correct it and call again.
 pub const BEMPD_ERROR_ARGUMENT: bempd_status = -1;
-/// Called too early or too late in the order of a run.
+/// The call comes too early or too late in the order of a run.
 pub const BEMPD_ERROR_ORDER: bempd_status = -2;
 /// The scene has no unique equilibrium: a mechanism, or a singular operator. A step whose residual
 /// or energy balance error exceeds 1e-6 (the latter not in scheme paper), or a number beyond the
-/// range of doubles, is this error too, never BEMPD_OK. Parts that cracks leave hanging on a hinge,
-/// or cut off, are held where they are, with a warning.
+/// range of doubles, is this error too, never BEMPD_OK. A fragment that cracks cut off or leave on
+/// a hinge is fixed in place, with a warning.
 pub const BEMPD_ERROR_UNSOLVABLE: bempd_status = -3;
 /// An iteration or the limit on events ended before the goal.
 pub const BEMPD_ERROR_CONVERGENCE: bempd_status = -4;
 /// A callback or bempd_request_cancel() asked to stop.
 pub const BEMPD_ERROR_CANCELLED: bempd_status = -5;
-/// Not enough memory.
+/// Memory is not enough.
 pub const BEMPD_ERROR_MEMORY: bempd_status = -6;
 /// A file could not be written or read.
 pub const BEMPD_ERROR_IO: bempd_status = -7;
@@ -998,8 +998,8 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// The same with values from a function of the place. In a BEM region they have to be linear in
-    /// x and y.
+    /// Change the temperature of a region by a function of the position. In a BEM region it has to
+    /// be linear in x and y.
     ///
     /// * model \[in\]: the model
     /// * region \[in\]: id of a region
@@ -1058,11 +1058,11 @@ extern "C" {
     /// In BEM regions it acts on the crack and what it grows by. In PD regions it acts in place of
     /// all bonds that the crack cuts, and of those that break from there on and continue it: each
     /// pushes its points apart as it would hold them together under a pressure on all sides, so
-    /// that a straight crack of any direction feels the pressure times its length. It reaches what
-    /// breaks at once, does not care whether faces touch, and acts no more on pieces that have come
-    /// loose. Events are found in the whole body then, without windows. How far a crack has grown
-    /// is seen where bonds one spacing long are broken, which the last row of points beside a
-    /// slanted or round outline does not have.
+    /// that a straight crack of any direction feels the pressure times its length. The pressure
+    /// acts on new crack length at once, also where faces touch, and no longer on fragments that
+    /// have come free. Events are found in the whole body then, without windows. How far a crack
+    /// has grown is seen where bonds one spacing long are broken, which the last row of points
+    /// beside a slanted or round outline does not have.
     ///
     /// * model \[in\]: the model
     /// * crack \[in\]: id of a crack
@@ -1375,23 +1375,23 @@ extern "C" {
 pub const BEMPD_STOP_LOAD_FACTOR: bempd_stop_reason = 1;
 /// One event happened (bempd_step_to_next_event()).
 pub const BEMPD_STOP_EVENT: bempd_stop_reason = 2;
-/// The body is separated: what carried load between supports and loads, proportional or constant,
-/// bears nothing any more; or less than the option stepping.separation_share of the largest force
-/// so far, and the bonds that are left break under larger loads only (`hanging`); or a part has
-/// taken its loads along which other loads had balanced, so that supports that had borne a tenth of
-/// the loads at most would have to bear more.
+/// The body is separated. Either no intact part carries load between supports and loads any more;
+/// or what is left carries less than the option stepping.separation_share of the largest force so
+/// far and its bonds break under larger loads only (`hanging`); or a fragment came off with loads
+/// that had balanced other loads, so that supports that bore at most a tenth of the loads would
+/// have to bear more.
 pub const BEMPD_STOP_SEPARATED: bempd_stop_reason = 3;
 /// No bond can break however far the load factor goes in this direction.
 pub const BEMPD_STOP_NO_FURTHER_EVENT: bempd_stop_reason = 4;
-/// With the option stepping.control = "path": what is constant of loads and supports stretches
-/// bonds too far at every load factor, or at all around this one, where faces of cracks meet, so
-/// that the path ends here; see bempd_admissible_load_factors().
+/// The equilibrium path ends here (option stepping.control = "path"): the constant parts of loads
+/// and supports stretch bonds beyond their critical stretch at every load factor, or, where crack
+/// faces touch, at all factors around this one; see bempd_admissible_load_factors().
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_NO_ADMISSIBLE_LOAD: bempd_stop_reason = 5;
-/// With the option stepping.mode = "paper": what breaks at the end of the next increment leaves no
-/// equilibrium. The step keeps the increments before. Where already its first one leaves none the
-/// step fails instead, as BEMPD_ERROR_UNSOLVABLE.
+/// Equilibrium does not exist after the bonds of the next increment break (option stepping.mode =
+/// "paper"). The step keeps the increments before. If its first increment already leaves no
+/// equilibrium, the step fails instead, with BEMPD_ERROR_UNSOLVABLE.
 ///
 /// * since: 0.3
 pub const BEMPD_STOP_NO_EQUILIBRIUM: bempd_stop_reason = 6;
@@ -1433,8 +1433,8 @@ pub struct bempd_step_report {
     pub total_events: i64,
     /// bonds broken since the beginning, without those cut by initial cracks
     pub total_broken_bonds: i64,
-    /// pieces come free of all supports, as which faces that press do not count, or loaded ones
-    /// that swing on a hinge
+    /// fragments without a support (contact of crack faces is no support), or loaded ones that
+    /// swing on a hinge
     pub fragments: i64,
     /// load factor reached \[-\]
     pub load_factor: f64,
@@ -1461,9 +1461,9 @@ pub struct bempd_step_report {
     pub seconds_update: f64,
     /// of it: stretches, choice of bonds, connectivity \[s\]
     pub seconds_search: f64,
-    /// of the energy released since the beginning, what bonds take where they just reach their
-    /// critical stretch, and the fracture energy of what cracks in BEM regions have grown by; the
-    /// rest would have become motion \[J\]
+    /// dissipated part of the energy released since the beginning: energy of bonds just at their
+    /// critical stretch, and fracture energy of new crack length in BEM regions; the rest of the
+    /// released energy would have become motion \[J\]
     pub bond_energy: f64,
     /// number of the first event of this step at which equilibrium was lost: bonds were stretched
     /// beyond what they bear; 0 if each event was in equilibrium
@@ -1484,9 +1484,9 @@ pub struct bempd_step_report {
     pub closed_places: i64,
     /// how often such places have closed or opened in this step
     pub face_switches: i64,
-    /// tips of cracks, and places where cracks begin, that would have grown at events of this step
-    /// as soon as those that did, but for rounding (1e-9): the crack with the least id grows first,
-    /// its start before its end, and a crack begins at the bond with the least number
+    /// tips, and places where cracks begin, that would have grown at the same load factor as the
+    /// one that did, up to rounding (1e-9), at events of this step: the crack with the least id
+    /// grows first, its start before its end, and a crack begins at the bond with the least number
     pub ties: i64,
 }
 extern "C" {
@@ -1515,7 +1515,8 @@ extern "C" {
     pub fn bempd_prepare(model: *mut bempd_model) -> bempd_status;
 }
 extern "C" {
-    /// Move the load factor, breaking what reaches its critical load on the way.
+    /// Move the load factor; bonds break and cracks grow where they reach their critical load on
+    /// the way.
     ///
     /// Between two events the response is linear in the load factor: a step without an event costs
     /// no solution. In peridynamic regions cracks grow as lines by default: at an event the tip
@@ -1554,8 +1555,8 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Go to the next event and perform it: one batch of bonds. While something exceeds what it
-    /// bears at the present load factor the next event is there.
+    /// Go to the next event and perform it: one batch of bonds. The next event is at the present
+    /// load factor while a bond exceeds its critical stretch, or a tip its toughness, there.
     ///
     /// * model \[in\]: the model
     /// * load_factor_limit \[in\]: go no further than this, up or down \[-\]
@@ -1582,11 +1583,11 @@ extern "C" {
         report: *mut bempd_step_report,
     ) -> bempd_status;
 }
-/// To the values, whatever breaks on the way.
+/// The step ends at the values, whatever breaks on the way.
 pub const BEMPD_UNTIL_VALUES: bempd_until = 1;
-/// One event, or to the values if none is left before them.
+/// The step ends after one event, or at the values if no event comes before them.
 pub const BEMPD_UNTIL_EVENT: bempd_until = 2;
-/// Until the body is separated, or to the values.
+/// The step ends when the body is separated, or at the values.
 pub const BEMPD_UNTIL_SEPARATED: bempd_until = 3;
 /// How far bempd_step_to_values() goes.
 ///
@@ -1622,11 +1623,11 @@ extern "C" {
         report: *mut bempd_step_report,
     ) -> bempd_status;
 }
-/// Those of a support.
+/// The column has the factors of a support.
 pub const BEMPD_COLUMN_SUPPORT: bempd_program_column = 1;
-/// Those of a load.
+/// The column has the factors of a load.
 pub const BEMPD_COLUMN_LOAD: bempd_program_column = 2;
-/// Whose factors a column of a load program has.
+/// What the factors in a column of a load program belong to.
 ///
 /// * since: 0.3
 pub type bempd_program_column = ::std::os::raw::c_uint;
@@ -1678,12 +1679,12 @@ extern "C" {
 pub const BEMPD_POSITION: bempd_field = 1;
 /// Displacements of the nodes, shape \[nodes\]\[2\] \[m\].
 pub const BEMPD_DISPLACEMENT: bempd_field = 2;
-/// Stress xx, yy, xy at the nodes, shape \[nodes\]\[3\] \[Pa\]. At boundary nodes the mean of the
-/// elements that meet there. At material points the mean stress of their bonds: its error is of
-/// second order in the spacing inside (1e-4 of the largest stress in a beam of 50 cells' height)
-/// and of first order within a horizon of faces and interfaces (0.5 % there). Broken bonds carry
-/// none: the row of points beside a crack shows up to 30 % too little stress along it, the next
-/// ones some percent.
+/// Stress xx, yy, xy at the nodes, shape \[nodes\]\[3\] \[Pa\]. At boundary nodes it is the mean of the
+/// elements there. At material points it is the mean stress of their bonds: its error is of second
+/// order in the spacing inside (1e-4 of the largest stress in a beam of 50 cells' height) and of
+/// first order within a horizon of faces and interfaces (0.5 % there). Broken bonds carry none: the
+/// row of points beside a crack shows up to 30 % too little stress along it, the next ones some
+/// percent.
 pub const BEMPD_STRESS: bempd_field = 3;
 /// PD only: share of a point's bonds that is broken or cut, shape \[nodes\] \[-\].
 pub const BEMPD_DAMAGE: bempd_field = 4;
@@ -1707,7 +1708,7 @@ pub const BEMPD_STRESS_ORDER: bempd_field = 8;
 pub type bempd_field = ::std::os::raw::c_uint;
 pub const BEMPD_BOND_INTACT: bempd_bond_state = 0;
 pub const BEMPD_BOND_BROKEN: bempd_bond_state = 1;
-/// Cut by an initial crack.
+/// An initial crack has cut the bond.
 pub const BEMPD_BOND_CUT: bempd_bond_state = 2;
 /// State of a bond.
 ///
@@ -2323,14 +2324,14 @@ pub type bempd_tip_method = ::std::os::raw::c_uint;
 ///
 /// In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond
 /// forces do across rings around the tip on the singular dual fields of Williams' expansion, and
-/// reversely; T-stress by the dual field of power -1, G from the factors. They are those about the
-/// place where the tip is felt, `felt_ahead` of the one given, and agree there with a crack in a
-/// BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to
-/// its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which
-/// makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that.
-/// Where less than two horizons around a tip are free of other cracks, bends and branches, or the
-/// crack behind it is shorter, no ring fits and `contours` is 0. Of a crack that grows as a line
-/// the factors and G are then those by which it grows, fitted to the stress ahead
+/// reversely; T-stress by the dual field of power -1, G from the factors. They belong to the
+/// effective tip, which lies `felt_ahead` ahead of the place given, and agree there with a crack in
+/// a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings
+/// to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
+/// which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count
+/// that. Where less than two horizons around a tip are free of other cracks, bends and branches, or
+/// the crack behind it is shorter, no ring fits and `contours` is 0. Of a crack that grows as a
+/// line the factors and G are then those by which it grows, fitted to the stress ahead
 /// (BEMPD_TIP_STRESS), which were within 9 % of K of boundary elements behind kinks and 13 % beside
 /// steep cracks; T, the error and felt_ahead, and bond by bond the factors too, are NaN: not known.
 ///
@@ -2384,23 +2385,23 @@ pub struct bempd_crack_tip {
     /// angle by which the tip turns if it grows at the present load factor, by the option
     /// growth.criterion; from the direction, counter-clockwise \[rad\]
     pub kink_angle: f64,
-    /// at which the tip grows while the load factor rises; the largest double (DBL_MAX) if it never
-    /// does or its material does not break \[-\]
+    /// load factor at which the tip grows while it rises; the largest double (DBL_MAX) if it never
+    /// grows or its material does not break \[-\]
     pub critical_load_factor: f64,
     /// a bempd_tip_method (since 0.3, as all that follows)
     pub method: i32,
     /// rings that the values come from; 0 if none fits, and in BEM regions
     pub contours: i32,
-    /// 1 if bonds have broken since so that the tip is not the described end any more
+    /// 1 if broken bonds have moved the tip away from the end that was described
     pub grown: i32,
-    /// 1 if other ways lead on from the crack than the one to this tip
+    /// 1 if the crack has branches beside the one to this tip
     pub branched: i32,
     /// outer radius of the largest ring; 0 if there is none \[m\]
     pub contour_radius: f64,
-    /// how far ahead of its place the tip is felt; 0 in BEM regions \[m\]
+    /// distance of the effective tip ahead of the place; 0 in BEM regions \[m\]
     pub felt_ahead: f64,
-    /// at which the tip grows while the load factor falls; minus the largest double if it never
-    /// does \[-\]
+    /// load factor at which the tip grows while it falls; minus the largest double if it never
+    /// grows \[-\]
     pub critical_load_factor_down: f64,
     /// angle by which it turns at critical_load_factor, counter-clockwise \[rad\]; NaN if it does not
     /// grow there
@@ -2421,8 +2422,8 @@ extern "C" {
     pub fn bempd_crack_tip_init(tip: *mut bempd_crack_tip, struct_size: i64) -> bempd_status;
 }
 extern "C" {
-    /// Number of tips that cracks have: ends at edges and holes, and in BEM regions at other
-    /// cracks, are none. Prepares the model. What tips carry is computed when it is asked for.
+    /// Number of crack tips: ends at edges and holes, and in BEM regions at other cracks, are no
+    /// tips. Prepares the model. Stress intensity factors are computed when a tip is asked for.
     ///
     /// * model \[in\]: the model
     /// * count \[out\]: number of tips
@@ -2459,7 +2460,7 @@ extern "C" {
     pub fn bempd_tip_history_count(model: *const bempd_model, count: *mut i64) -> bempd_status;
 }
 extern "C" {
-    /// A tip as it was, by time, at one time in the order of bempd_tip().
+    /// A recorded tip; records are in the order of time, then of bempd_tip().
     ///
     /// * model \[in\]: the model
     /// * index \[in\]: 0 .. count-1
@@ -2558,7 +2559,7 @@ pub struct bempd_path_vertex {
     pub stress_intensity_2: f64,
     /// G in the direction to here just before \[J/m^2\]; NaN likewise
     pub energy_release_rate: f64,
-    /// fracture energy that was met on the way to here \[J/m^2\]; NaN likewise
+    /// fracture energy G0 along the way to here \[J/m^2\]; NaN likewise
     pub resistance: f64,
 }
 extern "C" {
@@ -2613,13 +2614,13 @@ pub struct bempd_growth {
     pub struct_size: i64,
     /// tips that have grown
     pub tips: i32,
-    /// of them those that have reached an edge, a hole or another crack and are no tips any more
+    /// tips among them that ended at an edge, a hole or another crack
     pub ended: i32,
-    /// load factor at which they did; the model is there now \[-\]
+    /// load factor at which they grew; the model is there now \[-\]
     pub load_factor: f64,
-    /// sum of their ways \[m\]
+    /// sum of their growth \[m\]
     pub length: f64,
-    /// energy that the body has released by it \[J\]
+    /// energy that the body has released by the growth \[J\]
     pub released_energy: f64,
 }
 extern "C" {
@@ -2635,15 +2636,16 @@ extern "C" {
 extern "C" {
     /// Let the cracks of BEM regions grow by a length.
     ///
-    /// The load factor is solved for: the smallest one \>= 0 at which a tip is worth its material's
-    /// fracture_energy in the direction in which it goes on, that of the largest hoop stress or,
-    /// with the option growth.criterion = "energy", of the largest energy release rate. That tip
-    /// grows, and with it those whose load factor is at most the share growth.share higher; where
-    /// growth.exponent is not 0, by lengths that follow their energy release rates. An extension is
-    /// straight; growth.direction = "chord" makes paths of long extensions follow those of short
-    /// ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that
-    /// passes the end of a crack by less than a tenth of its way ends at that. Loads on crack faces
-    /// stay where they are and go on beyond the ends of what they were given on.
+    /// The load factor is solved for: the smallest one \>= 0 at which the energy release rate of a
+    /// tip reaches its material's fracture_energy in the direction in which it grows, that of the
+    /// largest hoop stress or, with the option growth.criterion = "energy", of the largest energy
+    /// release rate. That tip grows, and with it those whose load factor is at most the share
+    /// growth.share higher; where growth.exponent is not 0, by lengths that follow their energy
+    /// release rates. An extension is straight; growth.direction = "chord" makes paths of long
+    /// extensions follow those of short ones. A tip that meets an edge, a hole or a crack on 1.25
+    /// times its way ends there; one that passes the end of a crack by less than a tenth of its way
+    /// ends at that. Loads on crack faces stay where they are and go on beyond the ends of what
+    /// they were given on.
     ///
     /// Growth is an event of the history, at constant load factor: the run goes on with the longer
     /// cracks, and only what they touch is computed again. bempd_extension() has what each tip did;
@@ -2684,17 +2686,17 @@ extern "C" {
         frozen: i32,
     ) -> bempd_status;
 }
-/// It is a tip, and grows where its toughness is reached.
+/// The end is a tip and grows when it reaches the fracture toughness.
 pub const BEMPD_TIP_GROWS: bempd_tip_state = 0;
-/// It has reached the outer boundary of the body.
+/// The end has reached the outer boundary of the body.
 pub const BEMPD_TIP_AT_EDGE: bempd_tip_state = 1;
-/// It has reached a hole.
+/// The end has reached a hole.
 pub const BEMPD_TIP_AT_HOLE: bempd_tip_state = 2;
-/// It has reached a crack.
+/// The end has reached another crack.
 pub const BEMPD_TIP_AT_CRACK: bempd_tip_state = 3;
-/// It has stopped at another material, or where its region ends.
+/// The end has stopped at another material, or at the border of its region.
 pub const BEMPD_TIP_AT_INTERFACE: bempd_tip_state = 4;
-/// What lay ahead of it has come apart.
+/// The end has no ligament left ahead of it.
 pub const BEMPD_TIP_SEPARATED: bempd_tip_state = 5;
 /// What became of an end of a crack.
 ///
@@ -2720,26 +2722,26 @@ pub struct bempd_crack_extension {
     pub ended: i32,
     /// extensions of this end up to this one
     pub count: i32,
-    /// where it came to \[m\]
+    /// end of the extension \[m\]
     pub x: f64,
     /// \[m\]
     pub y: f64,
-    /// by which it turned, counter-clockwise \[rad\]
+    /// angle by which it turned, counter-clockwise \[rad\]
     pub angle: f64,
-    /// of its way \[m\]
+    /// length of the extension \[m\]
     pub length: f64,
-    /// of the whole crack after it \[m\]
+    /// length of the whole crack after it \[m\]
     pub crack_length: f64,
     /// at which it grew \[-\]
     pub load_factor: f64,
-    /// when it set out in the new direction \[J/m^2\]
+    /// G in the new direction at the start of the extension \[J/m^2\]
     pub energy_release_rate_before: f64,
-    /// when it had arrived \[J/m^2\]; 0 if it has ended
+    /// G at the end of the extension \[J/m^2\]; 0 if the end is no tip now
     pub energy_release_rate_after: f64,
-    /// mean of both times the way and the thickness; of a tip that has ended, what the others of
-    /// the event leave of the history's \[J\]
+    /// mean of both G times length and thickness; for an end that is no tip now, the energy of the
+    /// event in the history less that of its other extensions \[J\]
     pub released_energy: f64,
-    /// where it began (since 0.3, as all that follows) \[m\]
+    /// start of the extension (since 0.3, as all that follows) \[m\]
     pub from_x: f64,
     /// \[m\]
     pub from_y: f64,
@@ -2747,7 +2749,7 @@ pub struct bempd_crack_extension {
     pub stress_intensity_1: f64,
     /// K_II; NaN likewise \[Pa m^(1/2)\]
     pub stress_intensity_2: f64,
-    /// fracture energy of what it went through \[J/m^2\]
+    /// fracture energy G0 along the extension \[J/m^2\]
     pub resistance: f64,
     /// what became of the end, a bempd_tip_state
     pub state: i32,
@@ -2978,8 +2980,8 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// The same as bempd_get_history_entry(), by its name in version 0.1; new programs use the
-    /// other one.
+    /// Name of bempd_get_history_entry() in version 0.1; new programs use
+    /// bempd_get_history_entry().
     ///
     /// * model \[in\]: the model
     /// * index \[in\]: 0 .. count-1
@@ -3007,8 +3009,8 @@ extern "C" {
 /// Bonds, cracks, displacements, history: loads and supports keep the values they have when it is
 /// restored.
 pub const BEMPD_STATE_BODY: bempd_state_contents = 1;
-/// With the values of loads and supports and which tips bempd_set_tip_frozen() keeps, which
-/// restoring brings back.
+/// All of BEMPD_STATE_BODY, the values of loads and supports, and the tips that
+/// bempd_set_tip_frozen() freezes: restoring brings them back.
 pub const BEMPD_STATE_BODY_AND_VALUES: bempd_state_contents = 2;
 /// What a saved state contains.
 ///
