@@ -776,8 +776,8 @@ typedef struct bempd_step_report {
                              lattices (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact) */
   int64_t face_switches;  /**< how often such places have closed or opened in this step */
   int64_t ties;           /**< tips, and places where cracks begin, that would have grown at the same load factor as the
-                             one that did, up to rounding (1e-9), at events of this step: the crack with the least id
-                             grows first, its start before its end, and a crack begins at the bond with the least number */
+                               one that did, up to rounding (1e-9), at events of this step: the crack with the least id
+                               grows first, its start before its end; a crack begins at the bond with least number */
 } bempd_step_report;
 
 /** @brief Set struct_size and zeros. @param[out] report the struct to fill

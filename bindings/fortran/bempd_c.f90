@@ -370,8 +370,8 @@ module bempd_c
     !> how often such places have closed or opened in this step
     integer(c_int64_t) :: face_switches
     !> tips, and places where cracks begin, that would have grown at the same load factor as the one that did, up to
-    !> rounding (1e-9), at events of this step: the crack with the least id grows first, its start before its end, and a
-    !> crack begins at the bond with the least number
+    !> rounding (1e-9), at events of this step: the crack with the least id grows first, its start before its end; a
+    !> crack begins at the bond with least number
     integer(c_int64_t) :: ties
   end type bempd_step_report
 

@@ -1440,7 +1440,7 @@ places at which faces of cracks press on each other at the end: about one a spac
     "bempd_step_report.ties": """\
 tips, and places where cracks begin, that would have grown at the same load factor as the one that
 did, up to rounding (1e-9), at events of this step: the crack with the least id grows first, its
-start before its end, and a crack begins at the bond with the least number""",
+start before its end; a crack begins at the bond with least number""",
     "bempd_step_report_init": """\
 Set struct_size and zeros.
 

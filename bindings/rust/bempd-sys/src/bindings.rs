@@ -1486,7 +1486,7 @@ pub struct bempd_step_report {
     pub face_switches: i64,
     /// tips, and places where cracks begin, that would have grown at the same load factor as the
     /// one that did, up to rounding (1e-9), at events of this step: the crack with the least id
-    /// grows first, its start before its end, and a crack begins at the bond with the least number
+    /// grows first, its start before its end; a crack begins at the bond with least number
     pub ties: i64,
 }
 extern "C" {
