@@ -22,9 +22,9 @@ struct ElementPoints {
 
 void fill_points(const ElementGeometry& element, const Interval& interval, int point_count, ElementPoints& points);
 
-// The boundary in lengths over the diagonal of its bounding box and relative to the box's centre. In these units the
-// diameter is at most one, which keeps the single layer operator positive definite for every body (no degenerate
-// scale).
+// Boundary of a body in scaled coordinates: relative to the centre of its bounding box, in units of the box's diagonal.
+// The diameter is then at most one, which keeps the single layer operator positive definite for every body (no
+// degenerate scale).
 struct ScaledBoundary {
   explicit ScaledBoundary(const BoundaryMesh& mesh);
 

@@ -6,7 +6,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Calls `add` at Gauss's points of an element with the shape functions, place, dx/dxi and weight there.
+// Calls `add` at the Gauss points of an element with the shape functions, position, dx/dxi and weight there.
 template <class Add>
 void at_gauss_points(const BoundaryMesh& mesh, const BoundaryElement& element, const Add& add) {
   const GaussRule& rule = gauss_rule(8);
@@ -65,7 +65,7 @@ void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> 
   }
 }
 
-// div (r f) = 2 f + r . grad f = (2 + degree) f.
+// The divergence theorem applies: div (r f) = 2 f + r . grad f = (2 + degree) f.
 double integral_of_homogeneous(const BoundaryMesh& mesh, const Point& centre, int degree,
                                const std::function<double(const Point&)>& function) {
   const double share = 1.0 / (2 + degree);

@@ -7,24 +7,25 @@
 
 namespace bempd::bem {
 
-// Adds the consistent nodal forces  thickness * integral of N_a t ds  [N] of a traction [Pa] on one panel; the function
+// Adds the consistent nodal forces  thickness * integral of N_a t ds  [N] of a traction [Pa] on one panel. The function
 // is called with the position of every quadrature point. Forces are numbered 2 * node + component.
 void add_traction_forces(const BoundaryMesh& mesh, int panel, const std::function<Point(const Point&)>& traction,
                          double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
-// The same of one element with the tractions that it has at its three nodes.
+// Adds the consistent nodal forces of one element whose traction is given at its three nodes.
 void add_traction_forces(const BoundaryMesh& mesh, const BoundaryElement& element,
                          const Eigen::Matrix<double, 2, 3>& tractions, double thickness,
                          Eigen::Ref<Eigen::VectorXd> forces);
 
-// The same all along the boundary of the tractions that a state of stress (xx, yy, xy) [Pa] has there.
+// Adds the consistent nodal forces of a stress field (xx, yy, xy) [Pa] along the whole boundary.
 void add_stress_forces(const BoundaryMesh& mesh, const std::function<Eigen::Vector3d(const Point&)>& stress,
                        double thickness, Eigen::Ref<Eigen::VectorXd> forces);
 
-// Adds the integrals of N_a n ds, n being the outward normal.
+// Adds the integrals of N_a n ds, where n is the outward normal.
 void add_normal_integrals(const BoundaryMesh& mesh, Eigen::Ref<Eigen::VectorXd> integrals);
 
-// Integral over the area of a function that is homogeneous of a degree in the distance from a centre.
+// Integral over the area of the body of a function that is homogeneous of the given degree in the distance from a
+// centre.
 double integral_of_homogeneous(const BoundaryMesh& mesh, const Point& centre, int degree,
                                const std::function<double(const Point&)>& function);
 

@@ -7,7 +7,7 @@ namespace bempd::bem {
 
 namespace {
 
-// Five nodes in a row, by their distances along a piece of constant curvature.
+// Five consecutive nodes, by their distances along a piece of constant curvature.
 struct Row {
   std::array<int, 5> nodes;
   std::array<double, 5> at;
@@ -19,7 +19,7 @@ struct Row {
   }
 };
 
-// Derivative at one of the nodes of the interpolation through all of them (Lagrange; Gauss for periodic functions).
+// Derivative at node k of the interpolation through all five (Lagrange; Gauss for periodic functions).
 Point derivative_at(const Row& row, int k, const Eigen::VectorXd& values) {
   const auto value = [&](int i) -> Point { return values.segment<2>(2 * row.nodes[i]); };
   Point sum = Point::Zero();
@@ -37,7 +37,7 @@ double length_of(const BoundaryMesh& mesh, const BoundaryElement& e) {
   return Arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep}.length();
 }
 
-// Whether places along the element are known from its ends: not on a parabola.
+// Whether the end nodes determine the position along the element: they do on lines and arcs, not on a parabola.
 bool has_even_nodes(const BoundaryMesh& mesh, const BoundaryElement& e) {
   const Arc arc{mesh.nodes[e.nodes[0]], mesh.nodes[e.nodes[2]], e.sweep};
   return (arc.at(0.5) - mesh.nodes[e.nodes[1]]).norm() <= 1e-9 * arc.length();

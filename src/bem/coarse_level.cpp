@@ -10,13 +10,13 @@ namespace {
 
 using Map = Eigen::SparseMatrix<double>;
 
-// Numbers of nodes that stay and the values of the others from them.
+// Interpolation from the nodes that remain on the coarse level to all nodes.
 class Merging {
  public:
   explicit Merging(int nodes) : keeps_(nodes, 1) {}
 
-  // Two elements of which the first ends where the second starts become one whose middle node is their common one. It
-  // lies at its own middle, wherever the elements meet.
+  // Merges two elements, the second of which starts where the first one ends. Their common node becomes the middle node
+  // of the merged element, and stands for the middle of that element even if the two meet elsewhere.
   void merge(const std::array<int, 3>& first, const std::array<int, 3>& second, double first_share, double sweep) {
     const ElementGeometry whole{Point::Zero(), Point::UnitX(), Point::Zero(), ElementBasis(0.5 * sweep)};
     const double joint = -1 + 2 * first_share;
@@ -30,7 +30,7 @@ class Merging {
     middles_.push_back(first[2]);
   }
 
-  // All values from those of the nodes that are left, two components a node.
+  // Matrix of the interpolation: values of all nodes from those of the remaining nodes, two components a node.
   Map map() const {
     const std::vector<int> columns = numbers();
     std::vector<Eigen::Triplet<double>> entries;
@@ -45,7 +45,7 @@ class Merging {
     return map;
   }
 
-  // Rows of the nodes that are left.
+  // Matrix that selects the rows of the remaining nodes.
   Map selection() const {
     const std::vector<int> rows = numbers();
     std::vector<Eigen::Triplet<double>> entries;
@@ -58,7 +58,7 @@ class Merging {
   }
 
  private:
-  // Of the nodes that are left, in their order; -1 for the others.
+  // Number of each node among the remaining ones; -1 for the others.
   std::vector<int> numbers() const {
     std::vector<char> stays = keeps_;
     for (const int node : middles_) stays[node] = 1;
@@ -116,8 +116,8 @@ Merged merge_pairs(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return merged;
 }
 
-// Displacements and openings of the coarse level from its unknowns. What holds between openings at joints is a matter
-// of nodes that stay.
+// Displacements and openings of all nodes from the unknowns of the coarse level. Only remaining nodes take part in the
+// constraints between openings at joints.
 Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   const Map some = merging.selection() * from_unknowns;
   std::vector<Eigen::Triplet<double>> entries;
@@ -135,7 +135,8 @@ Map from_coarse_unknowns(const Merging& merging, const Map& from_unknowns) {
   return merging.map() * kept;
 }
 
-// The rigid motions of every piece are held: forces in equilibrium do not notice. Openings have no part in them.
+// Adds a stiffness against the rigid motions of every piece, which makes the matrix definite: forces in equilibrium do
+// no work on these motions, so the solution does not change. Openings have no part in rigid motions.
 void hold_rigid_motions(const CrackedOperator& body, const Map& map, Eigen::MatrixXd& stiffness) {
   const BoundaryMesh& mesh = body.mesh();
   const int pieces = body.cracks().pieces.count;
@@ -168,7 +169,7 @@ CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state
   add_forces_of_tractions(double_layer, single_layer, stiffness);
   hold_rigid_motions(body, values, stiffness);
 
-  // The forces that hold the state, over thickness and shear modulus.
+  // Forces that hold the state in equilibrium, over thickness and shear modulus.
   Eigen::VectorXd all(fine.hypersingular.rows());
   all << state.displacements, state.openings;
   const Eigen::VectorXd forces = fine.hypersingular * all + fine.double_layer * (length / shear * state.tractions);

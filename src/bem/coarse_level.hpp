@@ -4,9 +4,9 @@
 
 namespace bempd::bem {
 
-// The state of a body under the same forces on elements twice as long: neighbours of one panel, or of one straight
-// piece of a crack, are merged by twos, but for those at tips. What they represent the elements represent as well, so
-// that no integral is needed. The difference of results tells how far off they are.
+// State of a body under the same forces on elements twice as long, for an estimate of the discretization error by the
+// difference of results. Neighbours of one panel, or of one straight piece of a crack, are merged in pairs, except
+// elements at tips. The coarse functions lie in the space of the fine ones, so no integral is needed.
 CrackedState coarse_state(const CrackedOperator& body, const CrackedState& state);
 
 }  // namespace bempd::bem

@@ -14,15 +14,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// I(z) = integral of w(s) / (z - s) over s = 0 .. 1 and its derivatives, of the two components of w.
+// I(z) = integral of w(s) / (z - s) over s = 0 .. 1, and its derivatives, for the two components of w.
 struct CauchyIntegrals {
   std::array<Complex, 2> value, first, second;
 };
 
-// Closer than this part of the element's length is on it.
+// Distance over the element's length below which a point counts as a point of the element.
 constexpr double on_crack = 1e-10;
 
-// Logarithms with their cut on the crack only.
+// Closed form for a polynomial; the branch cut of the logarithm lies on the crack only.
 CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {
   const Complex log = std::log(z) - std::log(z - 1.0), log1 = 1.0 / z - 1.0 / (z - 1.0);
   const Complex log2 = 1.0 / ((z - 1.0) * (z - 1.0)) - 1.0 / (z * z);
@@ -36,7 +36,7 @@ CauchyIntegrals of_polynomial(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// In q = sqrt(z).
+// Closed form for an element at a tip, in q = sqrt(z).
 CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   const Complex q = std::sqrt(z), log = std::log(q + 1.0) - std::log(q - 1.0);
   const Complex log1 = 1.0 / (q + 1.0) - 1.0 / (q - 1.0);
@@ -53,7 +53,7 @@ CauchyIntegrals of_tip(const std::array<Point, 3>& w, const Complex& z) {
   return result;
 }
 
-// Far away, where the closed forms are small differences.
+// Quadrature for distant points, where the closed forms are small differences of large numbers.
 CauchyIntegrals by_quadrature(const std::array<Point, 3>& w, bool tip, const Complex& z) {
   const GaussRule& rule = gauss_rule(max_regular_points);
   CauchyIntegrals result{};
@@ -81,7 +81,7 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
     std::array<Point, 3> nodal;
     for (int k = 0; k < 3; ++k) nodal[k] = openings.segment<2>(2 * e.nodes[k]) / boundary.length;
     if (e.tip == TipEnd::end) {
-      // Seen from the tip; the left face becomes the right one.
+      // The element is seen from its tip at the end: so its left face becomes the right one.
       std::swap(start, end);
       nodal = {-nodal[2], -nodal[1], -nodal[0]};
     }
@@ -104,10 +104,11 @@ CrackField::CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, 
 void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const Point left = left_of(piece.axis), r = x - piece.start;
   Complex z(r.dot(piece.axis) / piece.length, r.dot(left) / piece.length);
-  // At a tip, just ahead of it: what grows without bound there would meet a factor 0 in the displacement.
+  // A point at the tip is moved just ahead of it: terms that are unbounded there would be multiplied by 0 in the
+  // displacement.
   constexpr double at_tip = 1e-24;
   if (piece.tip && std::abs(z) < at_tip) z = -at_tip;
-  // Seen from a tip at the end of a line its left face is on the right.
+  // The sign of zero chooses the face; a reversed piece has its left face on the right.
   if (std::abs(z.imag()) <= on_crack && z.real() >= 0 && z.real() <= 1)
     z.imag(piece.reversed != from_right_ ? -0.0 : 0.0);
   constexpr double far = 3;
@@ -117,7 +118,7 @@ void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   const double c = 1 / (4 * std::numbers::pi * (1 - nu_)), y = z.imag();
   const auto real = [&](const Complex& f) { return c * f.real(); };
   const auto minus_imaginary = [&](const Complex& f) { return -c * f.imag(); };
-  // Of the shearing and of the opening component.
+  // Potentials of the shearing (s) and of the opening (o) component, and their derivatives.
   const double sx = real(i.value[0]), sy = minus_imaginary(i.value[0]);
   const double ox = real(i.value[1]), oy = minus_imaginary(i.value[1]);
   const double sxx = real(i.first[0]), sxy = minus_imaginary(i.first[0]);

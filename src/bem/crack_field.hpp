@@ -8,10 +8,10 @@
 
 namespace bempd::bem {
 
-// Displacement and stress inside a body on account of the openings of its cracks: the double layer over every element,
-// in closed form close to it, so that it is as exact beside the crack as elsewhere and jumps by the opening across it.
-// On a crack itself the values are those of its left face, or of the right one if that is chosen. In lengths over
-// `boundary.length` and stresses over the shear modulus.
+// Displacement and stress inside a body that the openings of its cracks cause: the double layer over every crack
+// element, in closed form close to it. The field is as exact beside the crack as elsewhere, and jumps by the opening
+// across it. On a crack the values are those of its left face, or of the right one after look_from_right(). Lengths are
+// in units of `boundary.length`, stresses in units of the shear modulus.
 class CrackField {
  public:
   // `openings` [m], all of them.
@@ -23,19 +23,20 @@ class CrackField {
     Point displacement = Point::Zero();
     Eigen::Vector3d stress = Eigen::Vector3d::Zero();  // xx, yy, xy; infinite at a tip
   };
-  // Without one element if that is named.
+  // Displacement and stress of all elements, or of all but `skipped`.
   Value at(const Point& x, int skipped = -1) const;
 
-  // As at(), also at ends of elements, where the sums of closed forms lose all digits: the means of displacements right
-  // beside them, and of stresses inside the elements that meet, whose openings bend there.
+  // Displacement and stress as at(), also at ends of elements, where the closed forms cancel to no digit. There the
+  // result is the mean of displacements right beside the end, and of stresses inside the elements that meet, whose
+  // openings have a kink there.
   Value anywhere(const Point& x) const;
 
   // Distance of the nearest tip over the length of its element.
   double nearness_of_tip(const Point& x) const;
 
  private:
-  // Along its own axis from 0 to 1 the opening, in components along the axis and to the left of it, is
-  // sum of terms[k] s^k, or sigma (terms[0] + terms[1] sigma^2) with s = sigma^2 at a tip.
+  // One crack element. The opening along its axis, in components along the axis and to the left of it, is the sum of
+  // terms[k] s^k with 0 <= s <= 1, or sigma (terms[0] + terms[1] sigma^2) with s = sigma^2 at a tip.
   struct Piece {
     Point start, axis;  // unit vector
     double length;

@@ -14,28 +14,28 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Seen from a way s along a crack from the place where it meets another line, that line is something of its own only
-// if it is this much closer than s: a crack that runs back beside it.
+// Share of the way s from a joint below which the distance to the other line of the joint counts as a gap. At a larger
+// distance the two just lead away from each other; at a smaller one the crack runs back beside the other line.
 constexpr double aside = 0.3;
 
-// Smaller turns are those of a polygon that stands for a curve.
+// Turn below which a corner of a line counts as part of a curve that the polygon stands for.
 constexpr double least_kink = 0.2;
 
 constexpr int most_halvings = 40;
 
-// Longest element over the way to the next thing, along a crack and of an element that ends at the tip: the openings
-// next to it share the energy release rate between the modes (measured on infinitesimal kinks: 4e-4 of K_II with half
-// the way, 2e-5 with a quarter).
+// Longest element over the distance to the next crack, edge or tip; at_tip for the element that ends at the tip, whose
+// openings share the energy release rate between the modes (measured on infinitesimal kinks: 4e-4 of K_II with a share
+// of a half, 2e-5 with a quarter).
 constexpr double longest = 0.5, longest_at_tip = 0.25;
 
-// Elements along a narrow gap, in widths of it, and by how much they may grow with the distance from its ends. Thin
+// Longest element along a narrow gap in widths of the gap, and its growth with the distance from the gap's ends. Thin
 // strips between faces bend: with elements of two widths their openings are right to 4e-5, with four to 6e-4, if the
 // elements at the ends of the gap are short.
 constexpr double longest_along_gap = 2, growth_along_gap = 0.25;
-// Where gaps are wide enough for elements of this part of the length without a gap, nothing is saved by longer ones.
+// Share of the element's length without a gap, up to which a gap makes elements longer: in wider gaps nothing is saved.
 constexpr double part_along_crack = 0.125, part_along_boundary = 0.25;
 
-// Of elements behind a mouth on a row of nodes: each is at most 1.6 times as long as the one before.
+// Growth of elements behind a mouth on a row of nodes: each is at most 1.6 times as long as the one before.
 constexpr double growth_from_rows = 0.6;
 
 Segment segment(const CrackLine& line, std::size_t i) { return {line.points[i], line.points[i + 1]}; }
@@ -59,14 +59,14 @@ double turn(const CrackLine& line, std::size_t vertex) {
   return std::abs(std::atan2(cross(before, after), before.dot(after)));
 }
 
-// More elements than this on one line or piece of the boundary come of a gap that nobody meant.
+// Largest number of elements on one line or piece of the boundary: more of them come of a gap that was not intended.
 constexpr std::size_t most_elements = 100000;
 
 // Halves an interval until it is no longer than `limit` says for its ends and its middle.
 template <class Limit>
 void halve(double from, double to, double length, const Limit& limit, int depth, std::vector<double>& ends) {
   const double middle = 0.5 * (from + to);
-  // Rounding must not halve one of two that are alike.
+  // Rounding must not halve only one of two elements that are alike.
   constexpr double slack = 1 + 1e-9;
   if (depth < most_halvings && length > slack * std::min({limit(from), limit(middle), limit(to)})) {
     halve(from, middle, 0.5 * length, limit, depth + 1, ends);
@@ -104,7 +104,7 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
   for (int l = 0; l < static_cast<int>(cracks.lines.size()); ++l) stations_.push_back(stations_of(l));
 }
 
-// What has been there before keeps its elements when a crack grows.
+// Length of elements on a segment before grading. What has not grown keeps its elements when the crack grows.
 double CrackSizes::target(int l, std::size_t i) const {
   const CrackLine& line = cracks_.lines[l];
   if (!line.grown[i]) return targets_[l];
@@ -112,7 +112,8 @@ double CrackSizes::target(int l, std::size_t i) const {
   return targets_[l] > 0 ? std::max(targets_[l], length / grading_.elements_per_growth) : length;
 }
 
-// Towards a tip on a short segment elements are no longer than the way to it.
+// Limit from tips: towards a tip at the end of a short segment, elements are no longer than their distance from the
+// tip.
 double CrackSizes::from_tips(int l, double way) const {
   const CrackLine& line = cracks_.lines[l];
   const std::vector<double>& ways = ways_[l];
@@ -206,7 +207,7 @@ double CrackSizes::on_line(int l, double way) const {
   const double share = at_tip ? longest_at_tip : longest;
   const Point x = place_at(l, way);
   const double own = target(l, segment_at(l, way));
-  // In the angle between a line and what it leads to elements get no smaller than at kinks.
+  // Elements in a small angle between two lines that meet get no smaller than elements at kinks.
   const double least = std::ldexp(own, -grading_.halvings_at_kinks);
   double limit = std::min({share * from_kinks(l, way), from_tips(l, way), from_rows(x)});
   for (const Neighbour& thing : neighbours(l, way, x)) {
@@ -236,7 +237,7 @@ std::vector<double> CrackSizes::stations_of(int l) const {
   std::vector<double> stations{0.0};
   for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
     const double length = ways[i + 1] - ways[i];
-    // An element has one tip at most.
+    // A line between two tips has at least two elements, because an element has one tip at most.
     const bool two_tips = ways.size() == 2 && line.joints[0] < 0 && line.joints[1] < 0;
     const int count = std::max(two_tips ? 2 : 1, static_cast<int>(std::ceil(length / target(l, i) * (1 - 1e-9))));
     for (int k = 0; k < count; ++k)
@@ -248,7 +249,7 @@ std::vector<double> CrackSizes::stations_of(int l) const {
 }
 
 double CrackSizes::on_boundary(const Point& x, double undivided) const {
-  // Of the element at a mouth, in a small angle beside it.
+  // Least size in a small angle at a mouth, as a share of the element at the mouth.
   const double least = std::ldexp(1, -grading_.halvings_at_kinks);
   double limit = infinite;
   for (std::size_t l = 0; l < cracks_.lines.size(); ++l) {

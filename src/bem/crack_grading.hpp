@@ -8,30 +8,31 @@
 namespace bempd::bem {
 
 struct CrackGrading {
-  // Along what a line has not grown; what is left of them is due to the graded ends.
+  // Number of elements along the part of a line that has not grown, before grading makes more of them near its ends.
   int elements_per_line = 8;
-  // Growth has elements as long, but no more of them along one segment.
+  // Largest number of elements on one segment of growth, which are otherwise as long as those of the line.
   int elements_per_growth = 4;
-  // Elements at kinks and branches are this many times halved, for the stresses are singular there, if weakly.
+  // Number of halvings of elements at kinks and branches, where stress has a weak singularity.
   int halvings_at_kinks = 4;
 };
 
-// The least distance of a line from another one or from the boundary that it does not lead to.
+// Least distance of a line from another line, or from the boundary, that it does not lead to.
 struct NarrowGap {
   int line = -1, other = -1;  // other: -1 is the boundary; line: -1 if there is no gap at all
   double width;
   Point place;  // on the line
 };
 
-// A mouth on a row of nodes that are so far apart: elements of the crack are as short there, and grow from it.
+// Mouth on an edge whose nodes have a fixed spacing (a row of material points): crack elements begin with that length
+// there and grow away from it.
 struct MouthOnRow {
   Point place;
   double spacing;
 };
 
-// Lengths that elements on cracks and around them may have: no longer than the way to the next crack, edge or tip that
-// is not just the continuation of their own line. Along a gap that is narrow over its length they are longer away from
-// its ends, as only at ends do fields vary within the width of a gap.
+// Lengths of elements on cracks and near them on the boundary. An element is no longer than the distance to the next
+// crack, edge or tip that is not just the continuation of its own line. Along a gap that is long and narrow, elements
+// away from its ends may be longer, because fields vary over the width of the gap only near its ends.
 class CrackSizes {
  public:
   // `panel_ends`: places on the boundary where supports or loads end; corners are known.
@@ -39,16 +40,16 @@ class CrackSizes {
              const CrackGrading& grading = {}, const std::vector<Point>& panel_ends = {},
              std::vector<MouthOnRow> mouths = {});
 
-  // Ways along each line at which its elements end, from 0 to its length.
+  // Distances along each line at which its elements end, from 0 to its length.
   const std::vector<std::vector<double>>& stations() const { return stations_; }
 
-  // Stations of a piece of the boundary, in parts of its length, with elements halved until they are short enough.
+  // Stations of a piece of the boundary, as fractions of its length, with elements halved until they are short enough.
   std::vector<double> refined(const Arc& piece, const std::vector<double>& stations) const;
 
   NarrowGap narrowest_gap() const;
 
  private:
-  // A thing beside a place on a line.
+  // A crack or an edge near a place on a line.
   struct Neighbour {
     double gap;
     double apart;  // way along the line to where it meets the thing; infinite if it does not lead there

@@ -14,7 +14,7 @@ struct Mouth {
   int before = -1, after = -1;  // boundary nodes
 };
 
-// The node before a mouth keeps its number.
+// Splits the boundary's node at a mouth. The node before the mouth keeps its number.
 Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   Mouth mouth;
   double least = 16 * tolerance;
@@ -33,7 +33,7 @@ Mouth split_at(const Point& place, BoundaryMesh& mesh, double tolerance) {
   return mouth;
 }
 
-// A member of a joint: an opening with its sign, positive if the line starts there.
+// Opening that meets others at a joint, with its sign: positive if the line starts there.
 struct Member {
   int node;
   double sign;
@@ -61,7 +61,7 @@ class Mesher {
 
   bool is_cut(int l) const { return mesh.pieces.is_cut(l); }
 
-  // The faces of a line between two pieces.
+  // Adds the faces of a line between two pieces to the boundary.
   void add_cut(int l, const std::vector<double>& stations) {
     const CrackLine& line = cracks_.lines[l];
     const int count = static_cast<int>(stations.size()) - 1;
@@ -96,7 +96,7 @@ class Mesher {
       if (e + 1 == count && line.joints[1] < 0) tip = TipEnd::end;
       const int node = first + 2 * e;
       if (e == 0) mesh.nodes.push_back(start);
-      // Quarter points: the mid node of a tip element is close to the tip.
+      // The mid node of an element at a tip is its quarter point, close to the tip.
       const double middle = tip == TipEnd::start ? 0.25 : tip == TipEnd::end ? 0.75 : 0.5;
       mesh.nodes.push_back(start + middle * (end - start));
       mesh.nodes.push_back(end);
@@ -151,7 +151,7 @@ class Mesher {
   CrackMesh mesh;
 
  private:
-  // On the line; its ends are the places of its joints.
+  // Place of station k on the line; the ends are the places of the joints.
   Point place(const CrackLine& line, const std::vector<double>& stations, int k) const {
     if (k == 0) return line.joints[0] < 0 ? line.points.front() : places_[line.joints[0]];
     if (k + 1 == static_cast<int>(stations.size()))
@@ -167,9 +167,9 @@ class Mesher {
     return line.points.back();
   }
 
-  // Where a line between pieces ends, the body lies around the joint in sectors, each with a boundary node of its own:
-  // one before every line, counter-clockwise, and one behind the last. At a mouth the boundary has the first and the
-  // last one.
+  // Boundary nodes around a joint where a line between pieces ends: the body lies around it in sectors, each with a
+  // node of its own. There is one before every line, counter-clockwise, and one behind the last line. At a mouth the
+  // boundary has the first and the last of them.
   void add_sectors(int joint) {
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
     sectors_.emplace_back();
@@ -189,7 +189,7 @@ class Mesher {
     sectors.push_back(mouth ? mouths_[joint].before : sectors.front());
   }
 
-  // The boundary node on one side of an end of a line.
+  // Boundary node on one side of an end of a line.
   int sector_beside(int line, int end, bool left) const {
     const int joint = cracks_.lines[line].joints[end];
     const std::vector<LineEnd>& around = mesh.pieces.around[joint];
@@ -213,7 +213,7 @@ class Mesher {
     return static_cast<int>(boundary_.nodes.size()) - 1;
   }
 
-  // Elements on these nodes. Tractions jump where the line turns.
+  // Adds the elements of a face on these nodes; a new panel begins where the line turns, because tractions jump there.
   void add_face(const CrackLine& line, const std::vector<double>& stations, const std::vector<int>& nodes, int piece) {
     const auto segment_at = [&](double way) {
       std::size_t segment = 0;

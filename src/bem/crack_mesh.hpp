@@ -19,8 +19,8 @@ struct CrackElement {
   int piece = 0;
 };
 
-// Along a line between two pieces of a body, whose faces are a part of their boundaries: what is open there is the
-// difference of displacements.
+// Element along a line between two pieces of a body. The faces are parts of the pieces' boundaries, so that the opening
+// is the difference of displacements.
 struct CutElement {
   int line;
   double from, to;                 // ways along its line
@@ -33,21 +33,20 @@ struct CrackTip {
   Point place, direction;  // the unit vector that leads on
 };
 
-// Elements on cracks. Their unknowns are the openings w = u_left - u_right, seen along the line; its left face has the
-// outward normal that points to the right. Every line has nodes of its own; what holds between them at joints and tips
-// says `constraint`.
+// Elements on cracks. Their unknowns are the openings w = u_left - u_right, seen along the line; the left face has the
+// outward normal that points to the right. Every line has nodes of its own; `constraint` has the relations between
+// openings at joints and tips.
 struct CrackMesh {
   std::vector<Point> nodes;
   std::vector<CrackElement> elements;
   std::vector<CutElement> cuts;
   std::vector<CrackTip> tips;
   std::vector<int> joint_of_node;  // -1 for most
-  // The boundary's nodes before and behind it, in the direction of its loop; -1: no mouth.
+  // Boundary nodes before and behind the mouth of each joint, in the direction of the boundary's loop; -1: no mouth.
   std::vector<std::array<int, 2>> mouth_of_joint;
 
-  // All openings from the unknowns: displacements of the boundary's nodes, then the openings that remain. There are
-  // none at tips; around a joint openings add to nothing or, at a mouth, to the displacement before it less the one
-  // behind it.
+  // All openings from the unknowns: displacements of the boundary's nodes, then the free openings. Openings are 0 at
+  // tips; around a joint their sum is 0 or, at a mouth, the displacement before the mouth less the one behind it.
   Eigen::SparseMatrix<double> constraint;
   int free_nodes = 0;  // openings that remain
 
@@ -56,8 +55,9 @@ struct CrackMesh {
   int first_face_panel = 0;                      // of panels on faces, which are the last ones
 };
 
-// Splits the boundary's nodes at mouths: a node more for the elements that start there, at the end of the list. Adds
-// the faces of lines that cut the body to its boundary, behind all other elements, with a panel for each straight part.
+// Meshes the cracks and splits the boundary's nodes at mouths: elements that start there get a new node, at the end of
+// the list. The faces of lines that cut the body are added to its boundary, behind all other elements, with a panel for
+// each straight part.
 CrackMesh mesh_cracks(const CrackLines& cracks, const std::vector<std::vector<double>>& stations, BoundaryMesh& mesh,
                       double tolerance);
 

@@ -15,11 +15,11 @@ namespace bempd::bem {
 
 namespace {
 
-// Along one side of a line or along an element of the boundary, with the body on the left: number 2 l follows line l,
-// 2 l + 1 comes back along it, and the elements are behind the lines.
+// Number of a directed piece of a walk with the body on its left: 2 l follows line l, 2 l + 1 comes back along it, and
+// boundary elements come behind the lines.
 using Way = int;
 
-// A closed walk along boundary and cracks that has a part of the body on its left.
+// Closed walk along boundary and cracks with a part of the body on its left.
 struct Walk {
   std::vector<Way> ways;
   double area = 0;
@@ -77,7 +77,7 @@ class Walks {
  private:
   Way out(const LineEnd& e) const { return 2 * e.line + e.end; }
 
-  // To the left of what arrives: the first one clockwise from where it comes from.
+  // The next piece of a walk: at a joint, the first one clockwise from the piece that arrives.
   Way next(Way way) const {
     if (way >= 2 * lines()) {
       const int node = mesh_.elements[way - 2 * lines()].nodes[2];
@@ -99,7 +99,8 @@ class Walks {
     return e.end == 0 ? Point(points[1] - points[0]) : Point(points[points.size() - 2] - points.back());
   }
 
-  // At a mouth angles count from the boundary that starts there; a line beside it may be off by rounding.
+  // Sorts the lines at a joint by their angle. At a mouth angles count from the boundary that starts there; a line
+  // beside it may be off by rounding.
   void sort_around(int joint) {
     Point axis(1, 0);
     double back = 2 * std::numbers::pi;
@@ -133,7 +134,7 @@ class Walks {
   std::map<int, int> starting_at_, ends_at_;  // element that starts at a node; joint whose node before it is
 };
 
-// What hangs together along boundary and cracks; -1: not known yet.
+// Number of the connected part of boundary and cracks that each walk belongs to.
 std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   linalg::DisjointSets joined(static_cast<int>(walks.size()));
   std::vector<int> walk_of(static_cast<std::size_t>(2 * lines), -1);
@@ -146,7 +147,8 @@ std::vector<int> parts_of(const std::vector<Walk>& walks, int lines) {
   return part;
 }
 
-// Of every part that lies inside others the walk around its outside; all other walks go around a piece of the body.
+// Walks around the outside of a part that lies inside another part (one of each such part); all other walks go around a
+// piece of the body.
 std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::vector<int>& part, int lines) {
   std::vector<int> least(walks.size(), -1);
   int outermost = -1;
@@ -162,7 +164,7 @@ std::vector<char> go_around_outside(const std::vector<Walk>& walks, const std::v
   return outside;
 }
 
-// The first element of the boundary on a walk; behind all of them for one that has none.
+// First boundary element on a walk; a number behind all elements if the walk has none.
 Way first_on_boundary(const Walk& walk, int lines) {
   Way first = std::numeric_limits<Way>::max();
   for (const Way way : walk.ways)
@@ -170,7 +172,8 @@ Way first_on_boundary(const Walk& walk, int lines) {
   return first;
 }
 
-// The piece that every walk belongs to: its own, or for what lies inside others the smallest one around it.
+// Piece of the body that every walk belongs to. A part that lies inside another one belongs to the smallest piece
+// around it.
 std::vector<int> pieces_of(const Walks& finder, const std::vector<Walk>& walks, const std::vector<int>& part,
                            const std::vector<int>& around_pieces) {
   std::vector<int> piece(walks.size(), -1);

@@ -18,8 +18,8 @@ struct CrackPieces {
   int count = 1;
   std::vector<int> of_element;              // of the boundary, with the faces that cracks add; empty for one piece
   std::vector<std::array<int, 2>> of_line;  // on its left and on its right; empty for one piece
-  // Of every joint the lines that end there, counter-clockwise; at a mouth from the boundary that starts there to the
-  // one that ends there.
+  // Lines that end at each joint, counter-clockwise; at a mouth they are in order from the boundary that starts there
+  // to the boundary that ends there.
   std::vector<std::vector<LineEnd>> around;
 
   bool is_cut(int line) const { return count > 1 && of_line[line][0] != of_line[line][1]; }
@@ -27,7 +27,7 @@ struct CrackPieces {
   int right_of(int line) const { return count > 1 ? of_line[line][1] : 0; }
 };
 
-// The elements of one piece, with all nodes of the mesh.
+// Boundary elements of one piece, with all nodes of the mesh.
 BoundaryMesh elements_of_piece(const BoundaryMesh& mesh, const CrackPieces& pieces, int piece);
 
 // `mesh` has its nodes split at mouths: those before and behind it of every joint, -1 inside the body. The first loop

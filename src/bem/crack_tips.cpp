@@ -13,10 +13,10 @@ namespace bempd::bem {
 
 namespace {
 
-// Of the tip element's length; the difference quotient is exact to some 1e-7.
+// Length by which a tip is moved, over the length of its element; the difference quotient is exact to some 1e-7.
 constexpr double step = 1e-3;
 
-// The elements of a body, and behind them for every tip its element with the tip moved on and back.
+// Elements of a body, and behind them, for every tip, its element with the tip moved forward and back.
 class MovedTips {
  public:
   explicit MovedTips(const CrackedOperator& body)
@@ -53,7 +53,7 @@ class MovedTips {
     return elements;
   }
 
-  // Of two components at three nodes.
+  // Values of two components at three nodes.
   using Column = Eigen::Matrix<double, 6, 1>;
   using Block = Eigen::Matrix<double, 6, 6>;
   static Column on_element(const Eigen::Ref<const Eigen::VectorXd>& all, const std::array<int, 3>& nodes) {
@@ -62,7 +62,7 @@ class MovedTips {
     return own;
   }
 
-  // What the pairs with one variant of the tip's element contribute.
+  // Contribution of the pairs with one variant of the tip's element.
   Eigen::VectorXd forms(int k, int variant, const Eigen::MatrixXd& values, const Eigen::MatrixXd& tractions) const {
     const GalerkinElement& tip = elements_[variant];
     const int own = element_of(k), count = static_cast<int>(body_.elements().size());
@@ -92,12 +92,12 @@ class MovedTips {
   PairBlocks blocks_;
 };
 
-// Whether faces press on each other next to a tip.
+// Whether the faces next to a tip are closed.
 bool is_closed(const CrackMesh& cracks, const CrackTip& tip, const CrackedState& state) {
   return !state.closed.empty() && state.closed[cracks.elements[tip.element].nodes[1]] != 0;
 }
 
-// The openings next to a tip in its axes, first shearing: the factor of the square root of the distance.
+// Openings next to a tip in its axes, shearing first: the factor of the square root of the distance.
 Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedState& state) {
   const CrackElement& element = cracks.elements[tip.element];
   const Eigen::VectorXd& openings = state.openings;
@@ -109,7 +109,7 @@ Point opening_at(const CrackMesh& cracks, const CrackTip& tip, const CrackedStat
   return {jump.dot(tip.direction), across};
 }
 
-// A state whose squares are numbers, and the exponent of what it was divided by.
+// State divided by a power of two so that its squares do not overflow or vanish, with that exponent.
 struct NearState {
   CrackedState state;
   int exponent;
@@ -200,11 +200,11 @@ std::vector<double> stresses_along_crack(const CrackedOperator& body, const Crac
     const double c = d.x() * d.x() - d.y() * d.y();
     double stress = c * (s[0] - s[1]) + 4 * d.x() * d.y() * s[2];
     if (is_closed(cracks, tip, state)) {
-      // Faces that only slide there give no stress along their line.
+      // Closed faces only slide: their openings give no normal stress on the line, so T is the stress along it.
       results.push_back(d.x() * d.x() * s[0] + d.y() * d.y() * s[1] + 2 * d.x() * d.y() * s[2]);
       continue;
     }
-    // The outward normal of a face that lies on the left of a direction points to the right of it.
+    // A face on the left of a direction has its outward normal to the right of it.
     const Point normal = -left_of(tip.end == TipEnd::end ? d : Point(-d));
     if (state.face_traction) stress += normal.dot(state.face_traction(tip.line, tip.place, normal));
     results.push_back(stress);

@@ -10,8 +10,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Places of nodes at which elements end, numbered like nodes: those split at a mouth have one in common, and so have
-// the ends of cracks at a joint.
+// Number of the position of each node at which elements end. Nodes split at a mouth share one position, and so do the
+// ends of cracks at a joint.
 std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   const int boundary = static_cast<int>(mesh.nodes.size());
   std::vector<int> places(static_cast<std::size_t>(boundary) + cracks.nodes.size());
@@ -29,7 +29,7 @@ std::vector<int> places_of(const BoundaryMesh& mesh, const CrackMesh& cracks) {
   return places;
 }
 
-// map^T, of a map most of whose columns are unit vectors, many of them of one row after the other: those are copied.
+// Product with map^T. Most columns of the map are unit vectors, many of them of consecutive rows: these are copied.
 class TransposedMap {
  public:
   explicit TransposedMap(const Eigen::SparseMatrix<double>& map) : map_(map) {
@@ -53,7 +53,7 @@ class TransposedMap {
     return unit ? map_.innerIndexPtr()[first] : -1;
   }
 
-  // Components number `first` and up.
+  // Computes the components from number `first` on.
   void apply(const double* column, Eigen::Index first, double* result) const {
     for (const Run& run : runs_) {
       const Eigen::Index skipped = std::clamp(first - run.column, Eigen::Index{0}, run.size);
@@ -77,7 +77,8 @@ class TransposedMap {
   std::vector<Eigen::Index> others_;
 };
 
-// Of every node of the unknowns, the one before that stands for the same displacements and openings; -1 if none does.
+// Node among the unknowns before that stands for the same displacements and openings, for every node of the unknowns;
+// -1 if there is none.
 std::vector<int> kept_unknowns(const std::vector<int>& kept_nodes, const Eigen::SparseMatrix<double>& map,
                                const Eigen::SparseMatrix<double>& map_before) {
   using Meaning = std::vector<std::pair<int, double>>;
@@ -181,7 +182,7 @@ CrackedOperator::CrackedOperator(const BoundaryMesh& mesh, const CrackMesh& crac
                        kept.whole_boundary ? &before->of_openings_ : nullptr, unknowns);
 }
 
-// Y = L^-1 B and D + Y^T Y, of which only the columns of new nodes are computed.
+// Computes Y = L^-1 B and D + Y^T Y, only the columns of new nodes.
 void CrackedOperator::take_from(const CrackedOperator& before, const KeptNodes& kept) {
   const Eigen::Index size = matrices_.hypersingular.rows();
   const bool knows = kept.whole_boundary && before.reduced_.size() > 0;

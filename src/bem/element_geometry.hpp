@@ -7,11 +7,11 @@
 
 namespace bempd::bem {
 
-// An odd and an even function of -1 <= xi <= 1, both 1 at xi = 1, that span with the constants what elements can
-// represent: xi and xi^2 on straight elements. On circular arcs of half angle alpha
-//   sin(alpha xi) / sin(alpha)  and  (1 - cos(alpha xi)) / (1 - cos(alpha)):
-// then x and y are among the functions on the exact arc, and so are linear displacements, rigid rotations and the
-// tractions of constant stress. Both tend to the powers as alpha tends to zero.
+// Basis of the functions on an element besides the constants: an odd and an even function of -1 <= xi <= 1, both 1 at
+// xi = 1. They are xi and xi^2 on straight elements, and on circular arcs of half angle alpha
+//   sin(alpha xi) / sin(alpha)  and  (1 - cos(alpha xi)) / (1 - cos(alpha)).
+// So x and y on the exact arc are among the functions, as are linear displacements, rigid rotations and the tractions
+// of constant stress. Both tend to the powers as alpha tends to zero.
 class ElementBasis {
  public:
   explicit ElementBasis(double half_angle = 0)
@@ -45,7 +45,7 @@ class ElementBasis {
   HalfAngle half(double xi) const {
     return powers() ? HalfAngle{} : HalfAngle{std::sin(0.5 * alpha_ * xi), std::cos(0.5 * alpha_ * xi)};
   }
-  // Both functions and their slopes, on arcs from one sine and one cosine.
+  // Values and slopes of both functions; on arcs from one sine and one cosine.
   struct Values {
     Pair value, slope;
   };
@@ -63,7 +63,7 @@ class ElementBasis {
     const double mean = 0.5 * alpha_ * (xi + from), scale = alpha_ * sinc(0.5 * alpha_ * (xi - from));
     return {scale * odd_scale_ * std::cos(mean), 0.5 * scale * even_scale_ * even_scale_ * std::sin(mean)};
   }
-  // The same with xi = from + way, way not 0.
+  // Quotients as above at xi = from + way, where way is not 0.
   Pair quotients(double from, double way, const HalfAngle& of_from, const HalfAngle& of_way) const {
     if (powers()) return {1, 2 * from + way};
     const HalfAngle mean = of_from.plus(of_from).plus(of_way);
@@ -86,10 +86,10 @@ class ElementBasis {
 // End of an element at which a crack ends.
 enum class TipEnd { none, start, end };
 
-// x(xi) = c0 + c1 odd(xi) + c2 even(xi); straight when c2 vanishes. With a crack tip at one end, x is the tip plus
-// sigma^2 times the way to the other end (quarter points; Barsoum, Int. J. Num. Meth. Eng. 10, 1976), where sigma runs
-// from 0 at the tip to 1, and the nodes' functions span 1, sigma and sigma^3: openings have square roots of the
-// distance and their products with whole powers, and nothing else.
+// Geometry x(xi) = c0 + c1 odd(xi) + c2 even(xi) of an element; straight when c2 vanishes. With a crack tip at one end,
+// x is the tip plus sigma^2 times the vector to the other end (quarter points; Barsoum, Int. J. Num. Meth. Eng. 10,
+// 1976), where sigma runs from 0 at the tip to 1. The shape functions then span 1, sigma and sigma^3, so that openings
+// have square roots of the distance and their products with whole powers, and nothing else.
 struct ElementGeometry {
   Point c0, c1, c2;
   ElementBasis basis{};
@@ -97,7 +97,7 @@ struct ElementGeometry {
 
   Point at(double xi) const { return c0 + basis.odd(xi) * c1 + basis.even(xi) * c2; }
   Point derivative(double xi) const { return basis.odd_slope(xi) * c1 + basis.even_slope(xi) * c2; }
-  // On a straight line with a parameter proportional to the length.
+  // Whether the element is straight, with a parameter proportional to the length.
   bool straight() const { return c2.squaredNorm() <= 1e-24 * c1.squaredNorm(); }
 
   // Shape functions of the nodes (start, mid, end).
@@ -109,7 +109,7 @@ struct ElementGeometry {
     if (tip != TipEnd::none) return tip_shape_derivative(xi);
     return nodal(basis.odd_slope(xi), basis.even_slope(xi), 0);
   }
-  // All of them at once.
+  // Derivative, shape functions and their derivatives at once.
   struct Values {
     Point derivative;
     std::array<double, 3> shape, shape_derivative;
@@ -122,7 +122,7 @@ struct ElementGeometry {
     std::array<double, 3> shape;
   };
   Quotients quotients(double xi, double from) const { return quotients(basis.quotients(xi, from)); }
-  // Both at from + way, way not 0, from sines and cosines that several points may have in common.
+  // Values and quotients at from + way, way not 0, from sines and cosines that several points may share.
   struct Seen {
     Values values;
     Quotients quotients;
@@ -160,14 +160,14 @@ struct ElementGeometry {
   }
 };
 
-// Element through its nodes; `sweep` is the angle by which the tangent turns along an arc, 0 for a parabola or a
+// Element through three nodes; `sweep` is the angle by which the tangent turns along an arc, 0 for a parabola or a
 // straight element.
 ElementGeometry element_through(const Point& start, const Point& mid, const Point& end, double sweep);
 
-// Straight element that ends at a crack tip; `start` and `end` in its own direction.
+// Straight element that ends at a crack tip; `start` and `end` are in the element's own direction.
 ElementGeometry tip_element(const Point& start, const Point& end, TipEnd tip);
 
-// Outward normal times the Jacobian |dx/dxi|: the body lies on the left.
+// Outward normal times the Jacobian |dx/dxi|; the body lies on the left of the element.
 inline Point scaled_normal(const Point& derivative) { return {derivative.y(), -derivative.x()}; }
 
 // Part of an element within -1 <= xi <= 1, in either direction.

@@ -14,8 +14,8 @@ namespace bempd::bem {
 
 namespace {
 
-// Groups of elements of which no two share a node: one group can be assembled by many threads without conflict, and
-// sums keep their order.
+// Groups of elements in which no two share a node: many threads can assemble one group without conflict, and sums keep
+// their order.
 std::vector<std::vector<int>> independent_groups(const std::vector<GalerkinElement>& elements, int nodes) {
   const int count = static_cast<int>(elements.size());
   std::vector<std::vector<int>> groups, touching(nodes);
@@ -50,12 +50,13 @@ class Assembler {
     matrices.double_layer.setZero(2 * nodes, 2 * traction_nodes);
   }
 
-  // All pairs whose outer element is given, in columns of it: `single_layer` and `hypersingular` are to be completed by
-  // adding their transposes.
+  // Adds all pairs with the given outer element, in columns of that element. assemble_galerkin() completes
+  // `single_layer` and `hypersingular` by adding their transposes.
   std::int64_t add_outer(int outer) {
     std::int64_t evaluations = 0;
     const GalerkinElement& x = elements_[outer];
-    // The rows of integral equations belong to the boundary.
+    // Rows of the integral equations belong to the boundary, so a crack element as outer one has only crack elements
+    // inside.
     for (int inner = x.crack ? outer : 0; inner < static_cast<int>(elements_.size()); ++inner) {
       if (inner % 32 == 0) check_cancelled();
       if (elements_[inner].piece != x.piece) continue;
@@ -90,7 +91,8 @@ class Assembler {
 
   void add_double_layer(int outer, int inner, const PairMoments& m) {
     const GalerkinElement &x = elements_[outer], &y = elements_[inner];
-    // Nothing is subtracted from openings: the constants whose forces vanish are those of the boundary.
+    // An inner crack element has three functions: no constant is subtracted from openings, because only constant
+    // boundary displacements are free of forces.
     const int functions = y.crack ? 3 : 6;
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < functions; ++b) {
@@ -105,7 +107,7 @@ class Assembler {
   PairBlocks blocks_;
 };
 
-// Visits the lower triangle by square tiles, so that the rows of a tile and its columns both stay in the cache.
+// Visits the lower triangle in square tiles, so that the rows and the columns of a tile stay in the cache.
 template <class Visit>
 void each_in_lower(Eigen::Index size, const Visit& visit) {
   constexpr Eigen::Index tile = 32;
@@ -115,7 +117,7 @@ void each_in_lower(Eigen::Index size, const Visit& visit) {
         for (Eigen::Index i = std::max(row, j); i < std::min(row + tile, size); ++i) visit(i, j);
 }
 
-// Lower triangle of a + a^T, in place.
+// Replaces a by the lower triangle of a + a^T.
 void complete_lower(Eigen::MatrixXd& a) {
   each_in_lower(a.rows(), [&](Eigen::Index i, Eigen::Index j) { a(i, j) += a(j, i); });
 }

@@ -10,7 +10,7 @@
 
 namespace bempd::bem {
 
-// An element of the boundary, or of a crack: then its nodes are those of openings, and it has no tractions.
+// Element of the boundary or of a crack. A crack element's nodes are those of openings, and it has no tractions.
 struct GalerkinElement {
   ElementGeometry geometry;
   std::array<int, 3> nodes;
@@ -33,7 +33,7 @@ struct GalerkinMatrices {
 // traction, so it has columns in B and D only.
 struct KnownBlocks;
 
-// Blocks that are known of another body are taken over (kept_blocks.hpp).
+// Assembles the matrices; blocks that are known from another body are copied (kept_blocks.hpp).
 GalerkinMatrices assemble_galerkin(const std::vector<GalerkinElement>& elements, int nodes, int traction_nodes,
                                    double nu, const AssemblyOptions& options, const KnownBlocks* known = nullptr);
 

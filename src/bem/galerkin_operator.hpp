@@ -9,17 +9,17 @@
 
 namespace bempd::bem {
 
-// Symmetric Galerkin boundary element operator of one elastic body: displacements of the boundary nodes to nodal
-// forces,
+// Symmetric Galerkin boundary element operator of one elastic body, which maps displacements of the boundary nodes to
+// nodal forces,
 //   K = h G [D + B^T V^-1 B],
 // with the single layer V, the Galerkin rows B of the boundary integral equation and the hypersingular operator D, in
-// lengths over the body's diagonal and stresses over the shear modulus (Sirtori 1979; Bonnet, Maier and Polizzotto,
-// Appl. Mech. Rev. 51, 1998). D is integrated by parts twice, so that only ln r is left of it.
+// units of the body's diagonal and of the shear modulus (Sirtori 1979; Bonnet, Maier and Polizzotto, Appl. Mech. Rev.
+// 51, 1998). D is integrated by parts twice, which leaves only a ln r kernel.
 class GalerkinOperator final : public BoundaryOperator {
  public:
   GalerkinOperator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const AssemblyOptions& options = {});
 
-  // Symmetric positive semidefinite; the only motions without force are the rigid ones.
+  // Stiffness, symmetric positive semidefinite; only rigid motions have no force.
   const Eigen::MatrixXd& stiffness() const override { return stiffness_; }
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }

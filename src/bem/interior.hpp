@@ -13,12 +13,12 @@
 
 namespace bempd::bem {
 
-// Displacement and stress inside a body from its boundary values, by Somigliana's identity. The linear field that has
-// the displacement, tangential strain and traction of the nearest boundary point is taken out first and put back in
-// closed form: what is integrated vanishes where the kernels are singular, so points may lie arbitrarily close to the
-// boundary. On the boundary itself its own traction and strain give the stress, with the better slopes of
-// boundary_slopes.hpp. (Inside they would do harm: what makes the displacements of a Galerkin solution good on average
-// is lost with them.)
+// Displacement and stress inside a body from its boundary values, by Somigliana's identity. The linear field with the
+// displacement, tangential strain and traction of the nearest boundary point is subtracted first and added back in
+// closed form. The integrand then vanishes where the kernels are singular, so points may lie arbitrarily close to the
+// boundary. On the boundary itself the stress follows from traction and tangential strain there, with the better slopes
+// of boundary_slopes.hpp. (Better slopes would do harm inside: a Galerkin solution's displacements are good on average,
+// which the correction spoils.)
 class InteriorEvaluator {
  public:
   struct Value {
@@ -30,19 +30,19 @@ class InteriorEvaluator {
   InteriorEvaluator(const BoundaryMesh& mesh, const PlaneElasticity& elasticity, const Eigen::VectorXd& displacements,
                     const Eigen::VectorXd& tractions);
 
-  // The body's cracks with their openings; beyond them nothing changes.
+  // Sets the body's cracks with their openings, whose field is added to that of the boundary.
   void set_cracks(CrackField cracks) { cracks_ = std::move(cracks); }
 
-  // On a crack the values are those of its left face, or of the right one.
+  // Chooses the face of a crack whose values are returned on the crack: the left one or the right one.
   void look_from_right(bool right) {
     if (cracks_) cracks_->look_from_right(right);
   }
 
   // Throws Error (argument) at the tip of a crack, where the stress is infinite.
   Value at(const Point& x) const;
-  // Stress that the boundary and all cracks but one element give at the place x.
+  // Stress at the place x from the boundary and all crack elements but one.
   Eigen::Vector3d stress_without(const Point& x, int crack_element) const;
-  // On the boundary itself, seen from one element: traction and tangential strain there (xi from -1 to 1).
+  // Stress on the boundary from the traction and tangential strain of one element (xi from -1 to 1).
   Eigen::Vector3d stress_on(int element, double xi) const;
   Point displacement_at(const Point& x) const;
 
@@ -53,8 +53,8 @@ class InteriorEvaluator {
   struct LinearField;
   struct Sums;
 
-  // Change of an element's displacement derivative along xi that brings it to the better slopes at its ends, and leaves
-  // the displacements of its nodes alone: the derivative of xi (xi^2 - 1) (odd + even xi).
+  // Change of an element's displacement derivative along xi that gives it the better slopes at its ends and leaves the
+  // nodal displacements alone: the derivative of xi (xi^2 - 1) (odd + even xi).
   struct SlopeCorrection {
     Point odd = Point::Zero(), even = Point::Zero();
 
@@ -66,7 +66,7 @@ class InteriorEvaluator {
   LinearField matching_field(const Nearest& nearest, const Point& displacement_derivative) const;
   Point remainder(int element, double xi, const Nearest& nearest, const LinearField& field) const;
   Value evaluate(const Point& x, bool with_stress) const;
-  // What the boundary gives, scaled.
+  // Contribution of the boundary, scaled.
   Value from_boundary(const Point& x, const Nearest& nearest, bool with_stress) const;
   void integrate(int element, const Interval& interval, const Point& x, const Nearest& nearest,
                  const LinearField& field, bool with_stress, int depth, Sums& sums) const;

@@ -7,9 +7,9 @@
 
 namespace bempd::bem {
 
-// Kelvin's solution: a point force in the infinite plane-strain body of unit shear modulus, field point x + r with
-// distance vector r from the force. Index order: direction of the force, then component of the result
-// (Brebbia and Dominguez, Boundary Elements, 2nd ed., section 3.4).
+// Kelvin's solution: a point force in the infinite plane-strain body of unit shear modulus, with the field point at the
+// distance vector r from the force. Index order: direction of the force, then component of the result (Brebbia and
+// Dominguez, Boundary Elements, 2nd ed., section 3.4).
 struct KelvinSolution {
   double nu;  // effective Poisson's ratio
 
@@ -33,7 +33,7 @@ struct KelvinSolution {
     return factor * t;
   }
 
-  // Stress (xx, yy, xy) at the point x of sources at x + r: kernel of the traction `t` and of the displacement `u` on
+  // Stress (xx, yy, xy) at the point x from sources at x + r: kernels of the traction t and of the displacement u on
   // the surface element with the given normal, so that stress = integral of from_traction - from_displacement.
   Eigen::Vector3d stress_from_traction(const Point& r, const Point& t) const {
     const double r2 = r.squaredNorm(), rt = r.dot(t);

@@ -6,8 +6,8 @@
 
 namespace bempd::bem {
 
-// What a body has in common with one whose cracks are others: nodes around which all elements are the same, so that
-// their blocks in the matrices are.
+// Nodes that a body has in common with the body before its cracks changed: all elements around them are the same, so
+// their blocks in the matrices are the same, too.
 struct KeptNodes {
   std::vector<int> nodes, traction_nodes;    // of the other body, by node; -1 for what is new
   bool whole_boundary = false;               // with its traction nodes in their order
@@ -15,8 +15,8 @@ struct KeptNodes {
   std::vector<int> pieces, traction_pieces;  // of the body, on which nodes lie
 
   bool has(const GalerkinElement& element) const;
-  // Whether integrals over a pair of elements are known. What keeps B's rows of boundary nodes free of forces in rigid
-  // motions sums over the whole boundary.
+  // Whether integrals over a pair of elements are known. Rows of B on boundary nodes need the whole boundary to be the
+  // same: the term that removes forces in rigid motions sums over all of it.
   bool has(const GalerkinElement& outer, const GalerkinElement& inner) const {
     return has(outer) && has(inner) && (whole_boundary || outer.crack || inner.crack);
   }
@@ -30,16 +30,16 @@ struct KeptNodes {
 KeptNodes kept_nodes(const std::vector<GalerkinElement>& before, const std::vector<GalerkinElement>& elements,
                      int boundary_nodes, int nodes, int traction_nodes);
 
-// The other body's matrices, D being whole, as a source of blocks.
+// Matrices of the other body as a source of blocks; D has both triangles.
 struct KnownBlocks {
   const KeptNodes& kept;
   const GalerkinMatrices& matrices;
 };
 
-// Copies all blocks of nodes that are kept.
+// Copies all blocks of kept nodes.
 void copy_kept(const KnownBlocks& known, GalerkinMatrices& matrices);
 
-// Two components a node: columns, or rows and columns, that are kept.
+// Copies kept columns, or kept rows and columns, two components a node.
 void copy_kept_columns(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to);
 void copy_kept_blocks(const std::vector<int>& kept, const Eigen::MatrixXd& from, Eigen::MatrixXd& to);
 

@@ -1,6 +1,6 @@
 #include "bem/kernel_sums.hpp"
 
-// Functions that pass whole vectors are inlined.
+// The warning concerns calls that pass vectors; these functions are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #include "bem/lanes.hpp"
@@ -14,16 +14,16 @@ constexpr int weak_count = 3, strong_count = 4;
 
 using Row = ElementPoints::Values;  // a value for every outer point
 
-// Kernels at all pairs of points, a row of outer points for every inner one.
+// Kernels at all pairs of points, with a row of outer points for every inner one.
 struct KernelTable {
   alignas(64) Row at[kernel_count][max_regular_points];
 };
 
-// Functions of the outer element's nodes, side by side for every point.
+// Shape functions of the outer element, side by side for every point.
 template <std::size_t points>
 using NodeWeights = double[points][padded_nodes];
 
-// All of it with a given number of lanes, so that it can be compiled for several instruction sets.
+// All sums for a given number of lanes, so that they can be compiled for several instruction sets.
 template <int lanes>
 class Sums {
  public:
@@ -68,7 +68,7 @@ class Sums {
  private:
   using SingularRow = SingularPoints::Values;
 
-  // Times the weights, a row of radii for every angle.
+  // Kernels times weights, with a row of radii for every angle.
   struct SingularTable {
     SingularRow at[kernel_count][SingularPoints::most_angles];
   };
@@ -95,7 +95,7 @@ class Sums {
     }
   }
 
-  // One outer point a radius: first the sums over angles.
+  // Adds the integrals where each radius has one outer point: sums over angles come first.
   [[gnu::always_inline]] static void add_by_rows(const SingularPoints& points, const SingularTable& table,
                                                  PairPart part, PairMoments& moments) {
     const SingularPoints::Side& outer = points.outer[0];
@@ -124,7 +124,7 @@ class Sums {
 
   using Functions = std::array<SingularRow, 3> SingularPoints::Side::*;
 
-  // Over the angles, kernels times the inner element's functions, and the bare kernels.
+  // Sums over the angles of kernels times the inner element's functions, and of the kernels alone.
   [[gnu::always_inline]] static void sum_angles(const SingularPoints& points, const SingularRow* kernel,
                                                 Functions functions, SingularRow* rows, SingularRow& bare) {
     for (int p = 0; p < points.radii; p += lanes) {
@@ -159,7 +159,7 @@ class Sums {
     }
   }
 
-  // Over all points, kernels times functions of the outer element times one of the inner element, or of its own.
+  // Sums over all points of kernels times functions of the outer element, times one of the inner element or of its own.
   [[gnu::always_inline]] static void add_products(const SingularPoints& points, const SingularRow* kernel,
                                                   Functions of_outer, bool own, Functions of_other, int b,
                                                   PairMoments::Column& column) {
@@ -177,7 +177,7 @@ class Sums {
       for (int lane = 0; lane < lanes; ++lane) column[a] += sums[a][lane];
   }
 
-  // A constant has no slope: kept exactly, slender bodies lose half a digit less.
+  // A constant has no slope, so the middle column is minus the sum of the others; exact sums help slender bodies.
   [[gnu::always_inline]] static void complete_block(PairMoments::Block& block) {
     for (int a = 0; a < padded_nodes; ++a) block[1][a] = -(block[0][a] + block[2][a]);
     for (PairMoments::Column& column : block) column[1] = -(column[0] + column[2]);
@@ -203,7 +203,7 @@ class Sums {
     }
   }
 
-  // Sums of the same vectors times three numbers each.
+  // Sums of vectors times three numbers each.
   struct Three {
     Values a{}, b{}, c{};
     [[gnu::always_inline]] void add(double for_a, double for_b, double for_c, const Values& v) {
@@ -218,7 +218,7 @@ class Sums {
     }
   };
 
-  // Adds over inner points three functions times the kernel: a row for each function.
+  // Sums over inner points three functions times the kernel: one row for each function.
   [[gnu::always_inline]] static void sum_inner(int outer_count, int count, const Row (&kernel)[max_regular_points],
                                                const std::array<Row, 3>& f, Row* rows) {
     for (int p = 0; p < outer_count; p += 2 * lanes) {
@@ -236,8 +236,8 @@ class Sums {
     }
   }
 
-  // The inner shape functions add to one, so that their sums add to that of the bare kernel, which goes with the outer
-  // shape functions.
+  // Appends the functions of the outer element: since the inner shape functions add to one, their sums add to that of
+  // the bare kernel, which is multiplied by the outer shape functions.
   [[gnu::always_inline]] static void append_own_nodes(const ElementPoints& outer, Row* rows) {
     for (int p = 0; p < outer.count; p += lanes) {
       const Values minus_bare = -(load<Values>(&rows[0][p]) + load<Values>(&rows[1][p]) + load<Values>(&rows[2][p]));
@@ -254,7 +254,7 @@ class Sums {
     }
   }
 
-  // Adds over outer points three rows times the functions of the outer nodes: a column for each row.
+  // Sums over outer points three rows times the outer shape functions: one column for each row.
   template <std::size_t points>
   [[gnu::always_inline]] static void sum_outer(int count, const std::array<double, points>* rows,
                                                const NodeWeights<points>& weights, PairMoments::Column* columns) {

@@ -6,8 +6,8 @@
 
 namespace bempd::bem {
 
-// Numbers that go through the vector unit together. Everything that takes or gives them is inlined for good: how they
-// are passed between functions depends on the instruction set that a function is compiled for.
+// Numbers that the vector unit handles together. All functions with vector arguments are always inlined: how vectors
+// are passed depends on the instruction set that a function is compiled for.
 template <int count>
 struct Lanes;
 
@@ -57,7 +57,7 @@ template <int count>
   const Values m = reinterpret_cast<Values>((shifted & mantissa) + root_of_half);
   const Values above = m + 1, both = 1 / (x * above);
   const Values s = (m - 1) * (x * both), square = s * s;
-  // Odd and even powers side by side: they do not wait for each other.
+  // Odd and even powers are summed apart, so that they do not wait for each other.
   const Values fourth = square * square;
   const Values odd = 1.0 / 3 + fourth * (1.0 / 7 + fourth * (1.0 / 11 + fourth * (1.0 / 15 + fourth * (1.0 / 19))));
   const Values even = 1.0 / 5 + fourth * (1.0 / 9 + fourth * (1.0 / 13 + fourth * (1.0 / 17)));

@@ -11,7 +11,7 @@ namespace bempd::bem {
 
 namespace {
 
-// A motion of the piece needs no force; its pivot is rounding.
+// Pivot over the diagonal below which an opening is a motion of the piece without force.
 constexpr double least_pivot = 1e-12;
 
 std::vector<Eigen::Index> components_of(const std::vector<int>& nodes) {
@@ -22,7 +22,7 @@ std::vector<Eigen::Index> components_of(const std::vector<int>& nodes) {
 
 }  // namespace
 
-// Puts the nodes into their order and says how many components of openings, the first ones, are known.
+// Orders the nodes and returns how many components of openings, the first ones, are known from before.
 Eigen::Index OpeningElimination::take_over(const OpeningElimination& before, Eigen::Index displacements,
                                            const std::vector<int>& kept) {
   const int first = static_cast<int>(displacements / 2), count = static_cast<int>(kept.size());
@@ -73,7 +73,7 @@ void OpeningElimination::compute(const Eigen::MatrixXd& full, Eigen::Index displ
   copy_lower_to_upper(stiffness_);
 }
 
-// The rows of L and of L^-1 K_wu behind those that are known.
+// Computes the rows of L and of L^-1 K_wu behind those that are known.
 void OpeningElimination::factorize(const Eigen::MatrixXd& full, Eigen::Index displacements, Eigen::Index known) {
   const std::vector<Eigen::Index> rows = components_of(order_);
   const std::vector<Eigen::Index> front(rows.begin(), rows.begin() + known), fresh(rows.begin() + known, rows.end());

@@ -5,9 +5,9 @@
 
 namespace bempd::bem {
 
-// Eliminates the openings from a stiffness on displacements u and openings w, two components a node: K_ww = L L^T, with
-// nodes in an order of its own, in which those that stay the same while cracks grow come first, so that what was
-// computed for them is taken over.
+// Eliminates the openings w from a stiffness on displacements u and openings w, two components a node: K_ww = L L^T.
+// The nodes have an order of their own, in which those that stay the same while cracks grow come first, so that their
+// part of L is taken over.
 class OpeningElimination {
  public:
   // `before` is that of a body with other cracks, and `kept` the nodes of its unknowns by those here, -1 for new ones.

@@ -38,7 +38,7 @@ PairMoments PairBlocks::moments(int outer, int inner, PairPart part) const {
   if (outer == inner) return integrator_.integrate(outer, inner, Contact::same, part);
   const GalerkinElement &x = elements_[outer], &y = elements_[inner];
   if (y.crack && part == PairPart::everything) part = PairPart::without_mass;
-  // Openings have no common node in the sense that counts: nothing of theirs is subtracted.
+  // Openings are integrated as if they had no common node: nothing is subtracted from them.
   const Contact contact = x.crack || y.crack ? Contact::none : contact_of(x, y);
   if (contact == Contact::none)
     for (int i = 0; i < 2; ++i)

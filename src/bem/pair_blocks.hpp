@@ -10,19 +10,18 @@
 
 namespace bempd::bem {
 
-// Blocks of the Galerkin matrices that two elements give, x on the outer one and y on the inner one, by the nodes a of
-// the outer and b of the inner one. They are here to be expanded where they are added up: calls would cost as much as
-// the sums.
+// Blocks of the Galerkin matrices from a pair of elements, x on the outer and y on the inner one, by the nodes a of the
+// outer and b of the inner one. They are in the header for inlining: calls would cost as much as the sums.
 class PairBlocks {
  public:
   PairBlocks(const std::vector<GalerkinElement>& elements, double nu, double quadrature_tolerance);
 
   PairMoments moments(int outer, int inner, PairPart part) const;
 
-  // Half of the blocks of an element with itself: they come back with the transpose.
+  // Block of the single layer; half of it for an element with itself, whose transpose is added later.
   Eigen::Matrix2d single_layer(int outer, int inner, const PairMoments& m, int a, int b) const {
     const double single = (outer == inner ? 0.5 : 1.0) * single_;
-    // Trace part 1/2 of e e^T: a product of integrals here, nothing in the closed loops of D.
+    // Trace part 1/2 of e e^T: a product of integrals here; its sum over the closed loops vanishes in D.
     const double trace = 0.5 * node_lengths_[outer][a] * node_lengths_[inner][b];
     return single * symmetric_block(trace - (3 - 4 * nu_) * m.mass[0][b][a], m.mass[1][b][a], m.mass[2][b][a]);
   }
@@ -32,7 +31,7 @@ class PairBlocks {
     return hyper * symmetric_block(-m.derivative[0][b][a], m.derivative[1][b][a], m.derivative[2][b][a]);
   }
 
-  // Transposed; b as in PairMoments::double_layer.
+  // Transposed block of the double layer; b as in PairMoments::double_layer.
   Eigen::Matrix2d double_layer(const PairMoments& m, int a, int b) const {
     const auto& moment = m.double_layer;
     const double rotation = (1 - 2 * nu_) * moment[1][b][a];
@@ -44,7 +43,7 @@ class PairBlocks {
   }
 
  private:
-  // isotropic * I + (cosine, sine; sine, -cosine).
+  // The matrix isotropic * I + (cosine, sine; sine, -cosine).
   static Eigen::Matrix2d symmetric_block(double isotropic, double cosine, double sine) {
     Eigen::Matrix2d block;
     block << isotropic + cosine, sine, sine, isotropic - cosine;

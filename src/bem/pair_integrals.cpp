@@ -23,7 +23,7 @@ Distances distances_between(const std::array<Point, 3>& outer, const std::array<
 }
 
 constexpr int largest_rule = static_cast<int>(regular_point_counts.size()) - 1;
-// About as much work as alongside() does.
+// Largest number of short pairs, which cost about as much as alongside().
 constexpr std::size_t most_short_pairs = 256;
 
 double closest_singularity(const ElementGeometry& element, const Interval& interval,
@@ -59,8 +59,8 @@ const ElementPoints& PairIntegrator::points(const Side& side, int rule, ElementP
   return scratch;
 }
 
-// Up to most_short_pairs + 1 of them, on the stack: memory of a thread's own would have to be registered for its end,
-// for which the C library ends the process where memory is missing.
+// List of up to most_short_pairs + 1 pairs, on the stack: thread-local memory would have to be registered for its
+// destruction, and the C library ends the process when memory for that is missing.
 class PairIntegrator::ShortPairs {
  public:
   void add(const ShortPair& pair) { new (memory_ + sizeof(ShortPair) * size_++) ShortPair(pair); }
@@ -73,9 +73,9 @@ class PairIntegrator::ShortPairs {
   alignas(ShortPair) std::byte memory_[sizeof(ShortPair) * (most_short_pairs + 1)];
 };
 
-// The kernels are analytic along one stretch, seen from a point of the other one, up to the complex parameter at which
-// r vanishes. On a straight one that is where its line meets the other point, whose distances to both ends are real
-// distances in the plane.
+// Nearness of the singularity of one stretch, seen from a point of the other one. The kernels are analytic up to the
+// complex parameter at which r vanishes. On a straight stretch that parameter lies where its line meets the other
+// point, whose distances from both ends are real distances in the plane.
 PairIntegrator::Nearness PairIntegrator::nearness(const Stretch& own, const std::array<double, 3>& sums,
                                                   const Stretch& other) const {
   const Side& side = own.side;
@@ -97,7 +97,7 @@ PairIntegrator::Closeness PairIntegrator::closeness(const Stretch& outer, const 
           nearness(inner, {d[0][0] + d[0][2], d[1][0] + d[1][2], d[2][0] + d[2][2]}, outer)};
 }
 
-// False when it takes more pairs than are worth it.
+// Halves both sides until a rule serves; returns false when it takes more pairs than are worth it.
 bool PairIntegrator::halve(const Stretch& outer, const Stretch& inner, int depth, ShortPairs& pairs) const {
   constexpr int max_depth = 60;
   const Closeness close = closeness(outer, inner);
@@ -143,7 +143,7 @@ PairMoments PairIntegrator::integrate(int outer, int inner, Contact contact, Pai
       touching({outer, {-1, 1}}, {inner, {1, -1}}, true, part, moments);
       break;
     case Contact::both_ends:
-      // Two elements that form a loop: halves with the same sign are apart, opposite ones touch.
+      // Two elements that form a loop: their halves with the same sign are apart, opposite ones touch.
       touching({outer, {1, 0}}, {inner, {-1, 0}}, true, part, moments);
       touching({outer, {-1, 0}}, {inner, {1, 0}}, true, part, moments);
       apart(stretch({outer, {0, 1}}), stretch({inner, {0, 1}}), part, moments);

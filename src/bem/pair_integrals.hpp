@@ -12,14 +12,14 @@
 
 namespace bempd::bem {
 
-// Three nodes in whole vectors.
+// Length of rows for three nodes, padded to whole vectors.
 inline constexpr int padded_nodes = 4;
 
-// Double integrals over a pair of elements, x on `outer` and y on `inner`, r = y - x, from which the Galerkin blocks
-// of every operator follow. With e = r / |r| = (cos, sin) the kernels are
+// Double integrals over a pair of elements, x on `outer` and y on `inner`, r = y - x, from which the Galerkin blocks of
+// every operator follow. With e = r / |r| = (cos, sin) the kernels are
 //   weakly singular:  ln r,  (e_x^2 - e_y^2) / 2,  e_x e_y   (e e^T without its trace part),
 //   double layer:     (e . n) / r, (n x e) / r, and the first one times the last two of the line above,
-// n being the normal at y.
+// where n is the normal at y.
 struct PairMoments {
   using Column = std::array<double, padded_nodes>;  // outer nodes
   using Block = std::array<Column, 3>;              // inner nodes
@@ -30,11 +30,12 @@ struct PairMoments {
   std::int64_t evaluations = 0;             // point pairs at which kernels were evaluated
 };
 
-// Which integrals a pair needs: the weakly singular kernels are symmetric, so one order of the pair is enough; an inner
-// element of a crack, which has no tractions, needs no `mass`, and two of them need `derivative` only.
+// Selection of the integrals that a pair needs. The weakly singular kernels are symmetric, so one order of the pair is
+// enough; an inner crack element has no tractions and needs no `mass`; a pair of crack elements needs `derivative`
+// only.
 enum class PairPart { everything, without_mass, double_layer_only, derivative_only };
 
-// The points of a rule on a whole element, found when they are first asked for by whichever thread: few rules are.
+// Points of a rule on a whole element, computed by the first thread that asks for them: few rules are used.
 class PointTable {
  public:
   PointTable() = default;
@@ -57,19 +58,19 @@ class PointTable {
 // How two elements meet; the outer element's end is named first.
 enum class Contact { none, same, end_to_start, start_to_end, both_ends };
 
-// Integrates over pairs of elements, each pair with the relative error `tolerance`. Pairs apart: products of Gauss
-// rules, halving intervals until they are short enough for their distance. Pairs that lie along each other at a small
+// Integrates over pairs of elements, each pair with the relative error `tolerance`. Pairs apart use products of Gauss
+// rules on intervals halved until they are short enough for their distance. Pairs that lie along each other at a small
 // distance, as on the two sides of a slit, would take as many halves as they are longer than that distance: there the
-// inner integral is split anew for every outer point, and the work grows with the square of a logarithm. Touching
-// pairs: polar-like coordinates around the common point, in which all that is singular is a factor ln(radius).
+// inner integral is split anew for every outer point, and the work grows with the square of a logarithm. Touching pairs
+// use polar-like coordinates around the common point, in which only a factor ln(radius) is singular.
 class PairIntegrator {
  public:
   PairIntegrator(const std::vector<ElementGeometry>& elements, double tolerance);
 
   PairMoments integrate(int outer, int inner, Contact contact, PairPart part) const;
 
-  // Two elements whose ends meet at a place (0: start, 1: end) where each has a node of its own, as at the mouth of a
-  // crack. The terms of the double layer in N_b(y) and in N_b(x) are integrable each for itself.
+  // Integrals over two elements whose ends meet at a place (0: start, 1: end) where each has a node of its own, as at
+  // the mouth of a crack. The terms of the double layer in N_b(y) and in N_b(x) are integrable separately.
   PairMoments integrate_meeting(int outer, int outer_end, int inner, int inner_end, PairPart part) const;
 
  private:
@@ -77,7 +78,7 @@ class PairIntegrator {
     int element;
     Interval interval;
   };
-  // A side, with what the choice of its rule depends on.
+  // A side (part of an element) with the quantities that its choice of rule depends on.
   struct Stretch {
     Side side;
     std::array<Point, 3> sample;  // ends and middle
@@ -86,7 +87,7 @@ class PairIntegrator {
     bool straight;
   };
   Stretch stretch(const Side& side) const;
-  // Two sides short enough for their distance, with their rules.
+  // Two sides that are short enough for their distance, with their rules.
   struct ShortPair {
     Side outer, inner;
     int outer_rule, inner_rule;
@@ -97,7 +98,8 @@ class PairIntegrator {
     int rule;
   };
   void apart(const Stretch& outer, const Stretch& inner, PairPart part, PairMoments& moments) const;
-  // The sum of distances and the rule that it asks for; larger than the largest rule if a side is too long.
+  // Sum of distances of the nearest singularity, and the rule that it needs; larger than the largest rule if a side is
+  // too long.
   struct Nearness {
     double sum;
     int rule;

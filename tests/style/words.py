@@ -27,7 +27,7 @@ import sys
 FOLDERS = ("include", "src", "tests", "bindings", "examples", "benchmarks")
 
 # Folders in which no block may begin without its subject: one a line; the list grows until it is `src` and the others.
-CLEAN: tuple[str, ...] = ("include",)
+CLEAN: tuple[str, ...] = ("include", "src/bem")
 
 PREPOSITIONS = """About Above Across After Against Ahead Along Alongside Among Apart Around As Aside At Away Before Behind Below
     Beneath Beside Besides Between Beyond By Despite During Except For From In Inside Instead Into Like Near Of Off On Onto
@@ -78,7 +78,9 @@ def line_blocks(path: str, lines: list[str], mark: str) -> list[Block]:
         while end < len(lines) and lines[end].lstrip().startswith(mark):
             end += 1
         text = "\n".join(re.sub(rf"^\s*{mark}[/!>]*\s?", "", line) for line in lines[start:end])
-        if re.match(r"[A-Za-z]", text.strip()) and not re.match(r"(NOLINT|SPDX|clang-format|SAFETY)", text.strip()):
+        indent = len(lines[start]) - len(lines[start].lstrip())
+        goes_on = start > 0 and lines[start - 1][:indent].strip() and lines[start - 1][indent:].startswith(mark)
+        if not goes_on and re.match(r"[A-Za-z]", text.strip()) and not re.match(r"(NOLINT|SPDX|clang-format|SAFETY)", text.strip()):
             found.append(Block(path, start + 1, text, code_behind(lines, end)))
         start = end
     return found
