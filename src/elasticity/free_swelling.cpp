@@ -8,7 +8,7 @@ namespace bempd {
 
 namespace {
 
-// Of the largest strain: a field given by formulas is linear up to its rounding.
+// Share of the largest strain up to which a field counts as linear: formulas have rounding errors.
 constexpr double least_bend = 1e-10;
 
 }  // namespace
@@ -26,7 +26,7 @@ std::optional<FreeSwelling> FreeSwelling::through(const std::vector<Point>& plac
     terms.row(i) << 1, arm.x(), arm.y();
     values.row(i) = swelling(places[static_cast<std::size_t>(i)]).transpose();
   }
-  // A uniform one stays so to the last digit.
+  // A uniform field stays uniform to the last digit.
   Eigen::Matrix<double, 3, 2> found = Eigen::Matrix<double, 3, 2>::Zero();
   found.row(0) = values.row(0);
   if ((values.rowwise() - values.row(0)).cwiseAbs().maxCoeff() > 0) {

@@ -5,7 +5,7 @@
 
 namespace bempd {
 
-// A force per volume that grows with the place x: uniform [N/m^3] and growth [N/m^4] times x.
+// Force per volume that is linear in the place x: uniform [N/m^3] plus growth [N/m^4] times x.
 struct BodyForce {
   Point uniform = Point::Zero();
   double growth = 0;
@@ -17,12 +17,11 @@ struct BodyForce {
   Point at(const Point& x) const { return growth == 0 ? uniform : Point(uniform + growth * x); }
 };
 
-// A state of an infinite plane body under such a force, which is b + k r at a distance r from a centre near the body,
-// for the sake of digits. Of the constant part b, stresses
+// State of an infinite plane body under a linear body force, which is b + k r at a distance r from a centre near the
+// body (near it for accuracy). The constant part b has the stresses
 //   sigma_xx = -b_x x,  sigma_yy = -b_y y,  sigma_xy = 0,
-// which satisfy div sigma + b = 0 and, being linear, are compatible, with the quadratic displacements that belong to
-// them; of k r, the radial displacement -k r^3 / (8 c11) (Timoshenko and Goodier, Theory of Elasticity, 3rd ed.,
-// section 30).
+// which satisfy div sigma + b = 0 and, being linear, are compatible, with quadratic displacements. The part k r has the
+// radial displacement -k r^3 / (8 c11) (Timoshenko and Goodier, Theory of Elasticity, 3rd ed., section 30).
 class LinearBodyForce {
  public:
   LinearBodyForce(const PlaneElasticity& elasticity, const BodyForce& force, const Point& centre)
@@ -38,7 +37,7 @@ class LinearBodyForce {
   Point displacement(const Point& place) const {
     return growth_ == 0 ? quadratic(place) : Point(quadratic(place) + cubic(place));
   }
-  // Its parts that are homogeneous in the distance from the centre.
+  // Part of the displacement that is quadratic in the distance from the centre; cubic() is the other part.
   Point quadratic(const Point& place) const {
     const Point r = place - centre_;
     return {-0.5 * along_ * b_.x() * r.x() * r.x() - across_ * (b_.y() * r.x() * r.y() - 0.5 * b_.x() * r.y() * r.y()),
@@ -52,7 +51,7 @@ class LinearBodyForce {
   const Point& centre() const { return centre_; }
   const Point& at_centre() const { return b_; }  // the force [N/m^3]
 
-  // xx, yy, xy [Pa].
+  // Stress xx, yy, xy [Pa] at a place.
   Eigen::Vector3d stress(const Point& place) const {
     const Point r = place - centre_;
     const Eigen::Vector3d constant(-b_.x() * r.x(), -b_.y() * r.y(), 0);

@@ -18,10 +18,10 @@ struct RayFunctions {
   Eigen::Matrix<Complex, 2, 4> displacement, force;
 };
 
-// Complex potentials phi = a z^lambda, psi = b z^lambda; their conjugates have constants c and d of their own, so that
-// everything is analytic in lambda (M. L. Williams, J. Appl. Mech. 19, 1952; England, Complex Variable Methods in
-// Elasticity, 1971, section 3.7): 2 mu (u + i v) = kappa phi - z conj(phi') - conj(psi), and the resultant force on the
-// arc from a fixed point is -i (phi + z conj(phi') + conj(psi)) times the thickness.
+// Functions of complex potentials phi = a z^lambda, psi = b z^lambda; their conjugates have constants c and d of their
+// own, so that everything is analytic in lambda (M. L. Williams, J. Appl. Mech. 19, 1952; England, Complex Variable
+// Methods in Elasticity, 1971, section 3.7): 2 mu (u + i v) = kappa phi - z conj(phi') - conj(psi), and the resultant
+// force on the arc from a fixed point is -i (phi + z conj(phi') + conj(psi)) times the thickness.
 RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasticity& e, double modulus) {
   const Complex up = std::exp(i_unit * lambda * angle), down = 1.0 / up;
   const Complex turn = std::exp(2.0 * i_unit * angle), ahead = turn * down, behind = up / turn;
@@ -40,7 +40,7 @@ RayFunctions functions_on(double angle, const Complex& lambda, const PlaneElasti
   return result;
 }
 
-// The determinant of all conditions on the rays: 0 where a displacement r^lambda fulfils them.
+// Determinant of all conditions on the rays: 0 where a displacement r^lambda satisfies them.
 class WedgeEquations {
  public:
   explicit WedgeEquations(const Wedge& wedge) : wedge_(wedge) {
@@ -99,7 +99,7 @@ class WedgeEquations {
   std::vector<double> from_;
 };
 
-// Free or held all round up to a straight angle stress is bounded.
+// Whether stress is bounded for certain: one sector up to a straight angle that is free on both sides, or held on both.
 bool is_surely_bounded(const Wedge& wedge) {
   if (wedge.sectors.size() != 1 || wedge.closed) return false;
   const int held = wedge.held[0];
@@ -111,7 +111,8 @@ bool is_surely_bounded(const Wedge& wedge) {
 
 std::optional<std::complex<double>> singular_exponent(const Wedge& wedge) {
   if (is_surely_bounded(wedge)) return std::nullopt;
-  // Translations are solutions with the exponent 0, rotations and constant stresses with 1.
+  // Exponents next to 0 and 1 are left out: translations are solutions with the exponent 0, rotations and constant
+  // stresses with 1.
   constexpr double least = 0.01, most_imaginary = 1;
   return linalg::leftmost_root(WedgeEquations(wedge), {least, largest_singular_exponent}, most_imaginary);
 }

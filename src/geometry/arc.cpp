@@ -10,7 +10,8 @@ namespace bempd {
 
 namespace {
 
-// Fractions of an arc, also beyond its ends, for a point of its circle; the one nearest to the arc's middle.
+// Fraction of a point on the arc's circle, possibly beyond the ends of the arc; of all, the one nearest to the arc's
+// middle.
 double fraction_on_circle(const Arc& arc, const Point& p) {
   const Point centre = arc.centre(), middle = arc.at(0.5) - centre, r = p - centre;
   return 0.5 + std::atan2(cross(middle, r), middle.dot(r)) / arc.sweep;
@@ -25,8 +26,8 @@ double fraction_beyond_ends(const Arc& arc, const Point& p) {
   return arc.straight() ? fraction_on_line(arc, p) : fraction_on_circle(arc, p);
 }
 
-// Points that the circle of `arc` has in common with the line or circle of `other`: foot on the line of symmetry plus
-// and minus half the common chord. A miss by rounding counts as touching.
+// Points that the circle of `arc` has in common with the line or circle of `other`: the foot on the line of symmetry
+// plus and minus half the common chord. A miss by rounding counts as touching.
 std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   const Point centre = arc.centre();
   const double radius = (arc.start - centre).norm();
@@ -50,7 +51,7 @@ std::vector<Point> common_points(const Arc& arc, const Arc& other) {
   return {foot - half * along, foot + half * along};
 }
 
-// Lower bound of the distance: that of the chords less what the arcs bulge out of them.
+// Piece of an arc with its chord; two pieces are at least as far apart as their chords less what the arcs bulge out.
 struct Piece {
   Arc arc;
   double reach() const { return std::abs(arc.sagitta()); }
@@ -82,7 +83,7 @@ double Arc::length() const {
 
 Point Arc::at(double fraction) const {
   if (straight()) return chord().at(fraction);
-  // From the nearer end, so that both ends are met exactly.
+  // The point is computed from the nearer end, so that both ends are met exactly.
   const auto from = [](const Point& origin, const Point& towards, double turning, double part) -> Point {
     const double ratio = std::sin(0.5 * part * turning) / std::sin(0.5 * turning);
     return origin + ratio * turned(towards - origin, -0.5 * (1 - part) * turning);
@@ -119,12 +120,12 @@ double closest_fraction(const Arc& arc, const Point& p) {
   double fraction =
       std::abs(arc.sweep) < nearly_straight ? fraction_on_line({arc.start, arc.end}, p) : fraction_on_circle(arc, p);
   if (fraction <= 0 || fraction >= 1) {
-    // The circle's nearest place is off the arc: one of its ends is the closest.
+    // The arc does not reach to the nearest place of the circle: one of its ends is the closest.
     const double to_start = (p - arc.start).squaredNorm(), to_end = (p - arc.end).squaredNorm();
     if (std::abs(arc.sweep) >= nearly_straight) return to_start <= to_end ? 0.0 : 1.0;
     fraction = std::clamp(fraction, 0.0, 1.0);
   }
-  // The centre of a flat arc is far away and known to few digits: Newton's method from there.
+  // Newton's method improves the result: the centre of a flat arc is far away and known to few digits.
   for (int iteration = 0; iteration < 4; ++iteration) {
     const Point r = p - arc.at(fraction), t = arc.tangent(fraction);
     const double stretch = 1 - curvature * cross(t, r);
@@ -139,7 +140,7 @@ bool in_circular_segment(const Arc& arc, const Point& p) {
   const Point d = arc.end - arc.start;
   const double left = cross(d, p - arc.start);
   if ((arc.sweep > 0) == (left > 0)) return false;
-  // Within the circle: the theorem of inscribed angles, without the centre.
+  // The theorem of inscribed angles tells whether the point is within the circle, without its centre.
   return (p - arc.start).dot(p - arc.end) < left / std::tan(0.5 * arc.sweep);
 }
 
@@ -162,7 +163,7 @@ std::optional<Point> find_contact(const Arc& a, const Arc& b, double tolerance) 
 }
 
 std::array<Arc, 2> biarc(const Point& start, const Point& start_tangent, const Point& end, const Point& end_tangent) {
-  // With the joint start + d t0 + d (towards): |end - start - d (t0 + t1)| = 2 d.
+  // The joint is start + d t0 + d times the unit vector towards end - d t1, so that |end - start - d (t0 + t1)| = 2 d.
   const Point v = end - start, t = start_tangent + end_tangent;
   const double a = 2 * (1 - start_tangent.dot(end_tangent)), b = 2 * v.dot(t), c = -v.squaredNorm();
   const double d = -2 * c / (b + std::sqrt(b * b - 4 * a * c));

@@ -7,8 +7,8 @@
 
 namespace bempd {
 
-// Piece of an edge that two regions share, body on either side. Fractions run along each edge from its start; the edges
-// run against each other, so from < to and other_from > other_to, and other_from belongs to the same place as from.
+// Piece of an edge that two regions share, with a body on either side. Fractions run along each edge from its start.
+// The edges run against each other, so from < to and other_from > other_to; other_from is the same place as from.
 struct Contact {
   int region, edge;
   double from, to;
@@ -23,15 +23,15 @@ struct Overlap {
   Point where;
 };
 
-// A point where regions touch without all of them being connected there through shared pieces of boundary: a material
-// hinge. Each group is connected in itself; the groups only share the point.
+// Point where regions touch without all of them being connected there through shared pieces of boundary: a material
+// hinge. Each group is connected in itself; the groups share only the point.
 struct PointTouch {
   Point where;
   std::vector<std::vector<int>> groups;
 };
 
 struct Arrangement {
-  // Every shared piece appears twice, once for either side; sorted by region, edge and from.
+  // Shared pieces, each once for either side; sorted by region, edge and from.
   std::vector<Contact> contacts;
   // [region][edge]: sorted fractions in (0, 1) where a vertex of another region touches the edge or a contact starts or
   // ends. The fractions of the contacts are these numbers exactly, or 0 or 1.
@@ -40,8 +40,8 @@ struct Arrangement {
   std::vector<PointTouch> hinges;
 };
 
-// How sound outlines (check_outline) lie against each other. Places closer than the geometric tolerance of all of them
-// together count as one.
+// Finds how sound outlines (check_outline) lie against each other. Places closer than the geometric tolerance of all of
+// them together count as one.
 Arrangement arrange(const std::vector<Outline>& regions);
 
 }  // namespace bempd

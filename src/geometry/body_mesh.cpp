@@ -20,7 +20,7 @@ double turning_of(const Edge& edge) {
   return sum;
 }
 
-// Fractions at which sides end: the places asked for, and as many between as the size wants.
+// Fractions at which sides end: those of the given places, and as many between them as the size requires.
 std::vector<double> side_ends(const Edge& edge, const std::vector<Point>& places, double size, double tolerance) {
   std::vector<double> fixed{0, 1};
   for (const Point& place : places)
@@ -44,8 +44,8 @@ Point centre_of_circle(const Point& a, const Point& b, const Point& c) {
   return a + across / (2 * cross(ab, ac));
 }
 
-// Ruppert's refinement (J. Algorithms 18, 1995): circles over sides stay empty, so that sides are triangles' sides, and
-// centres of the circles of triangles that are too large or too thin become points.
+// Ruppert's refinement (J. Algorithms 18, 1995): circles over sides are kept empty, so that sides are sides of
+// triangles, and the circumcentres of triangles that are too large or too thin become points.
 class BodyMesher {
  public:
   BodyMesher(const std::vector<Edge>& boundary, double size)
@@ -126,7 +126,7 @@ bool BodyMesher::has_points_in_circle(const Side& side) const {
   return std::any_of(points_.begin(), points_.end(), [&](const Point& p) { return in_circle_over(side, p); });
 }
 
-// At its middle, on the true outline; false if it is as short as sides may be.
+// Splits a side at its middle, on the true outline; false if the side is already as short as allowed.
 bool BodyMesher::split(std::size_t number) {
   const Side side = sides_[number];
   if (length(side) < 2 * smallest_) return false;
@@ -156,7 +156,7 @@ bool BodyMesher::split_crowded_by(const Point& place) {
   return any;
 }
 
-// The point that a triangle of the body needs, if it does.
+// Point that a triangle of the body needs because it is too large or too thin; empty if it needs none.
 std::optional<Point> BodyMesher::missing_in(const Delaunay::Triangle& triangle) const {
   if (!triangle.there || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) return std::nullopt;
   const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
@@ -198,7 +198,7 @@ BodyMesh BodyMesher::result() const {
     if (!triangle.there || *std::min_element(triangle.points.begin(), triangle.points.end()) < 0) continue;
     const Point &a = point(triangle.points[0]), &b = point(triangle.points[1]), &c = point(triangle.points[2]);
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    // Flat ones lie between an edge and points on it, which are rounded.
+    // Flat triangles are left out: they lie between an edge and points on it that are rounded.
     if (cross(b - a, c - a) > 1e-6 * longest && inside((a + b + c) / 3)) mesh.triangles.push_back(triangle.points);
   }
   for (const Side& side : sides_)

@@ -8,8 +8,8 @@
 
 namespace bempd {
 
-// The inside of a body as triangles, for pictures: of about one size, smaller where the outline and the cracks ask for
-// it. Cracks are sides of triangles.
+// Triangulation of the inside of a body for pictures. Triangles have about one size, and are smaller where the outline
+// or cracks require it; cracks are sides of triangles.
 struct BodyMesh {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;  // counter-clockwise

@@ -8,7 +8,7 @@ namespace bempd {
 
 namespace {
 
-// Of a coordinate that was computed in a few steps.
+// Relative rounding error of a coordinate that was computed in a few steps.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 Point point_at(const Panel& panel, double fraction) {

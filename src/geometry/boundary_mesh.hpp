@@ -26,8 +26,8 @@ struct Panel {
 };
 
 // Closed boundary of one body: the outer loop counter-clockwise, holes clockwise, every panel continuing the last one.
-// Displacement nodes are shared along each loop; the traction space is continuous inside a panel and double at its
-// ends, so that tractions may jump there.
+// Displacement nodes are shared along each loop. The traction space is continuous inside a panel and has two nodes at
+// its ends, so that tractions may jump there.
 struct BoundaryMesh {
   std::vector<Point> nodes;
   std::vector<BoundaryElement> elements;
@@ -43,8 +43,8 @@ bool differ_by_translation(const BoundaryMesh& a, const BoundaryMesh& b);
 // Largest angle by which an element may turn: eight elements for a full circle.
 inline constexpr double largest_element_sweep = 0.7853981633974483;  // pi / 4
 
-// Element ends for a piece of the given length and sweep: `count = ceil(length / target)` equal elements when
-// `grading` is 1; otherwise neighbours' lengths differ by the factor `grading` >= 1, growing from both ends.
+// Element ends for a piece of the given length and sweep: `count = ceil(length / target)` equal elements when `grading`
+// is 1; otherwise the lengths of neighbours differ by the factor `grading` >= 1, growing from both ends.
 std::vector<double> element_stations(double length, double target, double grading = 1.0, double sweep = 0.0);
 
 }  // namespace bempd

@@ -7,7 +7,8 @@
 
 namespace bempd {
 
-// A polyline; `id` is for messages. So many segments at its ends have been added by growth.
+// Polyline of a crack; `id` is for messages. grown_at_start and grown_at_end count the segments that growth has added
+// at its ends.
 struct CrackPath {
   int id;
   std::vector<Point> points;
@@ -17,7 +18,7 @@ struct CrackPath {
   bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
 };
 
-// Piece of a crack between the places where it ends, meets another one or reaches the boundary.
+// Piece of a crack between the places where it ends, meets another crack or reaches the boundary.
 struct CrackLine {
   int crack;  // position of the path
   std::vector<Point> points;
@@ -28,7 +29,7 @@ struct CrackLine {
   double length() const;
 };
 
-// A place where lines meet each other or, at a mouth, the boundary.
+// Place where lines meet each other or, at a mouth, the boundary.
 struct CrackJoint {
   Point place;
   bool mouth;
@@ -39,8 +40,8 @@ struct CrackLines {
   std::vector<CrackJoint> joints;
 };
 
-// Parts cracks inside a body where they meet; `boundary` holds all its edges. Throws Error (argument) for cracks that
-// leave the body, run along its boundary or along each other, or fold back onto themselves.
+// Parts the cracks inside a body where they meet; `boundary` holds all its edges. Throws Error (argument) for cracks
+// that leave the body, run along its boundary or along each other, or fold back onto themselves.
 CrackLines crack_lines(const std::vector<CrackPath>& paths, const std::vector<Edge>& boundary, double tolerance);
 
 }  // namespace bempd

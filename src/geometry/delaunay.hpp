@@ -8,13 +8,13 @@
 
 namespace bempd {
 
-// Delaunay triangulation of points that come one after the other (Bowyer and Watson 1981). Places are rounded to whole
-// numbers, 2^23 to either side of the box's centre, so that every decision is exact.
+// Delaunay triangulation of points that are inserted one after the other (Bowyer and Watson 1981). Coordinates are
+// rounded to whole numbers, 2^23 to either side of the box's centre, so that every decision is exact.
 class Delaunay {
  public:
   explicit Delaunay(const Box& box);
 
-  // Its number; that of a point before it at the same rounded place.
+  // Number of the point; if an earlier point has the same rounded place, the number of that point.
   int insert(const Point& p);
 
   struct Triangle {
@@ -22,7 +22,7 @@ class Delaunay {
     std::array<int, 3> neighbours;  // across from the points; -1 outside the frame
     bool there = true;
   };
-  // Those with `there` unset have gone.
+  // All triangles ever made; those with `there` unset have been removed.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   // Triangles that the last insertion made.
   const std::vector<int>& fresh() const { return fresh_; }
@@ -32,7 +32,7 @@ class Delaunay {
   struct Place {
     std::int64_t x, y;
   };
-  // A side that can be seen from the new point, with the triangle beyond it.
+  // Side of the cavity that can be seen from the new point, with the triangle beyond it.
   struct Rim {
     std::array<int, 2> points;
     int beyond;

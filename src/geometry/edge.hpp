@@ -29,13 +29,13 @@ class Edge {
   double length() const;
   Point at(double fraction) const;
   Point tangent(double fraction) const;
-  // Part within one arc.
+  // Part of the edge that lies within one of its arcs.
   Arc part(double from, double to) const;
 
   Point start, end;
 
  private:
-  // The arc at a fraction, which becomes a fraction of that arc.
+  // Arc at a fraction; the fraction becomes that of the arc.
   const Arc& piece_at(double& fraction) const;
 
   std::array<Arc, 2> pieces_;

@@ -7,13 +7,13 @@
 
 namespace bempd {
 
-// The edges of a body, found by place.
+// Edges of a body with a tree that finds them by place.
 struct EdgeTree {
   explicit EdgeTree(std::vector<Edge> all);
 
   // Whether an edge comes as close to the point as the tolerance.
   bool passes(const Point& p, double tolerance) const;
-  // As the function of the same name for all edges.
+  // Location of a point as locate() of all edges finds it, faster.
   Location locate(const Point& p, double tolerance) const;
 
   std::vector<Edge> edges;

@@ -8,8 +8,8 @@
 
 namespace bempd {
 
-// Body bounded by closed loops of edges: loops[0] is the outer loop, counter-clockwise; the others are holes,
-// clockwise, so that every edge has the body on its left. Vertices and edges are numbered through all loops and edge k
+// Body bounded by closed loops of edges. loops[0] is the outer loop, counter-clockwise; the others are holes,
+// clockwise, so that every edge has the body on its left. Vertices and edges are numbered through all loops; edge k
 // starts at vertex k.
 struct Outline {
   std::vector<std::vector<Point>> loops;
@@ -23,14 +23,14 @@ std::vector<Edge> edges_of(const Outline& outline);
 
 Box bounding_box(const Outline& outline);
 
-// Distance below which two places count as one: 1e-9 of the box's diagonal, but never less than what rounding of the
-// coordinates themselves makes of one place (this matters for small bodies far from the origin).
+// Distance below which two places count as one: 1e-9 of the box's diagonal, but never less than the rounding of the
+// coordinates themselves (this matters for small bodies far from the origin).
 double geometric_tolerance(const Box& box);
 
-// Positive for a counter-clockwise loop.
+// Area inside a loop, positive for a counter-clockwise one.
 double signed_area(const std::vector<Edge>& loop);
 
-// Area of the body, holes taken out.
+// Area of the body without its holes.
 double area(const Outline& outline);
 
 enum class Location { inside, on_boundary, outside };
@@ -39,7 +39,7 @@ enum class Location { inside, on_boundary, outside };
 Location locate(const std::vector<Edge>& boundary, const Point& p, double tolerance);
 Location locate(const Outline& outline, const Point& p, double tolerance);
 
-// A point well inside a sound outline of straight edges, at half the width that the body has across its longest edge.
+// Point well inside a sound outline of straight edges, at half the width that the body has across its longest edge.
 Point some_interior_point(const Outline& outline);
 
 }  // namespace bempd

@@ -8,7 +8,7 @@ namespace bempd {
 
 namespace {
 
-// Squares and fourth powers of coordinates must stay within the range of a double.
+// Largest coordinate: its square and fourth power must stay within the range of a double.
 constexpr double largest_coordinate = 1e75;
 
 struct Loop {
@@ -33,7 +33,7 @@ Box widened(const Box& box, double tolerance) {
 OutlineCheck check_vertices(const Loop& loop) {
   for (int k = 0; k < loop.size(); ++k) {
     const Point& p = loop.vertices[k];
-    // Written so that NaN fails.
+    // The comparison is written so that NaN fails.
     if (!(std::abs(p.x()) <= largest_coordinate && std::abs(p.y()) <= largest_coordinate))
       return defect_in(loop, OutlineDefect::not_finite, k, -1, p);
   }
@@ -48,7 +48,7 @@ OutlineCheck check_lengths(const Loop& loop, double tolerance) {
   return {};
 }
 
-// Consecutive edges always meet in one vertex; they may not meet again, nor turn back there.
+// Finds consecutive edges that turn back: they meet in one vertex and may not meet again.
 OutlineCheck check_spike(const Loop& loop, int k, double tolerance) {
   const int next = (k + 1) % loop.size();
   const Edge &a = loop.edge(k), &b = loop.edge(next);
@@ -94,7 +94,7 @@ OutlineCheck check_contact(const Loop& a, const Loop& b, OutlineDefect defect, d
   return {};
 }
 
-// Only for loops that do not meet: then one vertex decides for all.
+// Whether a loop lies within another one that it does not meet, so that one vertex decides for all.
 bool lies_within(const Loop& inner, const Loop& outer) {
   return outer.boundary.locate(inner.vertices[0], 0) == Location::inside;
 }

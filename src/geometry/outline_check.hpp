@@ -17,8 +17,8 @@ enum class OutlineDefect {
   holes_overlap       // two holes cross or touch (edge_a, edge_b) or one lies in the other (-1)
 };
 
-// The first defect found. `loop` is the loop at fault (for pairs of loops the later one); edges are numbered through
-// all loops, -1 where none applies; edge k starts at vertex k.
+// First defect found. `loop` is the loop at fault (of a pair of loops, the later one); edges are numbered through all
+// loops, -1 where none applies; edge k starts at vertex k.
 struct OutlineCheck {
   OutlineDefect defect = OutlineDefect::none;
   int loop = -1;

@@ -7,7 +7,7 @@ namespace bempd {
 
 namespace {
 
-// More cells along one side than this cannot be meant and come too close to the tolerance.
+// Largest number of cells along one side: more cannot be intended and come too close to the tolerance.
 constexpr double most_cells_along_a_side = 1e6;
 
 struct Frame {
@@ -24,7 +24,7 @@ bool usable_spacing(double spacing, const Box& box, double tolerance) {
   return spacing > 4 * tolerance && box.sizes().maxCoeff() / spacing <= most_cells_along_a_side;
 }
 
-// All lengths that the lattice must divide: edges, and the position of holes.
+// Lengths that the lattice must divide: those of edges, and the positions of holes.
 std::vector<double> lengths_of(const Outline& outline) {
   std::vector<double> lengths;
   for (const Edge& edge : edges_of(outline)) lengths.push_back(edge.direction().cwiseAbs().maxCoeff());
@@ -91,8 +91,8 @@ LatticeOutline to_lattice(const Outline& outline, const Frame& frame) {
   return result;
 }
 
-// Euclid's algorithm with remainders below the tolerance taken as zero; 0 if only a measure close to the tolerance
-// is left.
+// Common measure by Euclid's algorithm, with remainders below the tolerance taken as zero; 0 if only a measure close to
+// the tolerance remains.
 double common_measure(const std::vector<double>& lengths, double tolerance) {
   double measure = 0;
   for (double length : lengths) {
@@ -118,7 +118,7 @@ double rounded_to_digits(double value, int digits) {
   return exponent >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
-// The spacing measure / parts, written with as few digits as divide all lengths; 0 if it is no short number.
+// Spacing measure / parts, written with as few digits as still divide all lengths; 0 if it is no short number.
 double short_spacing(double exact, const std::vector<double>& lengths, double tolerance) {
   for (int digits = 1; digits <= 4; ++digits) {
     const double rounded = rounded_to_digits(exact, digits);
@@ -127,8 +127,8 @@ double short_spacing(double exact, const std::vector<double>& lengths, double to
   return 0;
 }
 
-// The spacing nearest to `wanted` among measure / parts for parts = first, first + step, ..., a short number if there
-// is one within reach.
+// Spacing nearest to `wanted` among measure / parts for parts = first, first + step, ...; a short number if there is
+// one within reach.
 double nearest_spacing(double wanted, double measure, double first, double step, const std::vector<double>& lengths,
                        double tolerance) {
   const auto within_reach = [&](double parts) {

@@ -9,7 +9,7 @@ namespace bempd {
 
 using LatticePoint = Eigen::Vector2i;
 
-// Outline whose edges follow a square lattice. Lattice point (i, j) is at origin + spacing * (i, j); the origin is the
+// Outline whose edges follow a square lattice. Lattice point (i, j) is at origin + spacing * (i, j). The origin is the
 // lower left corner of the bounding box, so that all numbers are >= 0.
 struct LatticeOutline {
   Point origin = Point::Zero();
@@ -32,8 +32,8 @@ struct LatticeFit {
   int edge = -1;
   int loop = -1;
   double length = 0;
-  // For lengths that do not divide: spacings close to the wanted one, smallest first, that fit the whole outline. Short
-  // decimal numbers are preferred. Empty if the lengths have no useful common measure.
+  // Suggested spacings where lengths do not divide: close to the wanted one, smallest first, fitting the whole outline.
+  // Short decimal numbers are preferred. Empty if the lengths have no useful common measure.
   std::vector<double> suggestions;
   LatticeOutline outline;  // only without misfit
 

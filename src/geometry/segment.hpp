@@ -27,7 +27,7 @@ struct Crossing {
   double fraction_a, fraction_b;
 };
 
-// The crossing of two segments whose ends lie strictly on opposite sides of each other; decided without tolerance.
+// Crossing of two segments whose ends lie strictly on opposite sides of each other; decided without tolerance.
 std::optional<Crossing> proper_crossing(const Segment& a, const Segment& b);
 
 struct Approach {

@@ -6,7 +6,7 @@
 
 namespace bempd {
 
-// A direction turned counterclockwise by an angle in radians.
+// Direction turned counter-clockwise by an angle in radians.
 inline Point turned(const Point& direction, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * direction.x() - s * direction.y(), s * direction.x() + c * direction.y()};
