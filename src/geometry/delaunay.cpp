@@ -84,7 +84,7 @@ int Delaunay::insert(const Point& p) {
   fresh_.clear();
   const int first = triangle_at(at);
   for (const int point : triangles_[static_cast<std::size_t>(first)].points) {
-    // The same place computed in two ways may be rounded to two neighbours, which count as one.
+    // Two ways to compute a place may round it to neighbouring grid points, which count as one.
     if (std::abs(place(point).x - at.x) <= 1 && std::abs(place(point).y - at.y) <= 1) return point;
   }
   const std::vector<Rim> rim = open_cavity(first, at);
