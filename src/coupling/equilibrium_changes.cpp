@@ -26,10 +26,10 @@ constexpr double most_columns_over_root = 2;
 
 }  // namespace
 
-std::vector<StageChange> EquilibriumSystem::all_gone(std::span<const int> terms) const {
+std::vector<StageChange> EquilibriumSystem::all_broken(std::span<const int> terms) const {
   std::vector<StageChange> changes;
   changes.reserve(terms.size());
-  for (int t : terms) changes.push_back({t, terms_.law_of(static_cast<std::size_t>(t)).gone()});
+  for (int t : terms) changes.push_back(terms_.breaking(t));
   return with_followers(std::move(changes));
 }
 
@@ -42,11 +42,11 @@ void EquilibriumSystem::collect_followers() {
 
 std::vector<StageChange> EquilibriumSystem::with_followers(std::vector<StageChange> changes) const {
   if (followers_of_.value.empty()) return changes;
-  for (const int gone : gone_with(changes)) {
-    for (const int follower : followers_of_.of(gone)) {
-      // Gone before, but for a mark that commit() has not caught up with.
+  for (const int broken : terms_.broken_by(changes)) {
+    for (const int follower : followers_of_.of(broken)) {
+      // This follower broke before; commit() may not have caught up with its mark.
       if (present_stiffness_[follower] == 0) continue;
-      changes.push_back({follower, terms_.law_of(static_cast<std::size_t>(follower)).gone()});
+      changes.push_back(terms_.breaking(follower));
     }
   }
   const auto before = [](const StageChange& a, const StageChange& b) { return a.term < b.term; };
@@ -57,14 +57,14 @@ std::vector<StageChange> EquilibriumSystem::with_followers(std::vector<StageChan
 }
 
 std::int64_t EquilibriumSystem::count_broken(std::span<const StageChange> changes) const {
-  const std::vector<int> gone = gone_with(changes);
-  return std::count_if(gone.begin(), gone.end(), [&](int term) { return !terms_.follows(term); });
+  const std::vector<int> broken = terms_.broken_by(changes);
+  return std::count_if(broken.begin(), broken.end(), [&](int term) { return !terms_.follows(term); });
 }
 
 void EquilibriumSystem::mark(std::span<const StageChange> changes) {
   for (const StageChange& c : changes) {
     stages_[c.term] = static_cast<std::uint8_t>(c.stage);
-    intact_[c.term] = c.stage < terms_.law_of(static_cast<std::size_t>(c.term)).gone() ? 1 : 0;
+    intact_[c.term] = terms_.is_broken(static_cast<std::size_t>(c.term), c.stage) ? 0 : 1;
   }
 }
 
@@ -76,14 +76,6 @@ void EquilibriumSystem::enter(const StageChange& change) {
 double EquilibriumSystem::stiffness_after(const StageChange& change) const {
   const TermLaw& law = terms_.law_of(static_cast<std::size_t>(change.term));
   return law.stiffness_share(change.stage) * terms_.stiffness[change.term];
-}
-
-std::vector<int> EquilibriumSystem::gone_with(std::span<const StageChange> changes) const {
-  std::vector<int> gone;
-  for (const StageChange& c : changes) {
-    if (c.stage >= terms_.law_of(static_cast<std::size_t>(c.term)).gone()) gone.push_back(c.term);
-  }
-  return gone;
 }
 
 void EquilibriumSystem::set_stages(std::span<const StageChange> changes) {

@@ -70,7 +70,7 @@ class EquilibriumSystem {
   // Nodes of each dense operator, or of each piece of one, and those tied to them: a body that cannot break.
   const std::vector<std::vector<int>>& dense_bodies() const { return bodies_; }
 
-  // Stage of every term in its law, and whether it is not gone.
+  // Stage of every term in its law, and whether it is not broken.
   const std::vector<std::uint8_t>& stages() const { return stages_; }
   const std::vector<char>& intact() const { return intact_; }
   // Stiffness of every term in its stage.
@@ -88,11 +88,9 @@ class EquilibriumSystem {
     return terms_.law_of(static_cast<std::size_t>(term)).critical_share(stages_[term]);
   }
   double stiffness_after(const StageChange& change) const;
-  // Those of some terms that are gone with their changes.
-  std::vector<int> gone_with(std::span<const StageChange> changes) const;
-  // And what follows them: the changes by ascending terms, each once.
+  // Some changes and the breaks of all terms that follow what they break: by ascending terms, each once.
   std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
-  // How many of the terms that are gone with changes do not merely follow.
+  // How many of the terms that changes break do not merely follow.
   std::int64_t count_broken(std::span<const StageChange> changes) const;
   const std::vector<HoldingSpring>& springs() const { return springs_; }
 
@@ -161,10 +159,10 @@ class EquilibriumSystem {
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
-  // The same for terms that are gone at once, and what follows them.
-  void mark_broken(std::span<const int> terms) { mark(all_gone(terms)); }
+  // The same for terms that break at once, and what follows them.
+  void mark_broken(std::span<const int> terms) { mark(all_broken(terms)); }
   void commit_break(std::span<const int> terms, std::span<const HoldingSpring> springs) {
-    commit(all_gone(terms), springs);
+    commit(all_broken(terms), springs);
   }
 
   // Replaces the state; the next solve factorizes afresh.
@@ -251,7 +249,7 @@ class EquilibriumSystem {
   const Eigen::SparseMatrix<double>& assemble_to_factorize();
   bool has_load(int part) const;
 
-  std::vector<StageChange> all_gone(std::span<const int> terms) const;
+  std::vector<StageChange> all_broken(std::span<const int> terms) const;
   void enter(const StageChange& change);
   void add_pulls(int term, double size, int column, std::vector<Eigen::Triplet<double>>& entries) const;
   void change_factor(const std::vector<Eigen::Triplet<double>>& entries, int columns, linalg::Change change);

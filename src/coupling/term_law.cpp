@@ -8,7 +8,7 @@
 namespace bempd::coupling {
 
 TermLaw::TermLaw(std::vector<Stage> stages) : stages_(std::move(stages)) {
-  require(!stages_.empty() && gone() <= 255, "a law has ", stages_.size(), " stages; give 1 to 255 of them");
+  require(!stages_.empty() && broken_stage() <= 255, "a law has ", stages_.size(), " stages; give 1 to 255 of them");
   const auto is_share = [](double value) { return std::isfinite(value) && value > 0; };
   for (const Stage& s : stages_) {
     require(is_share(s.stiffness_share) && is_share(s.critical_share), "a stage of a law has the stiffness share ",

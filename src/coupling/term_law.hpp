@@ -7,7 +7,7 @@
 namespace bempd::coupling {
 
 // What a term goes through: in every stage it has a share of its virgin stiffness and a critical elongation, as a share
-// of its own critical one; what reaches it is in the next stage. After the last of these stages the term is gone.
+// of its own critical one; what reaches it is in the next stage. After the last of these stages the term is broken.
 class TermLaw {
  public:
   struct Stage {
@@ -24,12 +24,14 @@ class TermLaw {
   bool operator==(const TermLaw&) const = default;
 
   const std::vector<Stage>& stages() const { return stages_; }
-  int gone() const { return static_cast<int>(stages_.size()); }
-  double stiffness_share(int stage) const { return stage < gone() ? stages_[stage].stiffness_share : 0; }
+  // The stage that follows the last of these. This is the one place that says whether a term is broken.
+  int broken_stage() const { return static_cast<int>(stages_.size()); }
+  bool is_broken(int stage) const { return stage >= broken_stage(); }
+  double stiffness_share(int stage) const { return is_broken(stage) ? 0 : stages_[stage].stiffness_share; }
   double critical_share(int stage) const {
-    return stage < gone() ? stages_[stage].critical_share : std::numeric_limits<double>::infinity();
+    return is_broken(stage) ? std::numeric_limits<double>::infinity() : stages_[stage].critical_share;
   }
-  int after_critical(int stage) const { return stage < gone() ? stage + 1 : stage; }
+  int after_critical(int stage) const { return is_broken(stage) ? stage : stage + 1; }
 
  private:
   std::vector<Stage> stages_;

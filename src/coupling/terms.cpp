@@ -133,4 +133,12 @@ void Terms::add_forces(const std::vector<double>& present_stiffness, const doubl
   }
 }
 
+std::vector<int> Terms::broken_by(std::span<const StageChange> changes) const {
+  std::vector<int> broken;
+  for (const StageChange& c : changes) {
+    if (is_broken(static_cast<std::size_t>(c.term), c.stage)) broken.push_back(c.term);
+  }
+  return broken;
+}
+
 }  // namespace bempd::coupling

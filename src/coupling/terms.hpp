@@ -107,6 +107,12 @@ struct Terms {
   void set_law(int term, int its_law);
   const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
 
+  bool is_broken(std::size_t term, int stage) const { return law_of(term).is_broken(stage); }
+  // The change that breaks a term, whatever stage it is in.
+  StageChange breaking(int term) const { return {term, law_of(static_cast<std::size_t>(term)).broken_stage()}; }
+  // The terms that some changes break.
+  std::vector<int> broken_by(std::span<const StageChange> changes) const;
+
   // True if some term pulls without elongation.
   bool have_offsets() const {
     return has(rest_elongation, 0) || has(rest_elongation, 1) || has(constant_force, 0) || has(constant_force, 1);

@@ -36,7 +36,7 @@ StretchRatios::StretchRatios(const coupling::Terms& terms, std::vector<double> c
 }
 
 void StretchRatios::enter(const std::vector<std::uint8_t>& stages) {
-  for (std::size_t t = 0; t < present_.size(); ++t) present_[t] = stages[t] < terms_.law_of(t).gone() ? 1 : 0;
+  for (std::size_t t = 0; t < present_.size(); ++t) present_[t] = terms_.is_broken(t, stages[t]) ? 0 : 1;
   for (std::size_t t = 0; t < stages_.size(); ++t) {
     if (stages_[t] == stages[t]) continue;
     stages_[t] = stages[t];

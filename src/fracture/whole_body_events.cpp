@@ -100,9 +100,9 @@ WholeBodyEvents::Changing WholeBodyEvents::changing(const coupling::StageChange&
   const BodyState& state = body_.state();
   const auto term = static_cast<std::size_t>(change.term);
   const double* u = state.total_displacement.data();
-  const bool goes = !system_.gone_with({&change, 1}).empty();
+  const bool breaks = terms.is_broken(term, change.stage);
   return {system_.present_stiffness()[term] - system_.stiffness_after(change),
-          goes ? terms.constant(term, 0) + state.load_factor * terms.constant(term, 1) : 0, terms.elongation(term, u),
+          breaks ? terms.constant(term, 0) + state.load_factor * terms.constant(term, 1) : 0, terms.elongation(term, u),
           terms.elastic_elongation(term, u, state.load_factor)};
 }
 
@@ -171,23 +171,24 @@ Outcome WholeBodyEvents::perform() {
   outcome.stored_energy_before = body_.stored_energy();
   remember_faces();
   FreedParts freed;
+  std::vector<int> broken;
   Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
   {
     const Stopwatch watch(body_.seconds_search());
     changing_.clear();
     for (const coupling::StageChange& change : changes) changing_.push_back(changing(change));
-    const std::vector<int> gone = system_.gone_with(changes);
+    broken = system_.terms().broken_by(changes);
     outcome.broken = system_.count_broken(changes);
     system_.mark(changes);
     if (body_.has_fluid()) flow = body_.let_flow();
-    freed = body_.freed_parts().after_break(gone, before);
+    freed = body_.freed_parts().after_break(broken, before);
   }
   system_.commit(changes, freed.springs);
-  body_.faces().note_gone(system_.gone_with(changes), state.faces);
+  body_.faces().note_broken(broken, state.faces);
   body_.update_faces();
   outcome.fragments = freed.fragments;
   if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
-  const HeldMotions held = solve_and_hold(body_, system_.gone_with(changes), before, [&] { return runs_away(); });
+  const HeldMotions held = solve_and_hold(body_, broken, before, [&] { return runs_away(); });
   outcome.fragments += held.fragments;
   const bool pushed = body_.unload_pushed_parts();
   const LoadedBody::Settled settled = body_.settle_contacts(0);

@@ -53,7 +53,7 @@ bool is_sound(const FactorOrigin& origin, const fracture::EvolutionState& state,
   const auto unknowns = static_cast<std::size_t>(scene.system->counters().sparse_unknowns);
   const auto is_stage = [&](const coupling::StageChange& c) {
     return c.term >= 0 && static_cast<std::size_t>(c.term) < terms.size() && c.stage >= 0 &&
-           c.stage <= terms.law_of(static_cast<std::size_t>(c.term)).gone();
+           c.stage <= terms.law_of(static_cast<std::size_t>(c.term)).broken_stage();
   };
   return origin.springs <= state.springs.size() && are_below(origin.places, nodes) &&
          std::all_of(origin.stages.begin(), origin.stages.end(), is_stage) &&

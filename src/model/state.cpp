@@ -31,32 +31,32 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(state.tips.size() >= scene.first_tips && (scene.tip_laws > 0 || state.tips.empty()));
   for (const fracture::GrowingTip& tip : state.tips)
     must(is_sound(tip) && static_cast<std::size_t>(tip.law) < scene.tip_laws);
-  const auto is_gone = [&](std::size_t term) { return state.stages[term] == terms.law_of(term).gone(); };
+  const auto is_broken = [&](std::size_t term) { return terms.is_broken(term, state.stages[term]); };
   std::int64_t broken = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    must(state.stages[t] <= terms.law_of(t).gone());
-    broken += is_gone(t) && !terms.follows(static_cast<int>(t)) ? 1 : 0;
+    must(state.stages[t] <= terms.law_of(t).broken_stage());
+    broken += is_broken(t) && !terms.follows(static_cast<int>(t)) ? 1 : 0;
   }
   for (const coupling::Terms::Following& pair : terms.following)
-    must(!is_gone(static_cast<std::size_t>(pair.leader)) || is_gone(static_cast<std::size_t>(pair.follower)));
+    must(!is_broken(static_cast<std::size_t>(pair.leader)) || is_broken(static_cast<std::size_t>(pair.follower)));
   // Every grown face that the state has is one of a bond that is gone, and the list of closed ones has it.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
-         is_gone(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
+         is_broken(static_cast<std::size_t>(face.term)) && scene.evolution->can_have(face));
   }
   must(state.faces.closed.size() == scene.evolution->initial_faces() + grown.size() &&
        state.faces.closed_inside.size() == scene.system->face_count());
   for (const std::vector<int>& terms_of_event : state.faces.pending)
     for (const int term : terms_of_event)
-      must(term >= 0 && term < static_cast<int>(terms.size()) && is_gone(static_cast<std::size_t>(term)));
+      must(term >= 0 && term < static_cast<int>(terms.size()) && is_broken(static_cast<std::size_t>(term)));
   const std::vector<int>& cut = scene.cut_bonds;
   // A line that has gone on in elements has broken bonds that its crack cuts now.
   const bool both = std::any_of(scene.discretization.cracks.begin(), scene.discretization.cracks.end(),
                                 [](const auto& crack) { return crack.has_elements() && crack.cuts_bonds(); });
   const auto most = static_cast<std::int64_t>(cut.size()) + state.broken_bonds;
   must((both ? broken <= most && broken >= state.broken_bonds : broken == most) &&
-       std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_gone(static_cast<std::size_t>(bond)); }));
+       std::all_of(cut.begin(), cut.end(), [&](int bond) { return is_broken(static_cast<std::size_t>(bond)); }));
   must(fits(saved.continuation, state, scene));
 }
 

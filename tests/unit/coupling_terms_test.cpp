@@ -226,7 +226,7 @@ TEST(Terms, know_whether_all_that_are_wide_follow_others) {
 
 TEST(TermLaw, stages_follow_each_other_until_the_term_is_gone) {
   const TermLaw law({{1, 1}, {0.4, 3}});
-  EXPECT_EQ(law.gone(), 2);
+  EXPECT_EQ(law.broken_stage(), 2);
   EXPECT_EQ(law.after_critical(0), 1);
   EXPECT_EQ(law.after_critical(1), 2);
   EXPECT_EQ(law.after_critical(2), 2);

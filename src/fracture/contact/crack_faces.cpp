@@ -120,7 +120,7 @@ std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) con
   return place ? std::optional(contact_of(*place)) : std::nullopt;
 }
 
-void CrackFaces::note_gone(std::span<const int> terms, FaceState& state) {
+void CrackFaces::note_broken(std::span<const int> terms, FaceState& state) {
   if (are_none()) return;
   gone_.emplace_back(terms.begin(), terms.end());
   state.pending.push_back(gone_.back());

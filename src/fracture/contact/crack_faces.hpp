@@ -39,8 +39,8 @@ class CrackFaces {
   std::size_t initial_count() const { return initial_count_; }
   bool can_have(const GrownFace& face) const;
 
-  // Terms that have gone; their places follow with the next update().
-  void note_gone(std::span<const int> terms, FaceState& state);
+  // Notes terms that have broken; their places follow with the next update().
+  void note_broken(std::span<const int> terms, FaceState& state);
   // New places, and normals of open ones near them where they do not overlap for it at this displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
   // Makes the system's places those of a state, whose stages it has; what is pending there stays so.

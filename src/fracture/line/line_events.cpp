@@ -45,8 +45,7 @@ const Event* LineEvents::tell_birth(const std::vector<int>& most, const Birth& b
   event_ = {load_factor, 0, load_factor, {}};
   event_.reach(body_.ratios().at(static_cast<std::size_t>(bond), load_factor),
                body_.ratios().critical_load_factor(static_cast<std::size_t>(bond), load_factor));
-  for (const int b : bonds)
-    event_.changes.push_back({b, body_.system().terms().law_of(static_cast<std::size_t>(b)).gone()});
+  for (const int b : bonds) event_.changes.push_back(body_.system().terms().breaking(b));
   event_.changes = body_.system().with_followers(std::move(event_.changes));
   birth_ = birth;
   return &event_;
@@ -118,8 +117,7 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
 
 const Event* LineEvents::tell_step(double at) {
   event_ = {at, step_->ratio_at(at), step_->load_factor, {}};
-  for (const int bond : step_->way.bonds)
-    event_.changes.push_back({bond, body_.system().terms().law_of(static_cast<std::size_t>(bond)).gone()});
+  for (const int bond : step_->way.bonds) event_.changes.push_back(body_.system().terms().breaking(bond));
   event_.changes = body_.system().with_followers(std::move(event_.changes));
   return &event_;
 }

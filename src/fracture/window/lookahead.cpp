@@ -271,9 +271,9 @@ bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
     lost.push_back(window_->stiffness_lost(here.back()));
   }
   system_.set_stages(foreseen.event.changes);
-  const std::vector<int> gone = system_.gone_with(foreseen.event.changes);
+  const std::vector<int> broken = system_.terms().broken_by(foreseen.event.changes);
   const auto before = window_->function_values();
-  if (!freed_parts_.frees_nothing(gone, any_displacement_) || !window_->change(here) || !settle_faces(foreseen)) {
+  if (!freed_parts_.frees_nothing(broken, any_displacement_) || !window_->change(here) || !settle_faces(foreseen)) {
     system_.set_stages(foreseen.back);
     return false;
   }

@@ -47,8 +47,7 @@ std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& fores
     return std::nullopt;
   foreseen.event = {at, first->ratio_at(at), first->load_factor, {}};
   foreseen.ties = ties;
-  for (const int bond : first->way.bonds)
-    foreseen.event.changes.push_back({bond, system_.terms().law_of(static_cast<std::size_t>(bond)).gone()});
+  for (const int bond : first->way.bonds) foreseen.event.changes.push_back(system_.terms().breaking(bond));
   // Another bond may come before all steps: where that might count, none is spared.
   for (const LineStep& step : steps)
     if (LineSteps::is_driven(step, way, WindowSettings::surely_driven * std::max(at, from)))

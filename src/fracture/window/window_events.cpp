@@ -113,13 +113,13 @@ void WindowEvents::take(const ForeseenEvent& next) {
   BodyState& state = body_.state();
   const std::vector<coupling::StageChange>& changes = next.event.changes;
   for (const coupling::StageChange& c : changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
-  const std::vector<int> gone = body_.system().gone_with(changes);
+  const std::vector<int> broken = body_.system().terms().broken_by(changes);
   if (!state.tips.empty()) state.tips = next.tips;
   lookahead_.take();
   if (next.faces) {
     take_faces(*next.faces);
   } else {
-    body_.faces().note_gone(gone, state.faces);
+    body_.faces().note_broken(broken, state.faces);
   }
   ++events_performed_;
 }

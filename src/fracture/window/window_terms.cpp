@@ -67,7 +67,7 @@ void WindowTerms::enter(const coupling::StageChange& change) {
   const auto number = static_cast<std::size_t>(numbers_[change.term]);
   const coupling::Terms& terms = of_all_.terms();
   stages_[change.term] = static_cast<std::uint8_t>(change.stage);
-  intact_[change.term] = change.stage < terms.law_of(number).gone() ? 1 : 0;
+  intact_[change.term] = terms.is_broken(number, change.stage) ? 0 : 1;
   if (!intact_[change.term]) ratios_.constant[change.term] = ratios_.proportional[change.term] = 0;
   stiffness_[change.term] = stiffness_after(change);
   scales_.set(static_cast<std::size_t>(change.term), terms, number, of_all_.critical_stretch(number, change.stage));
