@@ -10,19 +10,19 @@
 
 namespace bempd::scene {
 
-// Values along a boundary part as functions of the place: constant and proportional parts, x and y.
+// Values at a place of a boundary part: constant and proportional parts, x and y.
 struct BoundaryValue {
   Point constant = Point::Zero();
   Point proportional = Point::Zero();
 };
-// Of a place and how far along the part it is, as a fraction.
+// Function of a place and of its distance along the part, as a fraction.
 using BoundaryFunction = std::function<BoundaryValue(const Point&, double fraction_of_part)>;
 
-// Equally spaced samples, linear between them; one sample is a uniform value.
+// Values at equally spaced samples, linear between them; one sample is a uniform value.
 struct SampledValues {
   std::vector<double> constant, proportional;
 
-  // At a fraction of the part, 0 .. 1.
+  // Constant part at a fraction of the boundary part, 0 .. 1.
   double constant_at(double fraction) const;
   double proportional_at(double fraction) const;
 
@@ -30,7 +30,7 @@ struct SampledValues {
   void check() const;
 };
 
-// Values at places along a part, linear between them and constant beyond the first and the last one.
+// Values at given places along a part, linear between them, constant before the first and beyond the last one.
 struct PlacedValues {
   std::vector<double> fractions;               // of the part, ascending
   std::vector<double> constant, proportional;  // in x and y at each place
@@ -43,7 +43,7 @@ struct PlacedValues {
 
 using Values = std::variant<SampledValues, BoundaryFunction, PlacedValues>;
 
-// A support or a load. Components: 1 x, 2 y, 3 both.
+// Support or load. Components: 1 x, 2 y, 3 both.
 struct Condition {
   std::shared_ptr<const Place> place;  // null: it was removed
   int components = 0;
@@ -52,7 +52,7 @@ struct Condition {
 
   bool removed() const { return place == nullptr; }
   BoundaryValue value(const Point& where, double fraction_of_part) const;
-  // The same with components that it does not act on at zero.
+  // Value at a place, with 0 in components on which the condition does not act.
   BoundaryValue acting_value(const Point& where, double fraction_of_part) const;
   bool acts_on(int component) const { return (components >> component) & 1; }
 };

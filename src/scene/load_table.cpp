@@ -10,7 +10,7 @@ namespace bempd::scene {
 
 namespace {
 
-// The value at a load factor, for good.
+// Values that stay at what they are at one load factor: no proportional part is left.
 template <class Parts>
 Parts still_at_factor(Parts values, double factor) {
   for (std::size_t i = 0; i < values.constant.size(); ++i) values.constant[i] += factor * values.proportional[i];

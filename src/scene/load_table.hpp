@@ -9,9 +9,9 @@ namespace bempd::scene {
 
 class Scene;
 
-// Factors of supports and loads by time: at a row's time the value of what has a column is its constant part and the
-// factor times its proportional part, and between two rows it goes on a straight line. What has no column takes the
-// time as its factor.
+// Table of factors of supports and loads by time (load program). At a row's time the value of a support or load with a
+// column is its constant part plus the factor times its proportional part; between two rows it is linear in time. A
+// support or load without a column takes the time as its factor.
 struct LoadTable {
   struct Column {
     bool is_support;
@@ -23,10 +23,11 @@ struct LoadTable {
   std::vector<Column> columns;  // none: one column, for all supports and loads
   std::vector<double> factors;  // row by row
 
-  // Throws Error (argument) for tables that cannot be meant, and for columns of what the scene does not have.
+  // Throws Error (argument) for tables without sense, and for columns of supports or loads that the scene does not
+  // have.
   void check(const Scene& scene) const;
 
-  // Values at the time of a row, of supports and loads with these.
+  // Values of supports and loads at the time of a row, from the values that were given to them.
   SceneValues at(std::size_t row, const SceneValues& given) const;
 
  private:

@@ -11,7 +11,8 @@ namespace bempd::scene {
 
 namespace {
 
-// Far enough from the ends of the number range for products and ratios of stiffnesses.
+// Softest and stiffest modulus, so far from the ends of the number range that products and ratios of stiffnesses stay
+// in it.
 constexpr double softest = 1e-200, stiffest = 1e200;
 
 bool is_in_range(double stiffness) { return stiffness >= softest && stiffness <= stiffest; }

@@ -10,12 +10,12 @@ struct Material {
   double critical_stretch = 0;   // 0: not given
   double fracture_energy = 0;    // [J/m^2]; 0: not given
   double thermal_expansion = 0;  // [1/K]
-  // What bonds go through from the critical stretch on.
+  // Stages that bonds of this material go through from the critical stretch on.
   coupling::TermLaw bond_law = coupling::TermLaw::brittle();
 
   bool operator==(const Material&) const = default;
 
-  // Strain in the plane per change of temperature, where nothing holds it there [1/K].
+  // Thermal strain in the plane per temperature, where nothing holds the body in the plane [1/K].
   double expansion_in_plane() const {
     return thermal_expansion * (elasticity.state == PlaneState::strain ? 1 + elasticity.poisson_ratio : 1);
   }
@@ -23,7 +23,8 @@ struct Material {
   // Throws Error (argument) for values that no material has.
   void check() const;
 
-  // Infinite for a material that does not break. `as_printed`: with the constant of Yang and Liu 2021, Eq. 15.
+  // Critical stretch for a horizon; infinite for a material that does not break. `as_printed`: with the constant of
+  // Yang and Liu 2021, Eq. 15.
   double critical_stretch_for(double horizon, bool as_printed) const;
 };
 

@@ -26,13 +26,13 @@ const OptionGroup general(OptionPlace::general, [] {
                     0, 1024, true)};
 });
 
-// Defaults that the option `accuracy` moves. A lattice's horizon is not among them: it is part of the material.
+// Default that the option `accuracy` moves. A lattice's horizon is not among these: it is part of the material.
 struct PresetValue {
   const char* option;
   double value;
 };
 
-// Crack runs have no draft: a tie band of 1 % breaks more bonds at once, but takes no less time.
+// Draft values. Crack runs have none: a tie band of 1 % breaks more bonds at once, but takes no less time.
 constexpr PresetValue draft_values[] = {{"bem.quadrature_tolerance", 1e-6}};
 constexpr PresetValue fine_values[] = {{"bem.quadrature_tolerance", 1e-15}, {"stepping.tie_band", 0}};
 

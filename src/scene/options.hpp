@@ -19,21 +19,21 @@ struct OptionDescription {
   const char* choices;  // of a text option, separated by " | "
   const char* default_text;
   bool shapes_operators = false;  // a state only fits scenes that agree in it
-  // What the word comes to beside the other options, where it leaves that to them; null where it never does.
+  // Word that is in effect where the option leaves the choice to other options; null where it never does.
   std::string (*in_effect)(const Options& options) = nullptr;
 };
 
 OptionDescription number_option(const char* name, const char* summary, double value, double minimum, double maximum,
                                 bool whole);
 OptionDescription text_option(const char* name, const char* summary, const char* choices, const char* default_text);
-// The same option, as one that shapes operators.
+// Marks an option as one that shapes operators.
 OptionDescription shaping(OptionDescription option);
 
-// In the order in which they are listed.
+// Order in which groups of options are listed.
 enum class OptionPlace { general, schemes, lattices, boundaries, stepping, growth, results };
 
-// Options that belong together, described next to what reads them. Objects of static duration: all are there before
-// main() begins, and the first question for an option asks them for their descriptions.
+// Options that belong together, described next to the code that reads them. Objects of static duration: all exist
+// before main() begins, and the first question for an option asks them for their descriptions.
 class OptionGroup {
  public:
   using Describe = std::vector<OptionDescription> (*)();
@@ -42,8 +42,8 @@ class OptionGroup {
 
 const std::vector<OptionDescription>& option_descriptions();
 
-// Tuning knobs by name: a value that was set, else what the option `accuracy` makes of it, else its default. Throws
-// Error (argument) for unknown names and illegal values.
+// Options by name. The value is the one that was set, else what the option `accuracy` makes of it, else the default.
+// Throws Error (argument) for unknown names and illegal values.
 class Options {
  public:
   void set(std::string_view name, double value);
@@ -54,7 +54,7 @@ class Options {
   std::string text_in_effect(std::string_view name) const;
 
  private:
-  // Only what was set.
+  // Values that were set; all others are defaults.
   std::map<std::string, double, std::less<>> numbers_;
   std::map<std::string, std::string, std::less<>> texts_;
 };

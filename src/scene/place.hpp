@@ -17,7 +17,7 @@ namespace bempd::scene {
 
 class Scene;
 
-// Where a support or a load acts. A kind of place says what it asks of the elements there, which nodes a support holds,
+// Place where a support or a load acts. A kind of place says where elements have to end, which nodes a support holds,
 // and which forces a load puts on nodes.
 class Place {
  public:
@@ -29,23 +29,23 @@ class Place {
   // Whether it is a place of this region and of no other.
   virtual bool needs(int /*region*/) const { return false; }
 
-  // The point or the edge (id of its region, number) that it is or is a part of, if it is one.
+  // The point, or the edge (id of its region, number), that this place is or is a part of; empty if it is none.
   virtual std::optional<Point> point() const { return std::nullopt; }
   virtual std::optional<std::pair<int, int>> edge() const { return std::nullopt; }
 
-  // Whether values may differ along it, by fractions of its length.
+  // Whether values may differ along the place, by fractions of its length.
   virtual bool lies_along_a_line() const { return edge().has_value(); }
 
-  // Whether it lies on this crack.
+  // Whether the place lies on this crack.
   virtual bool needs_crack(int /*crack*/) const { return false; }
 
-  // Whether loads here become a part of operators, so that they stay as they are once these are built.
+  // Whether loads here become a part of operators, so that their values cannot change once operators are built.
   virtual bool is_built_in() const { return false; }
 
-  // Adds which place it is, as the host has said it.
+  // Adds the place to the fingerprint of the scene, in the words of the host.
   virtual void identify(Hash& hash) const = 0;
 
-  // Fractions of an edge where something begins, ends or acts, so that elements have to end.
+  // Fractions of an edge at which elements have to end, because the place begins, ends or acts there.
   virtual std::vector<double> breaks_on(const Scene& scene, int region, int edge, double tolerance) const = 0;
 
   // Whether a piece of boundary around this fraction of an edge belongs to the place.
@@ -55,7 +55,7 @@ class Place {
   virtual std::vector<regions::PlacedNode> held_nodes(const Scene& scene, const regions::Discretization& discretization,
                                                       int support) const = 0;
 
-  // Adds what the scene's load number `load` (from 0) does here.
+  // Adds the forces that the scene's load number `load` (from 0) has here.
   virtual void add_load(const Scene& scene, const regions::Discretization& discretization, int load,
                         regions::DofConditions& conditions) const = 0;
 };

@@ -17,7 +17,8 @@ void Region::identify(Hash& hash) const {
     hash.add(loop.size());
     for (const Point& vertex : loop) hash.add(vertex.x()), hash.add(vertex.y());
   }
-  // Arcs are computed from places that the host gave, so the last digits of angles and fractions are not its own.
+  // Computed angles and fractions are rounded: arcs come from places that the host gave, and their last digits depend
+  // on the processor.
   const auto add_computed = [&](double value) { hash.add(std::llround(value * 1e8)); };
   hash.add(outline_.curved.size());
   for (const auto& [number, edge] : outline_.curved) {

@@ -13,7 +13,7 @@ namespace bempd::scene {
 
 struct Crack {
   std::vector<Point> points;  // none: it was removed
-  // Points that growth has added at its ends.
+  // Number of points that growth has added at each end.
   int grown_at_start = 0, grown_at_end = 0;
 
   std::span<const Point> given() const {
@@ -22,34 +22,34 @@ struct Crack {
   }
 };
 
-// The scene as the host described it. Ids are positions in these vectors plus 1; what is removed leaves its place
+// Scene as the host described it. Ids are positions in these vectors plus 1; a removed object leaves its position
 // empty, so that the ids of the others stay.
 class Scene {
  public:
   int add_material(const Material& material);
   int add_region(std::unique_ptr<Region> region);
-  // Number of its first edge.
+  // Adds a hole and returns the number of its first edge.
   int add_hole(int region, const std::vector<Point>& vertices, const std::vector<double>& bulges = {});
   int add_circular_hole(int region, const Point& centre, double radius);
   void set_edge_mesh(int region, int edge, const EdgeMesh& mesh);
-  // The edge becomes the arc through a place between its ends.
+  // Makes the edge the arc through a place between its ends.
   void set_edge_arc(int region, int edge, const Point& between);
-  // The edge becomes the arc about a centre, on which both of its ends lie.
+  // Makes the edge the arc about a centre, on which both of its ends lie.
   void set_edge_arc_about(int region, int edge, const Point& centre, double radius, bool clockwise);
-  // A row of edges of one loop becomes a smooth curve through their vertices.
+  // Makes a row of edges of one loop a smooth curve through their vertices.
   void set_edges_smooth(int region, int first_edge, int last_edge);
   int add_crack(const std::vector<Point>& points);
-  // All of them, of which there are as many.
+  // Replaces all cracks by as many others, such as those with their growth.
   void set_cracks(std::vector<Crack> cracks) { cracks_ = std::move(cracks); }
   int add_support(Condition condition);
   int add_load(Condition condition);
-  // As many samples as it was made with, or values at places along any.
+  // Gives a condition new values: as many samples as it was made with, or values at any places along its part.
   void set_values(Condition& condition, const char* what, int id, SampledValues values);
   void set_values(Condition& condition, const char* what, int id, PlacedValues values);
-  // Of all supports and loads.
+  // Values of all supports and loads.
   SceneValues values() const;
   void exchange_values(SceneValues& values) noexcept;
-  // What it gives while these are the values.
+  // Runs `body` while these are the values of the scene, and returns its result.
   template <class Body>
   auto under(SceneValues& values, const Body& body) {
     struct Exchange {
@@ -82,7 +82,7 @@ class Scene {
   // Id of the initial crack nearest to a place; 0 if there are none.
   int crack_nearest(const Point& place) const;
 
-  // Size of the whole scene.
+  // Bounding box of the whole scene.
   Box bounding_box() const;
 
  private:
@@ -90,7 +90,8 @@ class Scene {
   Region& region_with_edge(int id, int edge);
   Region& region_to_bend(int id, int edge);
   void check_condition(const Condition& condition, bool is_support) const;
-  // What no later call can mend (scene_checks.cpp); the rest is found when the scene is prepared.
+  // Checks for defects that no later call can repair (scene_checks.cpp); the others are found when the scene is
+  // prepared.
   void require_no_overlap(const Region& added) const;
   void require_possible_crack(const std::vector<Point>& points) const;
 

@@ -8,7 +8,7 @@ namespace bempd::scene {
 
 namespace {
 
-// Whether a hole in the one could hold the other.
+// Whether the inner outline lies inside the outer one, where a hole could hold it.
 bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
   const std::vector<Point>& vertices = inner.loops.front();
   return std::all_of(vertices.begin(), vertices.end(), [&](const Point& vertex) {
@@ -18,7 +18,7 @@ bool lies_inside(const Outline& inner, const Outline& outer, double tolerance) {
 
 }  // namespace
 
-// Edges with elements may still become arcs, and holes be cut: only what stays as it is counts.
+// Only regions whose outline is final are checked: edges with elements may still become arcs, and holes may be cut.
 void Scene::require_no_overlap(const Region& added) const {
   if (added.has_elements()) return;
   const Box own = bempd::bounding_box(added.outline());
@@ -26,7 +26,7 @@ void Scene::require_no_overlap(const Region& added) const {
     const Outline& other = region(id).outline();
     const Box box = bempd::bounding_box(other);
     if (region(id).has_elements() || !box.intersects(own)) continue;
-    // What is this narrow may pass for touching in a larger body.
+    // An overlap as narrow as this may count as touching in a larger body.
     if (own.intersection(box).sizes().minCoeff() < 1e-3 * added.resolution()) continue;
     const double tolerance = geometric_tolerance(own.merged(box));
     if (lies_inside(added.outline(), other, tolerance) || lies_inside(other, added.outline(), tolerance)) continue;
@@ -37,7 +37,8 @@ void Scene::require_no_overlap(const Region& added) const {
   }
 }
 
-// Which material points there are is a matter of the option `scheme` too, which may still change.
+// Cracks are refused only where no region is: which material points exist depends on the option `scheme`, which may
+// still change.
 void Scene::require_possible_crack(const std::vector<Point>& points) const {
   if (region_ids().empty()) return;
   Box crack;

@@ -28,7 +28,7 @@ BoundaryFunction function_of(const Values& values) {
   return [known = placed(values)](const Point&, double fraction) { return known.at(fraction); };
 }
 
-// The straight line through two values at two load factors: constant + load factor * proportional.
+// Straight line through two values at two load factors: constant + load factor * proportional.
 class Line {
  public:
   Line(double from, double to) : from_(from), to_(to) {}

@@ -15,11 +15,11 @@ struct SceneValues {
 // known, or values at places.
 bool are_alike(const Values& one, const Values& other);
 
-// Those of a body at rest, in the form of these.
+// Zero values of a body at rest, in the form of the given ones.
 SceneValues at_rest(const SceneValues& like);
 
-// Values that go linearly from what `start` is at one load factor to what `end` is at another one. Both are of the same
-// supports and loads.
+// Values that go linearly from `start` at one load factor to `end` at another one. Both belong to the same supports and
+// loads.
 SceneValues line_between(const SceneValues& start, double from, const SceneValues& end, double to);
 
 }  // namespace bempd::scene
