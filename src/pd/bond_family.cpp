@@ -46,7 +46,7 @@ double kernel_stiffness(const BondKernel& kernel, double length, double horizon)
 std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel) {
   assert(horizon_ratio >= 2);
   std::vector<BondOffset> family = half_family(horizon_ratio);
-  // Weights w <- w + diag(w) R^T mu, with mu such that R w gives the wanted constants.
+  // The correction is w <- w + diag(w) R^T mu, with mu such that R w gives the wanted constants.
   Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
   Eigen::Vector3d missing(1, 1, 1.0 / 3);
   for (const BondOffset& offset : family) {
@@ -55,7 +55,8 @@ std::vector<BondOffset> bond_family(int horizon_ratio, const BondKernel& kernel)
     system += weight * row * row.transpose();
     missing -= weight * row;
   }
-  // The shortest family has only two kinds of bonds, and C1111 = C2222 makes the system consistent but not regular.
+  // Full pivoting is needed: the shortest family has only two kinds of bonds, so that C1111 = C2222 makes the system
+  // consistent but not regular.
   const Eigen::Vector3d mu = system.fullPivLu().solve(missing);
   for (BondOffset& offset : family) {
     const double weight = kernel_weight(kernel, offset.length, horizon_ratio) * (1 + constants_of(offset).dot(mu));

@@ -2,27 +2,27 @@
 
 namespace bempd::pd {
 
-// How the stiffness of bonds falls with their length, for C1111 = 1 and lengths in units of the lattice spacing.
+// Kernel: how the stiffness of bonds falls with their length, for C1111 = 1 and lengths in units of the lattice
+// spacing.
 class BondKernel {
  public:
   virtual ~BondKernel() = default;
 
-  // Kernels of one name are one kernel.
+  // Name of the kernel; kernels of one name are one kernel.
   virtual const char* name() const = 0;
 
-  // c(r), with C1111 = 3 pi / 8 * integral of c r^2 over 0 < r < horizon.
+  // Micromodulus c(r), with C1111 = 3 pi / 8 * integral of c r^2 over 0 < r < horizon.
   virtual double micromodulus(double length, double horizon) const = 0;
 
-  // pi * integral of c r^3 / horizon: G0 = s_c^2 integral of c r^3 is the energy per unit area that it takes to break
-  // all bonds across a plane at the critical stretch s_c (Silling and Askari, Comput. Struct. 83, 2005, in two
-  // dimensions).
+  // Number pi * integral of c r^3 / horizon. G0 = s_c^2 integral of c r^3 is the energy per unit area that breaks all
+  // bonds across a plane at the critical stretch s_c (Silling and Askari, Comput. Struct. 83, 2005, in two dimensions).
   virtual double energy_number() const = 0;
 };
 
-// c0 (1 - r^2/delta^2)^2 with c0 = 35 C1111 / (pi delta^3): see micromodulus.hpp.
+// Kernel c0 (1 - r^2/delta^2)^2 with c0 = 35 C1111 / (pi delta^3): see micromodulus.hpp.
 const BondKernel& quartic_kernel();
 
-// c0 (1 - r/delta) with c0 = 32 C1111 / (pi delta^3).
+// Kernel c0 (1 - r/delta) with c0 = 32 C1111 / (pi delta^3).
 const BondKernel& conical_kernel();
 
 }  // namespace bempd::pd

@@ -9,7 +9,7 @@
 
 namespace bempd::pd {
 
-// Copy of a lattice's cells on a grid with a margin of empty cells, so that neighbours need no range checks, and with
+// Copy of a lattice's cells on a grid with a margin of empty cells, so that neighbours need no range checks. It answers
 // the questions that the set-up of bonds asks.
 class CellGrid {
  public:
@@ -18,7 +18,7 @@ class CellGrid {
   bool has(const Eigen::Vector2i& cell) const { return cells_[index(cell)] != 0; }
   void remove(const Eigen::Vector2i& cell) { cells_[index(cell)] = 0; }
 
-  // To be called after the last removal: prepares the questions below.
+  // Prepares the queries below; to be called after the last removal of cells.
   void finish(int depth_limit);
 
   // Whether all cells are present whose lower left corners lie in [from, to).
@@ -33,10 +33,10 @@ class CellGrid {
   // Whether the bond stays in the union of the closed cells; running along a face is allowed.
   bool in_sight(const Eigen::Vector2i& from, const Eigen::Vector2i& step) const;
 
-  // Sum of the outward normals times half the lengths of the faces that meet at a point.
+  // Surface vector of a point: outward normals of the faces that meet there, times half their lengths, summed.
   Eigen::Vector2d surface_vector(const Eigen::Vector2i& point) const;
 
-  // The cells around a point: lower left, lower right, upper left, upper right.
+  // Cells around a point: lower left, lower right, upper left, upper right.
   std::array<bool, 4> around(const Eigen::Vector2i& point) const;
 
  private:

@@ -14,9 +14,9 @@ class CellLattice {
  public:
   explicit CellLattice(const std::vector<std::vector<Eigen::Vector2i>>& loops);
 
-  // The lattice whose material points are the centres of the cells of another: its point (i, j) is the centre of that
-  // cell (i, j), so that its coordinates are those of the other less (1/2, 1/2). Its cells are the blocks of four
-  // neighbouring cells; where the other is one cell wide there are points without cells.
+  // Lattice whose material points are the centres of the cells of another lattice. Its point (i, j) is the centre of
+  // that cell (i, j), so that its coordinates are those of the other less (1/2, 1/2). Its cells are the blocks of four
+  // neighbouring cells; where the other is one cell wide, points have no cells.
   static CellLattice centres_of(const CellLattice& cells);
 
   // All cells of several lattices, each moved by a shift.
@@ -40,15 +40,16 @@ class CellLattice {
   const Eigen::Vector2i& lower() const { return lower_; }
   const Eigen::Vector2i& upper() const { return upper_; }
 
-  // How many of the four cells around a material point are present: 4 inside, 2 on a straight face, 1 or 3 at a corner.
+  // Number of the four cells around a material point that are present: 4 inside, 2 on a straight face, 1 or 3 at a
+  // corner.
   int cells_around(int point) const;
-  // Whether the cells around a material point are two that have only that corner in common.
+  // Whether only two cells around a material point are present, which share just this corner.
   bool is_pinched(int point) const;
 
  private:
   CellLattice() = default;
   void mark_cells(const std::vector<std::vector<Eigen::Vector2i>>& loops);
-  // Numbers the places of the box that has(place) holds for.
+  // Numbers the places of the box for which has(place) holds.
   template <class Has>
   void number_points(const Has& has);
   void number_corners();

@@ -12,10 +12,10 @@ namespace {
 using Eigen::Vector2i;
 using Eigen::Vector4d;
 
-// Differences of this size between what two points lack are rounding: stiffnesses are of order one.
+// Difference up to which missing moments of two points are equal: stiffnesses are of order one, so this is rounding.
 constexpr double same_lack = 1e-12;
 
-// One of the eight symmetries of the square, within boxes.
+// One of the eight symmetries of the square, which maps one box to another.
 struct Symmetry {
   bool mirror_x, mirror_y, transpose;
 
@@ -24,7 +24,7 @@ struct Symmetry {
     if (mirror_y) p.y() = size.y() - p.y();
     return transpose ? Vector2i(p.y(), p.x()) : p;
   }
-  // Third moments 111, 112, 122, 222.
+  // Image of the third moments 111, 112, 122, 222.
   Vector4d apply(Vector4d m) const {
     if (mirror_x) m[0] = -m[0], m[2] = -m[2];
     if (mirror_y) m[1] = -m[1], m[3] = -m[3];

@@ -7,8 +7,8 @@
 
 namespace bempd::pd {
 
-// Clusters of bonds that are images of each other under a symmetry of the square lattice, with what their points lack
-// being images too, have the same least change: one solution serves them all.
+// Clusters of bonds that are images of each other under a symmetry of the square lattice, with missing moments of their
+// points that are images, too. Their least changes are images as well, so that one solution serves them all.
 struct CongruentClusters {
   struct Image {
     int original;            // the cluster to solve; itself for an original

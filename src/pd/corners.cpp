@@ -35,7 +35,7 @@ bool is_corner(const CellGrid& cells, const Vector2i& p) {
   return count == 1 || count == 3 || (count == 2 && ll == ur);
 }
 
-// Points whose bonds may change: around the corners, and wherever else the templates leave something missing.
+// Points whose bonds may change: around the corners, and wherever else the templates leave missing moments.
 std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const CellGrid& cells, int m,
                                             const std::vector<Vector4d>& missing) {
   const int radius = 2 * m + 1;
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> adjustable_points(const CellLattice& lattice, const Ce
   return near;
 }
 
-// Sets of bonds that share no point with each other and can be solved one by one.
+// Clusters of bonds that share no point with bonds of other clusters, so that they can be solved one by one.
 std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::vector<int>& free, int points) {
   linalg::DisjointSets sets(points);
   for (const int b : free) sets.join(bonds.first[b], bonds.second[b]);
@@ -69,7 +69,8 @@ std::vector<std::vector<int>> clusters_of(const DraftBonds& bonds, const std::ve
   return clusters;
 }
 
-// The unknown is the change of the stiffness in units of the bulk value, which keeps the columns of one size.
+// Least-change problem of a cluster. The unknown is the change of the stiffness in units of the bulk value, which keeps
+// the columns of one size.
 linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const std::vector<Vector4d>& missing,
                                     const DraftBonds& bonds, const std::vector<int>& cluster) {
   std::vector<int> points;
@@ -106,21 +107,21 @@ linalg::LeastChange cluster_problem(const std::vector<BondOffset>& family, const
   return problem;
 }
 
-// Position of every bond's image under a symmetry of the lattice; empty where the lattice does not have the symmetry.
-// `map` takes points to points.
+// Whether the lattice has a symmetry. `map` takes points to points.
 template <class Map>
 bool symmetric_under(const CellLattice& lattice, const CellGrid& cells, const Map& map) {
   for (int i = 0; i < lattice.point_count(); ++i) {
     const Vector2i& p = lattice.point(i);
     if (lattice.find_point(map(p)) < 0) return false;
-    // A cell is named by the mean of two opposite corners.
+    // A cell is identified by the mean of two opposite corners.
     const Vector2i a = map(p), b = map(p + Vector2i(1, 1));
     if (cells.has(p) && !cells.has(a.cwiseMin(b))) return false;
   }
   return true;
 }
 
-// Mean of the stiffnesses of a bond and its mirror image: still exact, and symmetric to the last bit.
+// Replaces the stiffness of a bond and of its mirror image by their mean, which is still exact, and symmetric to the
+// last bit.
 template <class Map>
 void average(const CellLattice& lattice, const std::vector<int>& free, const Map& map, DraftBonds& bonds) {
   const std::vector<double> before = bonds.stiffness;
@@ -131,7 +132,8 @@ void average(const CellLattice& lattice, const std::vector<int>& free, const Map
   }
 }
 
-// A symmetric body must break symmetrically, so the rounding of the solve must not tell its halves apart.
+// Makes stiffnesses symmetric where the lattice is: a symmetric body must break symmetrically, so the rounding of the
+// solver must not tell its halves apart.
 void symmetrise(const CellLattice& lattice, const CellGrid& cells, const std::vector<int>& free, DraftBonds& bonds) {
   const Vector2i sum = lattice.lower() + lattice.upper(), size = lattice.upper() - lattice.lower();
   const Vector2i low = lattice.lower();

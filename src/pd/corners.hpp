@@ -17,7 +17,7 @@ struct DraftBonds {
   std::vector<std::uint8_t> adjustable;  // 0: not a bond of the thick part
 };
 
-// For every material point the four third moments 111, 112, 122, 222 that its bonds lack.
+// Missing third moments 111, 112, 122, 222 of every material point: what its bonds lack to be exact.
 std::vector<Eigen::Vector4d> missing_moments(const CellLattice& lattice, const CellGrid& cells,
                                              const std::vector<BondOffset>& family, const DraftBonds& bonds);
 
@@ -26,8 +26,8 @@ struct CornerReport {
   bool positive = true;
 };
 
-// Changes stiffnesses around corners as little as possible so that no point lacks anything. `threads`: 0 for one a
-// core; the result does not depend on it.
+// Changes stiffnesses around corners as little as possible so that no point has missing moments. `threads`: 0 for one
+// per core; the result does not depend on it.
 CornerReport close_corners(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates,
                            DraftBonds& bonds, int threads);
 

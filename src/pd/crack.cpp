@@ -13,7 +13,7 @@ namespace {
 
 constexpr double tolerance = 1e-9;
 
-// Points or bonds that are gone through, in microseconds, before the host's wish to stop is looked at again.
+// Number of points or bonds (some microseconds of work) between two looks at the host's request to cancel.
 constexpr std::size_t between_polls = 256;
 
 double distance(const Point& p, const Point& a, const Point& b) {
@@ -28,7 +28,7 @@ bool boxes_meet(const Point& a, const Point& b, const Point& c, const Point& d) 
   return low.x() <= high.x() + tolerance && low.y() <= high.y() + tolerance;
 }
 
-// Segments that do not cross are closest at one of their ends.
+// Whether two segments come closer than the tolerance; if they do not cross, they are closest at one of their ends.
 bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!boxes_meet(a, b, c, d)) return false;
   const bool c_and_d_apart = cross(b - a, c - a) * cross(b - a, d - a) < 0;
@@ -38,7 +38,7 @@ bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& 
          distance(b, c, d) <= tolerance;
 }
 
-// The segments of a polyline; a single point is a segment of length zero.
+// Segments of a polyline; a single point is a segment of length zero.
 class Polyline {
  public:
   explicit Polyline(const std::vector<Point>& vertices) : vertices_(vertices) {
@@ -50,13 +50,13 @@ class Polyline {
     tree_ = BoxTree(boxes);
   }
 
-  // Whether `meets(from, to)` holds for a segment; asked only for those that come within the tolerance of the line
+  // Whether `meets(from, to)` holds for a segment; asked only of segments that come within the tolerance of the line
   // from a to b.
   template <class Meets>
   bool any_near(const Point& a, const Point& b, const Meets& meets) const {
     Box around(a);
     around.extend(b);
-    // Twice the tolerance, and the rounding of what is computed here and there from coordinates far away.
+    // The margin is twice the tolerance plus the rounding of coordinates that are far from the origin.
     const double margin =
         2 * tolerance + 1e-14 * std::max(around.min().cwiseAbs().maxCoeff(), around.max().cwiseAbs().maxCoeff());
     around = Box(around.min().array() - margin, around.max().array() + margin);
@@ -89,13 +89,13 @@ std::vector<int> points_on(const std::vector<Point>& points, const Polyline& pol
   return found;
 }
 
-// A bond that crosses the line of a crack: how far ahead of the tip, and its stiffness across the line.
+// Bond that crosses the line of a crack: distance of the crossing ahead of the tip, and stiffness across the line.
 struct LineCrossing {
   int bond;
   double place, weight;
 };
 
-// Up to `reach` from the tip, ascending.
+// Crossings up to `reach` from the tip, ascending.
 std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, const std::vector<Bond>& bonds,
                                             const Point& tip, const Point& direction, double reach) {
   std::vector<LineCrossing> found;
@@ -113,7 +113,7 @@ std::vector<LineCrossing> crossings_of_line(const std::vector<Point>& points, co
   return found;
 }
 
-// Straight line a + b s that stiffness crossed so far follows, most closely in the middle of the reach.
+// Straight line a + b s fitted to the stiffness crossed up to s, most closely in the middle of the reach.
 Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double reach) {
   constexpr int samples = 400;
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -131,7 +131,7 @@ Eigen::Vector2d even_growth(const std::vector<LineCrossing>& crossings, double r
   return normal.inverse() * right;
 }
 
-// Whether the segment from c to d meets the bond from a to b in a place between its ends and not along it.
+// Whether the segment from c to d meets the bond from a to b at a place between its ends, and not along it.
 bool meets_between_ends(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!segments_meet(a, b, c, d)) return false;
   const double slope = cross(b - a, d - c), length = (b - a).norm();

@@ -8,9 +8,9 @@
 
 namespace bempd::pd {
 
-// Visits the forces of a traction on the straight piece of boundary from a to b, which lies on one lattice line and may
-// begin and end anywhere: four Gauss points for every (part of a) cell edge, each with the lower end of its edge, the
-// axis along it (0 for x, 1 for y), and the fraction along it.
+// Visitor of the forces of a traction on the straight piece of boundary from a to b, which lies on one lattice line and
+// may begin and end anywhere. There are four Gauss points for every (part of a) cell edge, each with the lower end of
+// its edge, the axis along it (0 for x, 1 for y), and the fraction along it.
 using CellEdgeVisitor =
     std::function<void(const Eigen::Vector2i& lower_end, int along, double fraction, const Point& force)>;
 void for_forces_on_cell_edges(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,

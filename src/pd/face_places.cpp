@@ -9,8 +9,8 @@ namespace bempd::pd {
 
 namespace {
 
-// Points this far from a whole number of spacings lie on the rows of a lattice; and how near to a crack a point has no
-// side of it.
+// Distance from a whole number of spacings up to which points lie on the rows of a lattice; and distance from a crack
+// below which a point lies on no side of it.
 constexpr double on_row = 1e-6, no_side = 1e-9;
 
 // Distances to both sides that are tried, in spacings.
@@ -18,7 +18,7 @@ constexpr double nearest_side = 0.5, next_side = 0.1, farthest_side = 1.6;
 
 constexpr double no_weight = 1e-9;
 
-// A piece of a crack that comes so close to a column ends on it [spacings].
+// Distance from a column at which a piece of a crack ends on that column [spacings].
 constexpr double on_a_line = 1e-9;
 
 Eigen::Vector2i rounded(const Point& p) { return p.array().round().cast<int>().matrix(); }
@@ -39,7 +39,7 @@ Point FacePlaces::Lattice::from_rows(const Point& p) const {
   return lattice.origin + lattice.spacing * (Eigen::Rotation2Dd(lattice.angle) * p);
 }
 
-// Lattices side by side that have one network.
+// Whether two lattices side by side have one network.
 bool FacePlaces::Lattice::continues(const FaceLattice& other, double its_stiffness) const {
   return other.angle == lattice.angle && std::abs(other.spacing - lattice.spacing) < on_row * lattice.spacing &&
          its_stiffness == stiffness && is_on_rows(to_rows(other.origin));

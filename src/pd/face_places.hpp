@@ -9,16 +9,16 @@
 
 namespace bempd::pd {
 
-// The rows of a lattice in the body: its points are origin + spacing R (i, j), R turning by the angle.
+// Rows of a lattice in the body: its points are origin + spacing R (i, j), where R turns by the angle.
 struct FaceLattice {
   Point origin;
   double spacing;
   double angle;
 };
 
-// A place where the two faces of a crack in a lattice meet. Its gap is the opening along the crack's normal, taken
+// Place where the two faces of a crack in a lattice may touch. Its gap is the opening along the crack's normal, taken
 // between the points x + h n and x - h' n to both sides of the place x, where displacements are interpolated between
-// material points. Rigid motions have no gap, and a strain of the body has that of the material between.
+// material points. Rigid motions have no gap; under a strain the gap is that of the material between.
 struct FacePlace {
   struct Pull {
     int node;
@@ -28,7 +28,7 @@ struct FacePlace {
   double stiffness;         // of the material between, per gap [N/m]
 };
 
-// Places where faces can meet, on lattices of a body.
+// Places where crack faces can touch, on the lattices of a body.
 //
 // Docs: materials.md.
 class FacePlaces {
@@ -44,17 +44,18 @@ class FacePlaces {
   std::size_t lattice_count() const { return lattices_.size(); }
   double spacing(int lattice) const { return lattices_[static_cast<std::size_t>(lattice)].lattice.spacing; }
 
-  // The lattice in which two nodes are neighbours along a row or a column; nothing if there is none.
+  // Lattice in which two nodes are neighbours along a row or a column; empty if there is none.
   std::optional<int> lattice_of_neighbours(int node, int other) const;
 
-  // At a place on a crack, for a part of it as long as so many spacings. Each side is taken as near as its points lie
-  // on it and `reaches(node, place)` holds for all. Nothing where there are none.
+  // Face place at a place on a crack, for a part of the crack `length` spacings long. The points to both sides are the
+  // nearest ones whose material points lie on their own side of the crack, and all of which satisfy `reaches(node,
+  // place)`. Empty if a side has none.
   using Reaches = std::function<bool(int node, const Point& place)>;
   std::optional<FacePlace> at(int lattice, const Point& place, const Point& normal, double length,
                               const Reaches& reaches = {}) const;
 
-  // Where a straight piece of a crack crosses the columns of a lattice, or its rows if it crosses more of those, and
-  // how many spacings of the crack it stands for there: half as many where the piece ends on one.
+  // Crossing of a straight piece of a crack with a column of a lattice, or with a row if it crosses more of those, and
+  // the length of the crack that it stands for in spacings: half as much where the piece ends on a column or row.
   struct Crossing {
     Point place;
     double length;
@@ -77,7 +78,8 @@ class FacePlaces {
     std::optional<int> node_at(const Eigen::Vector2i& at) const;
   };
 
-  // Interpolation on one side, as near as it goes: appends to the pulls and returns the distance in spacings.
+  // Interpolates on one side, as near to the place as possible: appends to the pulls and returns the distance in
+  // spacings.
   std::optional<double> add_side(const Lattice& lattice, const Point& place, const Point& normal, double sign,
                                  const Reaches& reaches, std::vector<FacePlace::Pull>& pulls) const;
 

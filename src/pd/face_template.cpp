@@ -15,7 +15,7 @@ namespace bempd::pd {
 
 namespace {
 
-// A stiffness of the layered medium: the unknown `index`, or a known value where that is -1.
+// Stiffness of the layered medium: the unknown `index`, or a known value where that is -1.
 struct Entry {
   int index = -1;
   double known = 0;
@@ -35,7 +35,7 @@ class Equations {
     targets_.back() -= coefficient * stiffness.known;
   }
 
-  // Rows have very different sizes, which says nothing about their importance.
+  // Rows are scaled to one size: their sizes differ much, without meaning.
   linalg::LeastChangeResult solve(const Eigen::VectorXd& bulk, double lower) {
     linalg::LeastChange problem;
     problem.start = problem.scale = bulk;
@@ -60,10 +60,10 @@ class Equations {
   std::vector<double> targets_;
 };
 
-// Stiffness of the bond with the given row of its lower end.
+// Function that gives the stiffness of a bond from the row of its lower end and its step.
 using Layers = std::function<Entry(int row, int across, int away)>;
 
-// Bonds with across > 0 and away > 0 come in mirrored pairs.
+// Kind of bond; bonds with across > 0 and away > 0 come in mirrored pairs.
 struct Kind {
   int across, away;
   double bulk, pair;
@@ -96,9 +96,9 @@ void add_moments(Equations& equations, const std::vector<Kind>& kinds, const Lay
   }
 }
 
-// Flux conditions. Symmetric gradients of Killing tensors make moments of C1111 over a cross-section conserved along a
-// strip; the end of the strip can be closed only where they equal those of the network that is assembled cell by cell
-// (edges and diagonals of every cell C11 / 3), which is exact for every body.
+// Weight of a bond in the flux conditions. Symmetric gradients of Killing tensors make moments of C1111 over a
+// cross-section conserved along a strip. The end of the strip can be closed only where these moments equal those of the
+// network that is assembled cell by cell (edges and diagonals of every cell C11 / 3), which is exact for every body.
 double flux_weight(const Kind& kind, double y, int order) {
   const double a2 = kind.across * kind.across, b2 = kind.away * kind.away, common = kind.pair * a2 / (a2 + b2);
   if (order < 2) return common * a2 * (order == 0 ? 1 : y);
@@ -127,8 +127,9 @@ void add_strip_fluxes(Equations& equations, const std::vector<Kind>& kinds, cons
   }
 }
 
-// The same for one face of a strip of any height N >= 2 m. Measured from the middle, F2 = 2 (M2 - N M1 + N^2/4 M0) plus
-// what the bulk stiffnesses give, with M0, M1, M2 the moments about the face of what the template adds to them.
+// Flux conditions for one face of a strip of any height N >= 2 m. Measured from the middle, F2 = 2 (M2 - N M1 + N^2/4
+// M0) plus the contribution of the bulk stiffnesses, where M0, M1, M2 are the moments about the face of what the
+// template adds to them.
 void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const Layers& layers, int m) {
   const auto excess = [&](int cells, int order) {  // of the cell network over the bulk stiffnesses
     double sum = order == 0 ? cells : cell_network_flux(cells);
@@ -142,7 +143,7 @@ void add_face_fluxes(Equations& equations, const std::vector<Kind>& kinds, const
   const double n1 = 2 * m, n2 = 2 * m + 1, m0 = 0.5 * excess(2 * m, 0);
   const double g1 = 0.5 * excess(2 * m, 2) - n1 * n1 / 4 * m0, g2 = 0.5 * excess(2 * m + 1, 2) - n2 * n2 / 4 * m0;
   const double m1 = g1 - g2, m2 = g1 + n1 * m1;
-  // Moments about the middle of the layer keep the three equations well apart.
+  // Moments are taken about the middle of the layer, which keeps the three equations well apart.
   const double middle = 0.5 * m;
   const double targets[3] = {m0, m1 - middle * m0, m2 - 2 * middle * m1 + middle * middle * m0};
   for (int order = 0; order <= 2; ++order) {
@@ -243,7 +244,7 @@ double LatticeTemplates::ratio(int below, int above, int across, int away) const
   if (below >= m && above >= m) return 1;
   const int cells = below + away + above;
   if (cells < 2 * m) return cells < 2 ? 1 : strips[cells].ratio(std::min(below, above), across, away);
-  // Two faces so far apart do not see each other: their changes add up.
+  // Changes of two faces add up if they are far apart.
   double ratio = 1;
   if (below < m) ratio += face.ratio(below, across, away) - 1;
   if (above < m) ratio += face.ratio(above, across, away) - 1;

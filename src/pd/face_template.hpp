@@ -7,8 +7,8 @@
 namespace bempd::pd {
 
 // Stiffnesses next to straight faces as multiples of the bulk stiffness. They make a half plane, or a strip, of
-// material points reproduce every linear displacement field up to its faces. A bond is named by the depth `row` of its
-// end that is nearer to the face and by its step across (>= 0) and away from the face (>= 0).
+// material points reproduce every linear displacement field up to its faces. A bond is identified by the depth `row` of
+// its end that is nearer to the face, and by its step across (>= 0) and away from the face (>= 0).
 class FaceTemplate {
  public:
   FaceTemplate() = default;
@@ -26,19 +26,20 @@ class FaceTemplate {
   std::vector<double> ratio_;
 };
 
-// What the stiffnesses of all bodies with one horizon ratio and one kernel share. It does not depend on the material.
+// Stiffness templates that all bodies with one horizon ratio and one kernel share. They do not depend on the material.
 struct LatticeTemplates {
   std::vector<BondOffset> family;
   FaceTemplate face;                 // one face, rows 0 .. m - 1; deeper bonds keep the bulk stiffness
   std::vector<FaceTemplate> strips;  // strips[n] for two faces n cells apart, 2 <= n < 2 m
   double residual = 0;               // largest error of the equations that define the templates
 
-  // Ratio for a bond with the given clear depths of its lower end below and of its upper end above.
+  // Ratio for a bond with the given clear depths, below its lower end and above its upper end.
   double ratio(int below, int above, int across, int away) const;
   int horizon_ratio = 0;
 };
 
-// Computed on first use and kept; may be called from several threads. 3 <= horizon_ratio <= 8.
+// Templates of a horizon ratio, 3 <= horizon_ratio <= 8, computed on first use and kept; may be called from several
+// threads.
 const LatticeTemplates& lattice_templates(int horizon_ratio, const BondKernel& kernel = quartic_kernel());
 
 }  // namespace bempd::pd

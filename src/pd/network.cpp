@@ -17,9 +17,9 @@ namespace {
 
 using Eigen::Vector2i;
 
-// A cell is thin where the body is one cell wide. A thin cell gets the network of nearest neighbours and is taken out
-// of the rest of the body, which has faces of its own there: the right-hand sides of the moment equations are sums over
-// cells, so networks of disjoint parts add up to an exact one.
+// Removes thin cells, which are those where the body is one cell wide. A thin cell gets the network of nearest
+// neighbours and is taken out of the rest of the body, which then has faces of its own there. The right-hand sides of
+// the moment equations are sums over cells, so networks of disjoint parts add up to an exact one.
 void remove_thin_cells(const CellLattice& lattice, CellGrid& cells) {
   const auto thin = [&](const Vector2i& c) {
     const Vector2i x(1, 0), y(0, 1);
@@ -50,8 +50,8 @@ double cell_network_stiffness(const Vector2i& from, const Vector2i& step, const 
   return count / 3.0;
 }
 
-// Ratio of a bond's stiffness to the bulk stiffness from the faces that are closest to it in the two directions.
-// Changes add up, because the moment equations are linear: that leaves the least for the corners to do.
+// Ratio of a bond's stiffness to the bulk stiffness, from the faces that are closest to it in the two directions.
+// Changes of both add up, because the moment equations are linear; that leaves the least correction for the corners.
 double template_ratio(const LatticeTemplates& templates, const CellGrid& cells, const Vector2i& from,
                       const Vector2i& step) {
   const int a = std::abs(step.x()), b = step.y();
@@ -72,8 +72,8 @@ void append(DraftBonds& bonds, int first, int second, std::size_t offset, double
   bonds.adjustable.push_back(adjustable);
 }
 
-// All bonds in sight of each other in the thick part, with template stiffnesses, and those of thin cells, still
-// without.
+// All bonds in sight of each other in the thick part, with template stiffnesses, and those of thin cells, still with
+// stiffness 0.
 DraftBonds draft_bonds(const CellLattice& lattice, const CellGrid& cells, const LatticeTemplates& templates) {
   const int m = templates.horizon_ratio;
   const auto thin = [&](const Vector2i& c) { return lattice.has_cell(c) && !cells.has(c); };

@@ -15,10 +15,10 @@ struct Bond {
   double stiffness;  // [N/m], thickness included
 };
 
-// The bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under constant
-// strain their forces equal the resultants of the tractions on the faces around each material point, everywhere in the
-// body. They are all of a material with Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; to any other one
-// cell_squares.hpp adds the rest.
+// Bonds of a body. Those of build_network() reproduce every linear displacement field exactly: under constant strain
+// their forces equal the resultants of the tractions on the faces around each material point, everywhere in the body.
+// Bonds alone make a material with Poisson's ratio 1/3 in plane stress and 1/4 in plane strain; cell_squares.hpp adds
+// the rest for any other one.
 struct Network {
   std::vector<BondOffset> offsets;       // step from first to second, its length and direction; few distinct ones
   std::vector<Bond> bonds;               // sorted by (first, second)

@@ -27,7 +27,7 @@ import sys
 FOLDERS = ("include", "src", "tests", "bindings", "examples", "benchmarks")
 
 # Folders in which no block may begin without its subject: one a line; the list grows until it is `src` and the others.
-CLEAN: tuple[str, ...] = ("include", "src/bem", "src/elasticity", "src/geometry")
+CLEAN: tuple[str, ...] = ("include", "src/bem", "src/elasticity", "src/geometry", "src/pd", "src/scene")
 
 PREPOSITIONS = """About Above Across After Against Ahead Along Alongside Among Apart Around As Aside At Away Before Behind Below
     Beneath Beside Besides Between Beyond By Despite During Except For From In Inside Instead Into Like Near Of Off On Onto
@@ -35,7 +35,7 @@ PREPOSITIONS = """About Above Across After Against Ahead Along Alongside Among A
     Unlike Up Upon Via With Within Without"""
 POINTING_BACK = """All+of+them Both Former Her His It Its Latter Neither None Others Same Some+of+them Such That The+latter
     The+other+one The+other The+others The+rest The+same Their Them These They This Those Whose"""
-CONTINUING = """Again Also Although And Another+one Because But Consequently Else Elsewhere Even Furthermore Hence Here However
+CONTINUING = """Again Also Although And Another+one Because But Consequently Else Elsewhere Furthermore Hence Here However
     Likewise Moreover Nor Not Or Otherwise Similarly So Still Then There Therefore Though Thus Too What+is+left Whereas Where
     Which While Who Whom Yet"""
 FLAGGED = re.compile("(" + "|".join(word.replace("+", r"\s+") for word in sorted(

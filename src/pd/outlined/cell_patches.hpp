@@ -14,8 +14,8 @@ void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
   for (int k = 0; k < count; ++k) visit(cell[k], cell[(k + 1) % count]);
 }
 
-// Numbers of cells that are taken together: every whole cell alone, triangles by two across their longest edges, those
-// that are left over with a pair beside them.
+// Patches: groups of cells that are taken together. Every whole cell is alone; triangles are in pairs across their
+// longest edges, and a triangle that is left over belongs to a pair beside it.
 struct CellPatches {
   std::vector<std::vector<int>> cells;           // of each patch
   std::vector<std::vector<int>> behind_an_edge;  // patches beside those that have points on the outline

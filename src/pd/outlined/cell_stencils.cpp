@@ -25,7 +25,7 @@ bool has_factors(const OutlinedBody& body) {
                      [](double factor) { return std::abs(factor - 1) > negligible_factor; });
 }
 
-// The points of some patches, each once; those of the first come first.
+// Points of some patches, each once; those of the first patch come first.
 std::vector<int> points_of(const OutlinedBody& body, const CellPatches& patches, int first,
                            const std::vector<int>& others = {}) {
   std::vector<int> all;
@@ -39,7 +39,7 @@ std::vector<int> points_of(const OutlinedBody& body, const CellPatches& patches,
   return all;
 }
 
-// Bonds along edges and diagonals of some patches, as far as there are any.
+// Adds the bonds along edges and diagonals of some patches, as far as they exist.
 void add_bonds_among(const std::vector<Bond>& bonds, const std::vector<int>& points, std::vector<int>& found) {
   const auto before = [](const Bond& bond, const std::pair<int, int>& ends) {
     return std::pair(bond.first, bond.second) < ends;
@@ -56,7 +56,7 @@ void add_bonds_among(const std::vector<Bond>& bonds, const std::vector<int>& poi
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-// Orthonormal, of what sees no linear function on the points.
+// Orthonormal basis of the combinations of points that vanish for every linear function.
 MatrixXd blind_to_linear(const OutlinedBody& body, const std::vector<int>& points) {
   MatrixXd linear(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -67,8 +67,8 @@ MatrixXd blind_to_linear(const OutlinedBody& body, const std::vector<int>& point
   return q.rightCols(q.cols() - 3);
 }
 
-// What patches at the outline feel of their own and their neighbours' points so that they add up to the surface vectors
-// with factors: the shortest changes that leave the gradient of linear displacements as it is.
+// Changes of the stencils at the outline that make them add up to the surface vectors with factors: the smallest
+// changes that leave the gradient of linear displacements as it is.
 class Correction {
  public:
   Correction(const OutlinedBody& body, const CellPatches& patches) : body_(body) {
@@ -96,7 +96,7 @@ class Correction {
     problem_.lower = -std::numeric_limits<double>::infinity();
   }
 
-  // visit(patch, points, changes of G) for every one; returns what is left of the largest.
+  // Calls visit(patch, points, changes of G) for every patch; returns the largest remaining error.
   template <class Visit>
   double solve(const Visit& visit) {
     const auto [x, left_of_x] = component(0);
@@ -136,7 +136,7 @@ class Correction {
   linalg::LeastChange problem_;
 };
 
-// A patch during set-up.
+// Patch during set-up.
 struct Stencil {
   std::vector<int> points, bonds;
   std::vector<Vector2d> gradient;

@@ -8,12 +8,11 @@
 
 namespace bempd::pd {
 
-// What patches of cells of a body with any outline feel of a displacement, in units of the spacing: G_i with
-// sum of G_i u_i^T = the patch's area times the mean gradient of the displacement, exact for linear ones. For a cell
-// G_i is its polygon's surface vector at the point. Over all patches the G of a point add up to its surface vector: a
-// stress that is the same everywhere is balanced by its traction on the chords. Where the surface vectors have factors
-// (surface_balance.hpp) patches at the outline feel a little of their neighbours' points as well, so that they add up
-// to those.
+// Gradient stencils of patches of cells, for a body with any outline, in units of the spacing: vectors G_i such that
+// the sum of G_i u_i^T is the patch's area times the mean gradient of the displacement, exact for linear ones. For a
+// single cell G_i is its polygon's surface vector at the point. Over all patches the G of a point add up to its surface
+// vector: a constant stress is balanced by its traction on the chords. Where the surface vectors have factors
+// (surface_balance.hpp), patches at the outline also use points of their neighbours, so that their G add up to those.
 struct CellStencils {
   std::vector<std::size_t> start{0}, bond_start{0};  // per patch, and the end of the last
   std::vector<int> point;                            // the patch's own come first
@@ -28,7 +27,7 @@ struct CellStencils {
   std::span<const Eigen::Vector2d> gradients(std::size_t patch) const { return of(patch, start, gradient); }
   std::span<const double> shares(std::size_t patch) const { return of(patch, start, share); }
   std::span<const int> bonds(std::size_t patch) const { return of(patch, bond_start, bond); }
-  // If bonds alone make the material.
+  // Whether there are no stencils, because bonds alone make the material.
   bool empty() const { return area.empty(); }
 
  private:
@@ -39,11 +38,11 @@ struct CellStencils {
   }
 };
 
-// Patches are the lattice's whole cells, and two or three triangles each: one by one they would be too many to let a
-// body change its shape where it hardly changes its volume.
+// Stencils of the patches: the lattice's whole cells, and two or three triangles each. Single triangles would be too
+// many constraints: the body could hardly change its shape where it hardly changes its volume.
 CellStencils cell_stencils(const OutlinedBody& body);
 
-// The squares of cells (cell_squares.hpp) of any shape: k/2 (sum of pull_i . u_i)^2 over the points of a stencil.
+// Square term (cell_squares.hpp) of a patch of any shape: k/2 (sum of pull_i . u_i)^2 over the points of a stencil.
 struct StencilSquare {
   std::vector<Eigen::Vector2d> pull;
   double stiffness;  // k [N/m], thickness included

@@ -8,14 +8,14 @@
 
 namespace bempd::pd {
 
-// Places by squares of a grid, for what is near.
+// Grid of squares that finds what lies near a place.
 class Buckets {
  public:
   Buckets() = default;
   Buckets(const Box& box, double side);
 
   void add(const Box& box, int item);
-  // Calls visit(item) for what may meet a box, an item perhaps several times, until it returns true.
+  // Calls visit(item) for items that may meet a box, perhaps several times for one item, until it returns true.
   template <class Visit>
   bool any_near(const Box& box, const Visit& visit) const {
     const Eigen::Array2i low = square_of(box.min()), high = square_of(box.max());
@@ -35,18 +35,18 @@ class Buckets {
   std::vector<std::vector<int>> items_;
 };
 
-// What lies in the polygon of the chords and what sees what within it.
+// Searches within the polygon of the chords: which points lie in it, and which see each other.
 class ChordSearch {
  public:
   explicit ChordSearch(const Chords& chords);
 
-  // Closed polygon, up to 1e-9.
+  // Whether the closed polygon has the point, up to 1e-9.
   bool inside(const Point& p) const;
   // Whether the segment between two points of the closed polygon stays in it; along a chord is inside.
   bool in_sight(const Point& from, const Point& to) const;
 
-  // What a point of the closed polygon sees as far as `reach`: everything there is, as long as it lies on the inner
-  // side of all the straight pieces around.
+  // What a point of the closed polygon sees up to `reach`: everything there, as long as it lies on the inner side of
+  // all the straight pieces around.
   class View {
    public:
     View(const ChordSearch& search, const Point& from, double reach);

@@ -13,7 +13,7 @@ struct Chord {
   double from, to;  // fractions of the piece
 };
 
-// The outline of a body as equal chords on every piece of it, in units of the spacing. Node k is where chord k starts.
+// Outline of a body as equal chords on every piece of it, in units of the spacing. Chord k starts at node k.
 struct Chords {
   std::vector<Point> nodes;  // exactly on the outline
   std::vector<char> kept{};  // nodes whose surface vectors others rely on; empty for none
@@ -26,17 +26,17 @@ struct Chords {
   int chord_before(int node) const;
   Point along(int chord) const { return nodes[chords[chord].second] - nodes[chords[chord].first]; }
   double length(int chord) const { return along(chord).norm(); }
-  // Outward normal times length.
+  // Outward normal of a chord times its length.
   Point normal(int chord) const { return {along(chord).y(), -along(chord).x()}; }
-  // Half of both chords' normals.
+  // Surface vector of a node: half of the normals of both chords there.
   Point surface_vector(int node) const { return 0.5 * (normal(node) + normal(chord_before(node))); }
-  // Of the body at a node [rad].
+  // Angle of the body at a node [rad].
   double angle(int node) const;
 };
 
-// Pieces of loops that have the body on their left. Every piece gets as many chords as it is spacings long. They are
-// equal, but for pieces that `may_vary` (by number): where a loop can be balanced as it is (surface_balance.hpp) by
-// chords of different lengths within some of these they have such.
+// Makes the chords of loops whose pieces have the body on their left. Every piece gets as many chords as it is spacings
+// long. They are equal, except on pieces that `may_vary` (by number): where chords of different lengths on some of
+// these balance a loop (surface_balance.hpp) without factors, they get such lengths.
 Chords make_chords(const std::vector<std::vector<Arc>>& loops, const std::vector<char>& may_vary = {});
 
 }  // namespace bempd::pd

@@ -16,16 +16,16 @@ namespace {
 using Eigen::Vector2i;
 using Side = std::pair<int, int>;  // directed
 
-// Triangles from a front of directed sides that have what is to be filled on their left. Each takes the point that sees
-// its side under the largest angle, so that the triangulation is Delaunay's but for the front (Shewchuk, 1997). Points
-// on one circle tie; what is there already decides then.
+// Advancing front of directed sides with the area to be filled on their left. Each side takes the point that sees it
+// under the largest angle, so that the triangulation is a constrained Delaunay one (Shewchuk, 1997). Points on one
+// circle tie; existing triangles decide between them.
 class Front {
  public:
   Front(const std::vector<Point>& points, const Box& box)
       : points_(points), near_points_(box, 2), near_sides_(box, 2) {}
 
   void add_point(int i) { near_points_.add(Box(points_[i]), i); }
-  // What is on its right is filled or outside.
+  // Adds a side; its right-hand side is filled or outside.
   void add_side(int a, int b) {
     open_.insert({a, b});
     taken_.insert({b, a});
@@ -54,7 +54,7 @@ class Front {
     near_sides_.add(box, static_cast<int>(sides_.size()));
     sides_.push_back({a, b});
   }
-  // A side of a new triangle, which lies on its left.
+  // Adds a side of a new triangle, which lies on its left.
   void put(int a, int b) {
     if (open_.erase({a, b}) == 0) {
       open_.insert({b, a});

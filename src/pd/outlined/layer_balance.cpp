@@ -20,14 +20,14 @@ using linalg::ProfileCholesky;
 
 constexpr double balanced = 1e-14;  // for values and equations of order one
 
-// Of every point, and how much each of the even ones weighs; no weights, no even moments.
+// Missing odd and even moments of every point, and the weight of its even ones, without which these do not count.
 struct Missing {
   std::vector<Vector4d> odd, even;
   std::vector<double> evenness;
 };
 
-// Primal-dual active sets (Hintermueller, Ito, Kunisch 2002) as in linalg::solve_long_least_change(), with the normal
-// equations in an order in which points along the outline come one after the other.
+// Balance of one part by primal-dual active sets (Hintermueller, Ito, Kunisch 2002), as solve_long_least_change() of
+// linalg has them, with the normal equations in the order of points along the outline.
 class PartBalance {
  public:
   PartBalance(const OutlinedBonds& all, const LayerParts::Part& part, const std::vector<int>& number,
@@ -74,7 +74,7 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
-  // Long layers give way to waves nearly as easily as to the Killing tensor fields, in which rounding drowns them.
+  // Projects the multipliers off the Killing tensor fields, whose rounding would drown the nearly as soft waves.
   void keep_off_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
@@ -84,7 +84,7 @@ class PartBalance {
       kernel_.middleRows<4>(row(static_cast<int>(k), 0)) = fields.middleRows<4>(4 * static_cast<Eigen::Index>(k));
   }
 
-  // Mostly the first digits of the multipliers tell which values are held at the bound.
+  // Solves the part. Usually a rough solution already tells which values are held at the bound.
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
@@ -110,7 +110,7 @@ class PartBalance {
   double value(std::size_t bond) const { return bonds_[bond].value; }
 
  private:
-  // Of what is missing after one step: the equations contradict each other.
+  // Share of the missing moments that is left after one step above which the equations contradict each other.
   static constexpr double hopeless = 0.1;
 
   struct Bond {
@@ -154,7 +154,7 @@ class PartBalance {
     normal_->at(2 * high + 1, 2 * high + 1) += of_high * of_high.transpose();
   }
 
-  // Rows depend on each other, so the diagonal takes a shift near rounding.
+  // The diagonal takes a shift near rounding, because rows depend on each other.
   bool factorize() {
     for (double shift = 3e-17; shift < 1e-11; shift *= 10) {
       normal_->clear();
@@ -173,7 +173,7 @@ class PartBalance {
     is_rough_ = true;
   }
 
-  // Conjugate gradients for the multipliers, the values of free bonds following them; returns what is missing.
+  // Conjugate gradients for the multipliers and so the values of free bonds; returns the largest missing moment.
   double approach(int most_rounds, int most_steps) {
     double left = 0, before = HUGE_VAL;
     for (int round = 0; round <= most_rounds; ++round) {
@@ -208,7 +208,7 @@ class PartBalance {
       rz = next;
     }
   }
-  // With the normal matrix N.
+  // Product with the normal matrix N.
   VectorXd product(const VectorXd& p) const {
     VectorXd q = VectorXd::Zero(target_.size());
     for (const Bond& b : bonds_)
@@ -221,8 +221,8 @@ class PartBalance {
     const VectorXd along = kernel_.transpose() * x;
     x -= kernel_ * along;
   }
-  // F^-1 with the factor F, and, where the kernel is not left, F^-1 N F^-1 once what is missing is so small that its
-  // rounding in the kernel of N would drown the rest (linalg/minimum_norm.hpp).
+  // Preconditioner: F^-1 with the factor F. If the kernel is not projected out, it is F^-1 N F^-1 as soon as the
+  // residual is so small that its rounding in the kernel of N would drown the rest (linalg/minimum_norm.hpp).
   VectorXd precondition(VectorXd r) const {
     leave_kernel(r);
     normal_->solve_in_place(r);
@@ -233,7 +233,7 @@ class PartBalance {
     return r;
   }
 
-  // Those that the multipliers would take below the bound; whether they have changed.
+  // Holds the values that the multipliers would take below the bound; returns whether that changed any.
   bool update_held() {
     bool changed = false;
     for (Bond& b : bonds_) {
@@ -245,7 +245,7 @@ class PartBalance {
     return changed;
   }
 
-  // Else the rounds would repeat themselves.
+  // Whether this set of held values is new; otherwise the rounds would repeat themselves.
   bool is_new(std::vector<std::vector<char>>& known) const {
     std::vector<char> held;
     for (const Bond& b : bonds_) held.push_back(b.held);
@@ -254,7 +254,7 @@ class PartBalance {
     return true;
   }
 
-  // Those that are below the bound.
+  // Holds the values that are below the bound; returns whether there were any.
   bool hold_more() {
     bool changed = false;
     for (Bond& b : bonds_) {

@@ -8,7 +8,7 @@
 
 namespace bempd::pd {
 
-// A body with any outline as material points and bonds, in units of the spacing. Nodes of the outline come first.
+// Body with any outline as material points and bonds, in units of the spacing. Nodes of the outline come first.
 struct OutlinedBody {
   Chords chords;
   std::vector<Point> points;
@@ -23,18 +23,18 @@ struct OutlinedBody {
   bool is_exact() const { return network.max_residual < 1e-11 && network.min_weight_ratio > 0; }
 };
 
-// Bonds between all points closer than the horizon that see each other. Far from the outline they have the lattice's
-// own stiffness; from there up to the outline stiffnesses change as little as possible from what the kernel and the
-// area of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline.
-// Where that does not succeed other gaps between the outline and the points inside are tried, and other places of
-// these, and last chords of different lengths that are balanced piece by piece; the result is that of the best try. 3
-// <= horizon_ratio <= 8.
+// Builds the bonds between all points closer than the horizon that see each other. Far from the outline they have the
+// lattice's own stiffness. Near the outline stiffnesses change as little as possible from what the kernel and the area
+// of each point suggest, so that forces balance the tractions of constant stress on the chords of the outline. If that
+// fails, other gaps between the outline and the points inside are tried, then other positions of these points, and last
+// chords of different lengths that are balanced piece by piece; the result is that of the best attempt. 3 <=
+// horizon_ratio <= 8.
 OutlinedBody build_outlined_body(const Chords& chords, const LatticePlace& place, int horizon_ratio,
                                  const PlaneElasticity& elasticity, int threads = 0,
                                  OutlineBalance balance = OutlineBalance::constant_stress,
                                  const BondKernel& kernel = quartic_kernel());
 
-// A corner at which positive bonds cannot carry the surface vector: those of a corner of the angle alpha <= 180 degrees
+// Corner at which positive bonds cannot carry the surface vector. Bonds of a corner of the angle alpha <= 180 degrees
 // pull in directions from 30 degrees off one edge to 30 degrees off the other, because the third harmonic of what they
 // carry vanishes (sum of k L f(theta) with f = sin(theta - 30) + sin(3 theta + 60) / sqrt(3) >= 0).
 struct ImpossibleCorner {

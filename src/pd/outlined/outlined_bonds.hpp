@@ -7,7 +7,7 @@
 
 namespace bempd::pd {
 
-// A bond during set-up, for C1111 = thickness = 1.
+// Bond during set-up, for C1111 = thickness = 1.
 struct OutlinedBond {
   int first, second;
   int offset;  // in the list of offsets
@@ -26,30 +26,31 @@ struct OutlinedBonds {
 OutlinedBonds draft_outlined_bonds(const Chords& chords, const OutlinedPoints& points, int horizon_ratio,
                                    const BondKernel& kernel);
 
-// Which bonds differ from the bulk's: those with an end less deep than `depth` and the other less deep than `deepest`;
-// free of them are those shorter than `reach`. Points deeper than the longest bond and the gap at the outline lack
-// none.
+// Layer of bonds that differ from those of the bulk: one end is less deep than `depth`, and the other less deep than
+// `deepest`; bonds shorter than `reach` among them are free. Points deeper than the longest bond and the gap at the
+// outline have no missing moments.
 struct Layer {
   double depth, deepest, reach;
 };
 void mark_layer(const OutlinedPoints& points, const Layer& layer, OutlinedBonds& bonds);
 
-// Multiplies those in the layer by factors of their ends, so that every point resists a change of volume as its area
-// asks for: half of the sum of k L^2 is 8/3 C1111 times the area.
+// Multiplies the bonds in the layer by factors of their ends, so that every point resists a change of volume in
+// proportion to its area: half of the sum of k L^2 becomes 8/3 C1111 times the area.
 void share_by_area(const std::vector<double>& areas, OutlinedBonds& bonds);
 
-// For every point the four third moments 111, 112, 122, 222 that its bonds lack. `surface`: outward vectors of points.
+// Missing third moments 111, 112, 122, 222 of every point. `surface`: outward vectors of points.
 std::vector<Eigen::Vector4d> missing_moments(const std::vector<Point>& surface, const OutlinedBonds& bonds);
 
-// Second and fourth harmonic of length^2 over the direction, real and imaginary part of each. Where the sums of k times
-// that vanish, and the points lack no third moments, stress that varies linearly without forces inside and on the
-// outline leaves no forces: a strain's gradient g does k L^2 / 2 e e e e : g on the point of the bond.
+// Even moment of a bond: second and fourth harmonic of length^2 over the direction, real and imaginary part of each. If
+// the sums of k times these vanish, and the points have no missing third moments, then a stress that varies linearly,
+// without forces inside and on the outline, leaves no forces: a strain's gradient g does k L^2 / 2 e e e e : g on the
+// point of the bond.
 Eigen::Vector4d even_moment(const BondOffset& offset);
 std::vector<Eigen::Vector4d> missing_even_moments(std::size_t point_count, const OutlinedBonds& bonds);
 
-// The free bonds of a layer by what hangs together.
+// Free bonds of a layer by connected parts.
 struct LayerParts {
-  // Free bonds that share no point with others, and their points.
+  // Free bonds that share no point with those of other parts, and their points.
   struct Part {
     std::vector<int> bonds, points;
   };
@@ -59,7 +60,7 @@ struct LayerParts {
 
 LayerParts parts_of_layer(const OutlinedBonds& bonds, std::size_t point_count);
 
-// An order of a part's points in which those that bonds join are close to each other.
+// Order of a part's points in which points joined by bonds are close to each other.
 std::vector<int> order_of(const OutlinedBonds& bonds, const LayerParts::Part& part, const std::vector<int>& number);
 
 }  // namespace bempd::pd

@@ -11,7 +11,7 @@ using Eigen::Vector2i;
 
 namespace {
 
-// A cell whose middle is farther from the outline than its corners are from the middle is not touched by it.
+// Half of a cell's diagonal, rounded up: the outline does not touch a cell whose middle is farther from it than that.
 constexpr double half_diagonal = 0.7072;
 
 }  // namespace
@@ -59,7 +59,7 @@ bool OutlinedPoints::has_cell(const Vector2i& at) const {
          find_point(at + Vector2i(0, 1)) >= 0 && find_point(at + Vector2i(1, 1)) >= 0;
 }
 
-// Row by row between an odd and the next even crossing.
+// Marks the points inside, row by row between an odd and the next even crossing.
 void OutlinedPoints::mark_inside(const std::vector<Point>& nodes, const Chords& chords,
                                  std::vector<char>& inside) const {
   std::vector<std::vector<double>> crossings(static_cast<std::size_t>(upper_.y() - lower_.y()) + 1);

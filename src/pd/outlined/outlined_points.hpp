@@ -7,15 +7,15 @@
 
 namespace bempd::pd {
 
-// A square lattice by one of its points and the direction of its rows.
+// Position of a square lattice: one of its points and the direction of its rows.
 struct LatticePlace {
   Point origin = Point::Zero();
   double angle = 0;    // [rad]
   bool fixed = false;  // or it may be moved where no network is found
 };
 
-// The material points of a body with any outline, in units of the spacing: first the nodes of its chords, then the
-// points of a lattice that keep a gap from them.
+// Material points of a body with any outline, in units of the spacing: first the nodes of its chords, then the points
+// of a lattice that keep a gap from them.
 class OutlinedPoints {
  public:
   OutlinedPoints(const Chords& chords, const LatticePlace& place, double gap, double deepest);
@@ -30,12 +30,12 @@ class OutlinedPoints {
   int find_point(const Eigen::Vector2i& at) const;
   // Distance from the outline, at most `deepest`.
   double depth(int i) const { return depth_[i]; }
-  // In the direction of the lattice's rows.
+  // Rotation to the direction of the lattice's rows.
   const Eigen::Matrix2d& turn() const { return turn_; }
-  // In coordinates of the lattice.
+  // Place in coordinates of the lattice.
   Point place_on_lattice(const Point& p) const { return turn_.transpose() * (p - origin_); }
 
-  // Whether the lattice cell with this lower left corner has all its points and keeps clear of the outline.
+  // Whether the lattice cell with this lower left corner has all its points and does not touch the outline.
   bool has_cell(const Eigen::Vector2i& at) const;
   const Eigen::Vector2i& lower() const { return lower_; }
   const Eigen::Vector2i& upper() const { return upper_; }

@@ -27,7 +27,7 @@ class LoopBalance {
     for (int i = 0; i < count_; ++i) size_ = std::max(size_, (chords.nodes[first_ + i] - centre_).norm());
   }
 
-  // What the node adds to the three numbers, lengths in units of the loop's size.
+  // Contribution of a node to the three numbers, with lengths in units of the loop's size.
   std::array<double, 3> numbers(int i) const {
     const Point x = place(i), r(-x.y(), x.x()), n = vector(i);
     return {trace_of({1, 0}, r, r).dot(n), trace_of({0, 1}, r, r).dot(n), trace_of(r, r, r).dot(n)};
@@ -41,7 +41,7 @@ class LoopBalance {
 
   // Makes the chords of every piece with four or more of them count as if they had one length, by factors of two nodes
   // at either of its ends: a (1, -1, .., -1, 1) keeps resultant and moment of a straight piece and adds a l^3 (2 n - 6)
-  // to the sum of N s^2, in which chords of another length are missing n l (l^2 - wanted) / 6.
+  // to the sum of N s^2, in which chords of another length lack n l (l^2 - wanted) / 6.
   void level(std::vector<double>& factors) const {
     const std::vector<int> pieces = own_pieces();
     const double wanted = wanted_square(pieces);
@@ -98,7 +98,7 @@ class LoopBalance {
     }
     return pieces;
   }
-  // That of pieces too short to be changed, or else the mean.
+  // Square of the length that chords are to count as: that of pieces too short to be changed, or else the mean.
   double wanted_square(const std::vector<int>& pieces) const {
     double sum = 0, of_short = 0, length = 0, length_of_short = 0;
     for (const int piece : pieces) {
