@@ -17,7 +17,7 @@ struct Box {
   Complex middle() const { return {0.5 * (left + right), 0.5 * (low + high)}; }
 };
 
-// A value with the relative slope there, which tells how near roots are: one at the distance d adds 1 / d.
+// Value with the relative slope there, which tells how near roots are: one at the distance d adds 1 / d.
 struct Sample {
   Complex place, value;
   double slope;
@@ -28,7 +28,7 @@ struct Sample {
   }
 };
 
-// Change of the argument on the straight way between two places, halved until no root can hide on its side.
+// Change of the argument along the straight line between two places, halved until no root can hide beside it.
 double turning(const AnalyticFunction& f, const Sample& from, const Sample& to, int depth) {
   constexpr double small = 0.8;
   constexpr int most_halvings = 40;
@@ -38,7 +38,7 @@ double turning(const AnalyticFunction& f, const Sample& from, const Sample& to, 
   return turning(f, from, middle, depth + 1) + turning(f, middle, to, depth + 1);
 }
 
-// Roots in a box: turns of the function on the way round it.
+// Number of roots in a box: turns of the function around it.
 int count_roots(const AnalyticFunction& f, const Box& box) {
   const std::array<Sample, 4> corners{Sample(f, {box.left, box.low}), Sample(f, {box.right, box.low}),
                                       Sample(f, {box.right, box.high}), Sample(f, {box.left, box.high})};
@@ -47,7 +47,7 @@ int count_roots(const AnalyticFunction& f, const Box& box) {
   return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
-// Of two roots that are close together or the same the left one, by parabolas.
+// Left one of two roots that are close together or equal, by parabolas.
 Complex left_of_two(const AnalyticFunction& f, const Complex& start, double reach) {
   Complex z = start;
   for (const double step : {reach, 0.3 * reach, 0.1 * reach, 0.1 * reach}) {
@@ -62,7 +62,7 @@ Complex left_of_two(const AnalyticFunction& f, const Complex& start, double reac
   return z;
 }
 
-// Newton's method with differences; the start if it leaves the neighbourhood.
+// Newton's method with differences; returns the start if it leaves the neighbourhood.
 Complex refined(const AnalyticFunction& f, const Complex& start, double reach) {
   Complex z = start;
   for (int iteration = 0; iteration < 60; ++iteration) {
@@ -80,7 +80,7 @@ Complex refined(const AnalyticFunction& f, const Complex& start, double reach) {
 }  // namespace
 
 std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range, double most_imaginary) {
-  // Odd shares: roots like to lie half way, where a box must not have its side.
+  // Odd share: roots are often half way, where a side of a box must not be.
   constexpr double share = 0.4871, precise = 1e-4;
   Box box{range.from, range.to, -0.9713 * most_imaginary, most_imaginary};
   if (count_roots(f, box) <= 0) return std::nullopt;
@@ -92,7 +92,7 @@ std::optional<Complex> leftmost_root(const AnalyticFunction& f, RealRange range,
     else
       box.left = first.right;
   }
-  // Of its conjugates the upper one.
+  // The upper half holds the upper one of a conjugate pair.
   Box upper = box;
   upper.low = -0.37 * precise;
   if (count_roots(f, upper) > 0) box = upper;

@@ -9,7 +9,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// What a BLAS has beyond the standard is looked for by name, so that any other can take its place.
+// Calls a function that only some BLAS have, which is looked up by name, so that any other BLAS can take its place.
 template <class Result>
 Result ask(const char* function, Result unknown) {
   void* const found = dlsym(RTLD_DEFAULT, function);
@@ -22,7 +22,7 @@ std::string first_words(const std::string& text, int count) {
   return text.substr(0, end);
 }
 
-// OpenBLAS's names of kernels for x86 without AVX2 (its cpuid_x86.c and dynamic.c).
+// Names of OpenBLAS's kernels for x86 without AVX2 (its cpuid_x86.c and dynamic.c).
 constexpr std::array older_cores = {
     "Generic", "Katmai",       "Coppermine",    "Northwood",   "Prescott",  "Banias",     "Core2",      "Penryn",
     "Atom",    "Dunnington",   "Nehalem",       "Athlon",      "Opteron",   "Barcelona",  "Bobcat",     "Nano",

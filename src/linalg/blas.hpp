@@ -5,7 +5,7 @@
 
 namespace bempd::linalg {
 
-// The BLAS that runs, which the host's system chooses when the program is loaded.
+// BLAS in use, which the host's system chooses when the program is loaded.
 struct Blas {
   std::string name;  // with its version; "BLAS" if it does not say
   std::string core;  // kind of processor that its kernels are made for; empty if it does not say
@@ -17,7 +17,7 @@ Blas running_blas();
 // "OpenBLAS 0.3.21 (Haswell, 4 threads)".
 std::string describe(const Blas& blas);
 
-// Whether kernels for this kind of processor leave out half of what one with AVX2 does at once.
+// Whether kernels for this kind of processor are half as wide as those for AVX2.
 bool is_before_avx2(std::string_view core);
 
 // Whether the processor of this machine has AVX2 and its fused multiplication and addition.

@@ -13,7 +13,7 @@ using Get = int (*)();
 using Set = void (*)(int);
 using Exchange = int (*)(int);
 
-// A way to say how many threads the BLAS uses; looked for by name, so that any other BLAS can take its place.
+// Functions that get and set the number of BLAS threads; looked up by name, so that any other BLAS can take its place.
 struct ThreadControl {
   Get get = nullptr;
   Set set = nullptr;
@@ -53,7 +53,7 @@ const ThreadControl& control() {
   return found;
 }
 
-// Of the whole process: how many scopes there are, the number before the first, and the one that they have set.
+// State of the whole process: number of scopes, number of threads before the first one, and the number that they set.
 struct Shared {
   std::mutex mutex;
   int scopes = 0, before = 0, now = 0;
@@ -89,7 +89,7 @@ BlasThreads::~BlasThreads() {
   } else if (blas.whole_process && blas.get) {
     Shared& all = shared();
     const std::lock_guard<std::mutex> lock(all.mutex);
-    // What the host has set meanwhile, in another thread or a callback, is its last word.
+    // A number that the host has set meanwhile, in another thread or a callback, stays.
     if (--all.scopes == 0 && all.now != all.before && blas.get() == all.now) blas.set(all.before);
   } else if (blas.get) {
     blas.set(before_);

@@ -8,14 +8,14 @@
 
 namespace bempd::linalg {
 
-// The settings of another main version lie elsewhere in memory.
+// Throws if the CHOLMOD that runs has another main version: its settings lie elsewhere in memory.
 inline void require_cholmod(int running) {
   if (running == CHOLMOD_MAIN_VERSION) return;
   throw std::runtime_error("CHOLMOD " + std::to_string(running) + " runs, but bempd was compiled with CHOLMOD " +
                            std::to_string(CHOLMOD_MAIN_VERSION) + "; install that one or compile bempd again");
 }
 
-// CHOLMOD's workspace and settings; errors become exceptions instead of messages on the host's terminal.
+// Workspace and settings of CHOLMOD; errors become exceptions instead of messages on the host's terminal.
 class CholmodCommon {
  public:
   CholmodCommon() {
@@ -33,15 +33,17 @@ class CholmodCommon {
   cholmod_common* get() { return &common_; }
   cholmod_common* operator->() { return &common_; }
 
-  // To be called after every CHOLMOD call: a negative status is an error, a positive one a warning.
+  // Throws after a failed CHOLMOD call, and has to follow each: a negative status is an error, a positive one a
+  // warning.
   void check() const {
-    // Its integers have 32 bits: what is too large for them would need tens of gigabytes.
+    // CHOLMOD's integers have 32 bits: matrices that are too large for them would need tens of gigabytes.
     if (common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
     if (common_.status < 0) throw std::runtime_error(std::string("CHOLMOD: ") + last_message());
   }
 
  private:
-  // The handler gets no user pointer; the message always belongs to the call just made on this thread.
+  // Message of the last error. The handler gets no user pointer, but the message belongs to the call just made on this
+  // thread.
   static const char*& last_message() {
     thread_local const char* message = "unknown error";
     return message;
@@ -50,7 +52,7 @@ class CholmodCommon {
   cholmod_common common_;
 };
 
-// Owner of a CHOLMOD object freed by `release(&pointer, common)`; `slot` is where CHOLMOD stores or replaces it.
+// Owner of a CHOLMOD object that `release(&pointer, common)` frees; `slot` is where CHOLMOD stores or replaces it.
 template <class T, int (*release)(T**, cholmod_common*)>
 class CholmodHandle {
  public:

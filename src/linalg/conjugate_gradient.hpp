@@ -42,11 +42,11 @@ Sweep conjugate_gradient_sweep(const Apply& apply, const Precondition& precondit
 
 }  // namespace detail
 
-// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for A x = b, A and the preconditioner symmetric
-// positive definite. Eigen's own takes two products with A where the factor is exact instead of one, and sees neither a
-// matrix that is indefinite nor that its residuals have drifted: on the published centre crack, one solution an event,
-// 2.4 s instead of 1.9 s. `apply(x, y)` sets y = A x; `precondition(r)` overwrites r by M^-1 r. `x` brings the initial
-// guess and takes the best solution found, whatever the end.
+// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) for A x = b, with A and the preconditioner symmetric
+// positive definite. Eigen's own method takes two products with A instead of one where the factor is exact, and notices
+// neither an indefinite matrix nor that its residuals have drifted: on the published centre crack, with one solution
+// per event, 2.4 s instead of 1.9 s. `apply(x, y)` sets y = A x; `precondition(r)` overwrites r by M^-1 r. `x` holds
+// the initial guess and then the best solution found, also after a failure.
 template <class Apply, class Precondition>
 KrylovResult conjugate_gradient(const Apply& apply, const Precondition& precondition, const Eigen::VectorXd& b,
                                 Eigen::VectorXd& x, const ConjugateGradientOptions& options = {}) {

@@ -4,8 +4,8 @@
 
 namespace bempd::linalg {
 
-// In place, on lower triangles: L <- L^-1, and L <- the lower triangle of L^T L. By halves, so that products of large
-// blocks do the work.
+// In-place inverses of lower triangles: L <- L^-1, and L <- the lower triangle of L^T L. They work by halves, so that
+// most of the work is products of large blocks.
 void invert_lower(Eigen::Ref<Eigen::MatrixXd> lower);
 void multiply_by_transpose(Eigen::Ref<Eigen::MatrixXd> lower);
 

@@ -9,15 +9,15 @@
 
 namespace bempd::linalg {
 
-// Dense algebra that hears a request to stop: what takes long is done in parts. What does not is one call, as it would
-// be without this.
+// Dense algebra that can be cancelled: long operations are done in parts. Short ones are one call, as without this
+// file.
 
-// Floating point operations in a part: some 30 ms.
+// Number of floating point operations in a part: some 30 ms.
 constexpr double operations_at_once = 5e8;
 
 inline bool is_long(double operations) { return operations > operations_at_once; }
 
-// A matrix in memory, or the transpose of one. Products are compiled for these alone, as every kind takes seconds.
+// Matrix in memory, or the transpose of one. Products are compiled for these alone, as every kind takes seconds.
 class Operand {
  public:
   template <class Derived>
@@ -37,7 +37,7 @@ class Operand {
   }
   Operand transpose() const { return {data_, cols_, rows_, stride_, !is_transposed_}; }
 
-  // visit(matrix), an expression of Eigen's.
+  // Calls visit(matrix) with an expression of Eigen's.
   template <class Visit>
   void as_matrix(const Visit& visit) const {
     using Stored = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -57,13 +57,13 @@ class Operand {
   bool is_transposed_;
 };
 
-// c += factor * a * b.
+// Computes c += factor * a * b.
 void add_product(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, const Operand& b, double factor = 1);
 
-// The lower triangle of c += factor * a * a^T.
+// Computes the lower triangle of c += factor * a * a^T.
 void add_square(Eigen::Ref<Eigen::MatrixXd> c, const Operand& a, double factor = 1);
 
-// x <- L^-1 x, x <- L^-T x and x <- x L^-T, of the lower triangle of a matrix.
+// Computes x <- L^-1 x, x <- L^-T x and x <- x L^-T, where L is the lower triangle of a matrix.
 void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
 void solve_upper(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
 void solve_upper_from_right(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> x);
@@ -71,20 +71,20 @@ void solve_upper_from_right(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eige
 // Replaces the lower triangle by its Cholesky factor; false if it is not positive definite.
 bool factorize_in_parts(Eigen::Ref<Eigen::MatrixXd> lower);
 
-// Cholesky factor of a symmetric positive definite matrix, of which only the lower triangle counts.
+// Cholesky factor of a symmetric positive definite matrix, of which only the lower triangle is read.
 class DenseCholesky : public Eigen::LLT<Eigen::MatrixXd> {
  public:
   void compute(Eigen::MatrixXd matrix);
   const Eigen::MatrixXd& lower() const { return m_matrix; }  // its other triangle is anything
 };
 
-// Of any matrix, with partial pivoting.
+// LU factors of any matrix, with partial pivoting.
 class DenseLU : public Eigen::PartialPivLU<Eigen::MatrixXd> {
  public:
   void compute(Eigen::MatrixXd matrix);
 };
 
-// factor^-1 x, some right-hand sides after the other.
+// Solution factor^-1 x, a few right-hand sides at a time.
 template <class Factor>
 Eigen::MatrixXd solve_in_parts(const Factor& factor, Eigen::MatrixXd x) {
   const double each = 2 * static_cast<double>(factor.rows()) * static_cast<double>(factor.rows());

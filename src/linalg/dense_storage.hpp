@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-// Eigen 3.4 leaves a matrix with a pointer to memory that it has given back when there is none for its new size; the
-// next use or the destructor then damages the heap. Here such a matrix is empty. Eigen's own function is replaced, for
-// the types that this library resizes; the header comes first in every source file (src/CMakeLists.txt).
+// Safe resizing for Eigen 3.4, whose matrices keep a pointer to freed memory when there is no memory for a new size;
+// the next use or the destructor then damages the heap. Here such a matrix is empty. Eigen's own function is replaced
+// for the types that this library resizes; the header comes first in every source file (src/CMakeLists.txt).
 namespace Eigen {
 
 template <>
@@ -63,7 +63,7 @@ inline void DenseStorage<double, Dynamic, 3, Dynamic, ColMajor>::resize(Index si
   m_cols = cols;
 }
 
-// Permutations.
+// Storage of permutations.
 template <>
 inline void DenseStorage<int, Dynamic, Dynamic, 1, ColMajor>::resize(Index size, Index rows, Index cols) {
   if (size != m_rows) {

@@ -27,11 +27,10 @@ struct Sweep {
 };
 
 // Solves A x = b by sweeps of an iteration. `sweep(target, max_iterations, x, r, iterations)` iterates from (x, r = b -
-// A x) until it believes the residual to be at most the given inf-norm, or until it has to start anew.
+// A x) until it believes the residual to be at most the given inf-norm, or until it has to restart.
 //
-// Residuals updated along the way drift from the true one, so convergence is only believed of b - A x. If that is still
-// too large, the iteration starts anew from it, which refines the solution, until a start gains less than a factor of
-// two.
+// Updated residuals drift from the true one, so only b - A x decides about convergence. If it is still too large, the
+// iteration restarts from it, which refines the solution, until a restart gains less than a factor of two.
 template <class Apply, class SweepFunction>
 KrylovResult iterate_with_refinement(const Apply& apply, const SweepFunction& sweep, const Eigen::VectorXd& b,
                                      Eigen::VectorXd& x, double tolerance, int max_iterations) {

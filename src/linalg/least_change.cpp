@@ -21,7 +21,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 // Residual that no further round can improve, for values and equations of order one.
 constexpr double rounding = 5e-16;
 
-// Shortest x = B^T lambda with B x = r, for a consistent right-hand side.
+// Solver for the shortest x = B^T lambda with B x = r, for a consistent right-hand side.
 class MinimumNormSolver {
  public:
   using Step = SparseMinimumNorm::Step;
@@ -60,7 +60,7 @@ struct Candidate {
   double residual = 0;
 };
 
-// Zero for values that are held.
+// Scales of the values, zero for those that are held.
 VectorXd free_scales(const LeastChange& problem, const std::vector<char>& held) {
   VectorXd scale = problem.scale;
   for (std::size_t i = 0; i < held.size(); ++i)
@@ -75,7 +75,7 @@ Candidate starting_candidate(const LeastChange& problem, const std::vector<char>
   return c;
 }
 
-// Up to so many steps, or as many as make it better.
+// Refines a candidate by at most this many steps, as long as they improve it.
 template <class Solver>
 void refine(const LeastChange& problem, const VectorXd& free_scale, const Solver& solve, int most, Candidate& c) {
   VectorXd missing = problem.target - problem.constraints * c.values;
@@ -110,7 +110,7 @@ Candidate solve_with_held(const LeastChange& problem, const std::vector<char>& h
   return c;
 }
 
-// Which values the multipliers of a candidate would take below the bound.
+// Values that the multipliers of a candidate would take below the bound.
 std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const std::vector<char>& held) {
   const VectorXd pull = problem.constraints.transpose() * c.lambda;
   const bool bounded = std::isfinite(problem.lower);
@@ -126,8 +126,8 @@ std::vector<char> held_by(const LeastChange& problem, const Candidate& c, const 
 
 }  // namespace
 
-// Primal-dual active sets (Hintermueller, Ito, Kunisch 2002): a semismooth Newton method for the dual problem, in which
-// x = max(lower * scale, start + scale^2 A^T lambda).
+// Solves by primal-dual active sets (Hintermueller, Ito, Kunisch 2002), a semismooth Newton method for the dual
+// problem, in which x = max(lower * scale, start + scale^2 A^T lambda).
 LeastChangeResult solve_least_change(const LeastChange& problem) {
   assert(problem.constraints.cols() == problem.start.size() && problem.start.size() == problem.scale.size());
   LeastChangeResult result;
@@ -144,8 +144,8 @@ LeastChangeResult solve_least_change(const LeastChange& problem) {
   return result;
 }
 
-// Mostly the first digits of the multipliers tell which values are held: the others wait until that is known, or until
-// some rounds have not told.
+// Solves the long problem. A rough solution usually tells which values are held, so exact solutions wait until these
+// are known, or until some rounds have not found them.
 LeastChangeResult solve_long_least_change(const LeastChange& problem) {
   if (problem.target.size() <= 80) return solve_least_change(problem);
   constexpr double shift = 3e-15;

@@ -21,8 +21,8 @@ struct LeastChangeResult {
 
 LeastChangeResult solve_least_change(const LeastChange& problem);
 
-// The same for equations along a line that is hundreds of times longer than each of them reaches, whose long waves have
-// eigenvalues near rounding.
+// Solves the same problem for equations along a line that is hundreds of times longer than the reach of each equation,
+// and whose long waves have eigenvalues near rounding.
 LeastChangeResult solve_long_least_change(const LeastChange& problem);
 
 }  // namespace bempd::linalg

@@ -5,12 +5,12 @@
 
 namespace bempd::linalg {
 
-// Dense equations, solved in the sense of least squares by a complete orthogonal decomposition; of several solutions
-// the shortest. One size for all, as each takes seconds to compile.
+// Solves dense equations in the sense of least squares by a complete orthogonal decomposition; of several solutions it
+// takes the shortest. There is one size for all, as each takes seconds to compile.
 class LeastSquares {
  public:
   explicit LeastSquares(const Eigen::MatrixXd& equations);
-  // What lies below the threshold, relative to the largest pivot, counts as zero.
+  // Decomposes the matrix; pivots below the threshold, relative to the largest one, count as zero.
   LeastSquares(const Eigen::MatrixXd& equations, double threshold);
   ~LeastSquares();
 

@@ -10,7 +10,7 @@ namespace bempd::linalg {
 
 namespace {
 
-// Parts of at most this many nodes are not divided further: their factor is full anyway.
+// Size of parts that are not divided further: their factor is full anyway.
 constexpr std::ptrdiff_t leaf_size = 24;
 
 class Dissection {
@@ -63,7 +63,7 @@ class Dissection {
     divide(upper_begin, upper_end);
   }
 
-  // Between two different coordinates, as many nodes below as above if possible.
+  // Place of a cut between two different coordinates, with as many nodes below as above if possible.
   double middle(Iterator begin, Iterator end, int axis) {
     coordinates_.clear();
     for (Iterator it = begin; it != end; ++it) coordinates_.push_back(graph_.positions[*it][axis]);
@@ -72,7 +72,7 @@ class Dissection {
     const double value = *median;
     const auto [lowest_place, highest] = std::minmax_element(coordinates_.begin(), coordinates_.end());
     const double lowest = *lowest_place;
-    // Of the part's own size: the order must not depend on the unit of length.
+    // The tolerance is relative to the part's size: the order must not depend on the unit of length.
     const double tolerance = 1e-9 * (*highest - lowest);
     return value - tolerance > lowest ? value - tolerance : value + tolerance;
   }

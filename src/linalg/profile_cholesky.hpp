@@ -5,20 +5,21 @@
 
 namespace bempd::linalg {
 
-// Cholesky factor of a symmetric positive definite matrix whose entries lie close to the diagonal: row after row from
-// the first entry of each, in dense panels of rows. For unknowns in groups of four.
+// Cholesky factor of a symmetric positive definite matrix whose entries lie close to the diagonal: each row is stored
+// from its first entry on, in dense panels of rows. Unknowns come in groups of four.
 class ProfileCholesky {
  public:
   static constexpr int group = 4;
 
-  // By the first group that each group is coupled to, itself at the latest.
+  // Prepares storage from the first group that each group is coupled to, which is at most itself.
   explicit ProfileCholesky(const std::vector<int>& first_coupled);
 
   void clear();
-  // Where rows of the group `row` meet columns of the group `column` <= row. Of those on the diagonal all 16.
+  // Block where rows of the group `row` meet columns of the group `column` <= row; blocks on the diagonal need all 16
+  // entries.
   Eigen::Block<Eigen::MatrixXd, group, group> at(int row, int column);
   double largest_diagonal() const;
-  // Of the matrix plus `shift` on its diagonal; false if that is not positive definite.
+  // Factorizes the matrix plus `shift` on its diagonal; false if that is not positive definite.
   bool factorize(double shift);
 
   void solve_in_place(Eigen::Ref<Eigen::VectorXd> x) const;
@@ -35,8 +36,8 @@ class ProfileCholesky {
   std::vector<Eigen::MatrixXd> panels_;  // from that up to itself
 };
 
-// An order of nodes by which coupled ones come close to each other (Cuthill and McKee 1969), part after part of what
-// hangs together. `neighbours` of nodes by compressed rows.
+// Order of nodes in which coupled ones are close to each other (Cuthill and McKee 1969), one connected part after the
+// other. `neighbours` of nodes are in compressed rows.
 std::vector<int> close_order(const std::vector<int>& start, const std::vector<int>& neighbours);
 
 }  // namespace bempd::linalg

@@ -27,21 +27,21 @@ class SparseFactorization {
   // Overwrites the right-hand sides with solutions, using the factor as it is now. No iterative refinement.
   virtual void solve_in_place(Eigen::Ref<Eigen::MatrixXd> rhs) const = 0;
 
-  // A <- A + C C^T (add) or A - C C^T (remove), C having few entries a column. Returns true if the factor now
-  // represents the changed matrix; false if it was left stale, so that solves only precondition until the next
+  // Changes A to A + C C^T (add) or A - C C^T (remove), where C has few entries a column. Returns true if the factor
+  // now represents the changed matrix; false if it was left stale, so that solves only precondition until the next
   // factorize.
   virtual bool update(const Eigen::SparseMatrix<double>& columns, Change change) = 0;
 
   // Smallest pivot relative to entries of the matrix last factorized, see the methods: near zero if something can move
-  // freely, and a lower bound of nothing else (an ill-conditioned matrix can have large ratios). 1 for an empty matrix.
+  // freely. It is no measure of the condition (an ill-conditioned matrix can have large ratios). 1 for an empty matrix.
   // Costs one pass over the pivots.
   virtual double smallest_pivot_ratio() const = 0;
 
-  // Stored entries of the factor.
+  // Number of stored entries of the factor.
   virtual std::int64_t factor_nonzeros() const = 0;
 };
 
-// The backend this library was built with: "suitesparse" or "eigen".
+// Name of the backend this library was built with: "suitesparse" or "eigen".
 const char* backend_name();
 
 }  // namespace bempd::linalg

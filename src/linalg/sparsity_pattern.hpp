@@ -7,7 +7,7 @@
 
 namespace bempd::linalg {
 
-// Remembers where a compressed matrix has entries, to tell whether an analysis still fits.
+// Pattern of a compressed matrix, remembered to tell whether an analysis still fits.
 template <class Index>
 class SparsityPattern {
  public:
@@ -18,7 +18,7 @@ class SparsityPattern {
   }
   void clear() { start_.clear(); }
 
-  // Never true after clear().
+  // Whether the matrix has the remembered pattern; never after clear().
   bool matches(const Eigen::SparseMatrix<double>& matrix) const {
     assert(matrix.isCompressed());
     return start_.size() == static_cast<std::size_t>(matrix.cols() + 1) &&
@@ -26,7 +26,7 @@ class SparsityPattern {
            std::equal(rows_.begin(), rows_.end(), matrix.innerIndexPtr());
   }
 
-  // Compressed columns: entries of column j are `rows` from column_start[j] to column_start[j + 1].
+  // Compressed columns: the entries of column j are `rows` from column_start[j] to column_start[j + 1].
   const std::vector<Index>& column_start() const { return start_; }
   const std::vector<Index>& rows() const { return rows_; }
 

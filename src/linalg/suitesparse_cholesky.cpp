@@ -54,10 +54,10 @@ cholmod_dense view(Eigen::Ref<Eigen::MatrixXd> matrix) {
   return out;
 }
 
-// A pass through a factor of so many entries takes some 50 ms.
+// Number of factor entries from which one solution takes some 50 ms.
 constexpr std::int64_t entries_of_a_long_solution = 50'000'000;
 
-// First touching many small pages costs as much as a third of a factorization.
+// Asks for large pages: the first access to many small pages costs as much as a third of a factorization.
 void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
   const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -69,10 +69,10 @@ void use_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t
 class SuiteSparseCholesky final : public SparseCholesky {
  public:
   SuiteSparseCholesky() {
-    // Supernodal whatever the size: L L^T notices a negative pivot, CHOLMOD's simplicial L D L^T does not.
+    // Supernodal whatever the size, because L L^T notices a negative pivot and CHOLMOD's simplicial L D L^T does not.
     common_->supernodal = CHOLMOD_SUPERNODAL;
-    // AMD only. CHOLMOD's other choice, METIS, reseeds the process-wide random generator and swaps signal handlers,
-    // which an embedded library must not do to its host.
+    // AMD is the only ordering. CHOLMOD's other choice, METIS, reseeds the process-wide random generator and swaps
+    // signal handlers, which an embedded library must not do to its host.
     common_->nmethods = 1;
     common_->method[0].ordering = CHOLMOD_AMD;
   }
@@ -122,7 +122,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
       factor.solve_lower(ordered);
       factor.solve_upper(ordered);
     } else {
-      // The same as above, in its two halves.
+      // Long solutions use the two halves, which can be cancelled, with the digits of the call above.
       triangular_solve(CHOLMOD_L, ordered);
       check_cancelled();
       ordered = solution();
@@ -135,7 +135,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void solve_forward(Eigen::Ref<Eigen::MatrixXd> rhs) const override {
     assert(has_factor_ && factor_->is_super && rhs.rows() == diagonal_.size());
     if (rhs.size() == 0) return;
-    // Column by column, as many long ones take a while to copy.
+    // Columns are copied one by one, as many long ones take a while.
     Eigen::MatrixXd ordered(rhs.rows(), rhs.cols());
     for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
       check_cancelled();
@@ -170,7 +170,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
     assert(has_factor_ && columns.rows() == diagonal_.size());
     if (columns.nonZeros() == 0) return true;
     has_factor_ = false;  // until this call succeeds
-    // The conversion is left to the first change: a run without one keeps the faster supernodal solves.
+    // The factor becomes simplicial only at the first change: a run without changes keeps the faster supernodal solves.
     if (factor_->is_super) {
       cholmod_change_factor(CHOLMOD_REAL, 0, 0, 0, 1, factor_.get(), common_.get());
       common_.check();
@@ -214,7 +214,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
       pattern_.assign(lower);  // last: where memory is missing before, all of it is done anew
     }
-    // A factor that was changed is simplicial; the next one starts from the analysis again.
+    // A changed factor is simplicial; so the next one starts from the analysis again.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
       common_.check();
@@ -228,7 +228,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
   void analyse(cholmod_sparse& matrix) {
     const bool given = !wanted_order_.empty();
     common_->method[0].ordering = given ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-    // Postordering gathers columns into larger supernodes, but may move those that are to stay last.
+    // Postordering gathers columns into larger supernodes, but may move those that must stay last.
     for (const int postorder : {1, 0}) {
       common_->postorder = postorder;
       analysis_.reset(cholmod_analyze_p(&matrix, given ? wanted_order_.data() : nullptr, nullptr, 0, common_.get()));
@@ -247,7 +247,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
     return last(found + analysis_->n) == last(wanted_order_.data() + wanted_order_.size());
   }
 
-  // Leaves the result in solution().
+  // Solves a triangular system and leaves the result in solution().
   void triangular_solve(int system, Eigen::Ref<Eigen::MatrixXd> rhs) const {
     cholmod_dense b = view(rhs);
     cholmod_solve2(system, factor_.get(), &b, nullptr, solution_.slot(), nullptr, work_y_.slot(), work_e_.slot(),

@@ -18,7 +18,7 @@ using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 constexpr int none = -1;
 
-// The lower triangle in the order of elimination.
+// Lower triangle in the order of elimination.
 struct Ordered {
   std::vector<int> begin, row;
   std::vector<double> value;
@@ -93,7 +93,7 @@ class Factorization {
   int rows(int s) const { return rows_begin_[s + 1] - rows_begin_[s]; }
   double* panel(int s) { return values_ + values_begin_[s]; }
 
-  // In proportion: what a supernode's own elimination and what it does to later ones take.
+  // Number proportional to the operations of a supernode: its own elimination and its updates of later ones.
   double operations_of(int s) const { return static_cast<double>(columns(s)) * rows(s) * rows(s); }
   double operations(int count) const {
     double sum = 0;
@@ -111,7 +111,7 @@ class Factorization {
     }
   }
 
-  // What the columns of an earlier supernode d leave in those of s.
+  // Subtracts the update of an earlier supernode d from the columns of s.
   void subtract(int s, int d) {
     check_cancelled();
     const int* const own_rows = row_ + rows_begin_[d];
@@ -132,7 +132,7 @@ class Factorization {
     hand_on(d);
   }
 
-  // The first `wide` columns of A A^T, A being `high` rows of a panel.
+  // Computes the first `wide` columns of A A^T, where A is `high` rows of a panel.
   void multiply(const double* a, int stride, int inner, int wide, int high) {
     const double work = 2.0 * inner * wide * high;
     const int at_once =
@@ -167,7 +167,7 @@ class Factorization {
     return true;
   }
 
-  // To the supernode that its next rows belong to.
+  // Hands supernode d on to the one that its next rows belong to.
   void hand_on(int d) {
     if (done_[d] >= rows(d)) return;
     const int ancestor = supernode_of_[row_[rows_begin_[d] + done_[d]]];

@@ -6,10 +6,10 @@
 
 namespace bempd::linalg {
 
-// Numbers of a supernodal factor that CHOLMOD has analysed for the pattern of `lower` and given memory: in the order
-// and by the calls of BLAS and LAPACK of CHOLMOD's own function (Chen, Davis, Hager and Rajamanickam 2008, section 3),
-// so with the same digits but in supernodes that take long, which are done in parts. That one cannot be stopped, and
-// works with OpenMP, which ends the process where memory is missing. False if a pivot is not positive.
+// Computes the values of a supernodal factor that CHOLMOD has analysed for the pattern of `lower` and given memory. It
+// follows CHOLMOD's own function (Chen, Davis, Hager and Rajamanickam 2008, section 3) in the order of its calls of
+// BLAS and LAPACK, and so has its digits, but does long supernodes in parts. CHOLMOD's function cannot be cancelled,
+// and uses OpenMP, which ends the process when memory is missing. Returns false if a pivot is not positive.
 bool factorize_supernodes(const Eigen::SparseMatrix<double>& lower, cholmod_factor& factor);
 
 }  // namespace bempd::linalg

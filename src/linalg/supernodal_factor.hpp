@@ -28,25 +28,25 @@ void for_each_pivot(const cholmod_factor& factor, Visit visit) {
   }
 }
 
-// Works with CHOLMOD's supernodal factor L: columns lie in dense panels, one a supernode. Rows and columns are in the
-// order of elimination.
+// Access to CHOLMOD's supernodal factor L: columns lie in dense panels, one for each supernode. Rows and columns are in
+// the order of elimination.
 class SupernodalFactor {
  public:
   explicit SupernodalFactor(const cholmod_factor& factor);
 
-  // The last rows and columns of L, a lower triangle.
+  // Last rows and columns of L, a lower triangle.
   Eigen::MatrixXd trailing_block(int size) const;
 
-  // x <- L^-1 x and x <- L^-T x, by the calls of BLAS of CHOLMOD's own function, which can neither be stopped nor be
-  // told of missing memory everywhere.
+  // Computes x <- L^-1 x and x <- L^-T x by the BLAS calls of CHOLMOD's own function, which cannot be cancelled and
+  // does not report missing memory everywhere.
   void solve_lower(Eigen::Ref<Eigen::MatrixXd> x);
   void solve_upper(Eigen::Ref<Eigen::MatrixXd> x);
 
-  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already; in all supernodes
-  // or in those marked.
+  // Solves L^T x = b for rows of right-hand sides whose last `known` entries are solutions already; in all supernodes,
+  // or in marked ones only.
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                       const std::vector<char>* marked = nullptr) const;
-  // Marks the supernodes that solutions in these places depend on: their own and the way from there to the root.
+  // Marks the supernodes that solutions in these places depend on: their own ones and all on the path to the root.
   std::vector<char> asked_by(const std::vector<int>& places) const;
 
  private:

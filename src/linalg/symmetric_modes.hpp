@@ -10,7 +10,7 @@ struct SymmetricModes {
   Eigen::MatrixXd vectors;
 };
 
-// Reads the lower triangle. One size for all, as each takes seconds to compile.
+// Computes the modes from the lower triangle. There is one size for all, as each takes seconds to compile.
 SymmetricModes symmetric_modes(const Eigen::MatrixXd& matrix);
 
 }  // namespace bempd::linalg

@@ -5,22 +5,22 @@
 
 namespace bempd::linalg {
 
-// An order of elimination with little fill for a symmetric matrix, of which the lower triangle is given: what is
-// eliminated k-th.
+// Order of elimination with little fill for a symmetric matrix given by its lower triangle: the unknown eliminated
+// k-th.
 std::vector<int> minimum_degree(const Eigen::SparseMatrix<double>& lower);
-// The upper triangle in that order. Its columns are not sorted.
+// Upper triangle in that order; its columns are not sorted.
 Eigen::SparseMatrix<double> upper_in_order(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order);
 
-// A = L D L^T of a sparse symmetric matrix, row after row of L, the order of elimination being that of the rows (T. A.
-// Davis, ACM Trans. Math. Software 31, 2005, algorithm 849). Eigen's own can neither be stopped nor say how far it is.
+// Factors A = L D L^T of a sparse symmetric matrix, row after row of L, eliminated in the order of the rows (T. A.
+// Davis, ACM Trans. Math. Software 31, 2005, algorithm 849). Eigen's own method can neither be cancelled nor report its
+// progress.
 class UpLookingLDLT {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  // Where entries of L will be, from the upper triangle. The order of the entries in its columns decides in which one
-  // sums are formed.
+  // Finds the pattern of L from the upper triangle. The order of the entries in its columns decides the order of sums.
   void analyse(const Matrix& upper);
-  // Numbers for the pattern that was analysed; false if a pivot is 0. Hears requests to stop.
+  // Computes the values for the analysed pattern; false if a pivot is 0. Can be cancelled.
   bool factorize(const Matrix& upper);
 
   const Matrix& unit_lower() const { return unit_lower_; }  // without its diagonal of ones
