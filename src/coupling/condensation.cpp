@@ -80,7 +80,8 @@ Affine Condensation::displacement(const Affine& kept) const {
   return all;
 }
 
-// Tied nodes follow others, and one solution is as fast as a part of two.
+// Displacements of all nodes serve where nodes are tied, because these follow others, and where one solution is as fast
+// as a part of two.
 Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine& kept) const {
   const bool has_constant_part = !(kept.col(0).isZero(0) && eliminated_.col(0).isZero(0));
   if (has_constant_part || !system_.ties.empty()) return displacement(kept);

@@ -8,21 +8,21 @@
 
 namespace bempd::coupling {
 
-// A linear function of all displacements, as one of the kept ones: value = constant + weights . displacement, for the
-// constant and the proportional part of the load.
+// Linear function of all displacements, expressed by the kept ones: value = constant + weights . displacement, where
+// the constant has a constant and a proportional part of the load.
 struct CondensedFunction {
   Eigen::VectorXd weights;
   Eigen::RowVector2d constant;
 };
 
-// The whole body, under its present loads, as the unknowns see it that its factorization keeps last: everything else is
-// eliminated. Uses the system's factor, which must stay as it is.
+// Condensation of the whole body, under its present loads, onto the unknowns that its factorization keeps last: all
+// others are eliminated. It uses the system's factor, which must stay as it is.
 class Condensation {
  public:
-  // Factorizes if there is no factor of the present matrix yet.
+  // Prepares the condensation; factorizes if there is no factor of the present matrix yet.
   explicit Condensation(EquilibriumSystem& system);
 
-  // Degrees of freedom kept, in the order of all vectors here.
+  // Kept degrees of freedom, in the order of all vectors here.
   const std::vector<int>& dofs() const { return dofs_; }
 
   // Cholesky factor of the Schur complement, a lower triangle.
@@ -31,17 +31,17 @@ class Condensation {
   // Loads and prescribed displacements as forces on the kept degrees of freedom.
   Affine load() const;
 
-  // Columns are weights of all degrees of freedom (none on tied nodes).
+  // Condenses functions whose columns are weights of all degrees of freedom (none on tied nodes).
   std::vector<CondensedFunction> condense(const Eigen::MatrixXd& functions) const;
 
-  // Displacements of all nodes with bonds from columns of kept ones; `part` tells for each whether it belongs to the
-  // constant (0) or to the proportional (1) part of the load. One column per degree of freedom, one row per state.
+  // Displacements of all nodes with bonds from columns of kept ones; `part` tells for each column whether it belongs to
+  // the constant (0) or to the proportional (1) part of the load. One column per degree of freedom, one row per state.
   Eigen::MatrixXd expand(const Eigen::MatrixXd& kept, const std::vector<int>& part) const;
 
   // Adds the displacements of nodes without bonds.
   void recover(Affine& displacement) const;
 
-  // Displacements of all nodes; or of these at least, where others may be no numbers.
+  // Displacements of all nodes; or correct ones of these nodes at least, while others may be NaN.
   Affine displacement(const Affine& kept) const;
   Affine displacement_at(const std::vector<int>& nodes, const Affine& kept) const;
 

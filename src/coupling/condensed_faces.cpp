@@ -1,11 +1,12 @@
-// Faces of cracks inside a condensed operator that press on each other.
+// Contact of crack faces inside a condensed operator.
 #include <algorithm>
 
 #include "coupling/condensed_operator.hpp"
 
 namespace bempd::coupling {
 
-// Mouths between nodes that are held, or that other operators have too, stay as these make them.
+// Finds the faces that can close or open here. A mouth between nodes that are held or shared with other operators is
+// not among them: its gap follows from these nodes.
 void CondensedOperator::find_free_faces() {
   const Eigen::MatrixXd &alone = openings_->of_forces, &of_displacements = openings_->of_displacements;
   for (Eigen::Index i = 0; i < alone.rows(); ++i) {
@@ -14,7 +15,8 @@ void CondensedOperator::find_free_faces() {
   }
 }
 
-// What forces at the places do to the private unknowns, and gaps as the shared ones alone make them:
+// Computes how contact forces q at the places act on the private unknowns, and the gaps as functions of the shared
+// ones:
 //   u_p = p_0 - X u_s + P q,   gaps = g_0 + (G_s - G_p X) u_s + (S + G_p P) q,   P = K_pp^-1 G_p^T.
 void CondensedOperator::reduce_faces() {
   if (gaps_by_faces_.size() > 0) return;

@@ -12,7 +12,7 @@
 
 namespace bempd::coupling {
 
-// A dense operator whose private unknowns are eliminated once, so that only the unknowns it shares with others enter
+// Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with others enter
 // the sparse system.
 class CondensedOperator {
  public:
@@ -25,29 +25,29 @@ class CondensedOperator {
   const Eigen::MatrixXd& schur_complement() const {
     return pressing_.empty() ? elimination_->schur_complement() : schur_of_closed_;
   }
-  // Whether it is on these nodes, in this order.
+  // Whether the operator is on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   const Affine& rest() const { return rest_; }
   void exchange_rest(Affine& other) noexcept { rest_.swap(other); }  // condense_load() has to follow
   bool has_factorized() const { return has_factorized_; }            // itself, not one before
   double reciprocal_condition() const { return elimination_->reciprocal_condition(); }
 
-  // Condenses loads: adds to `load` (global) what the private forces and the prescribed displacements leave on the
-  // shared unknowns, and keeps the private part for recover().
+  // Condenses loads: adds the effect of private forces and of prescribed displacements on the shared unknowns to `load`
+  // (global), and keeps the private part for recover().
   void condense_load(const Affine& force, const Affine& prescribed, Affine& load);
 
-  // Private displacements from the shared ones.
+  // Computes private displacements from the shared ones.
   void recover(Affine& displacement) const;
 
   // Moves the weights of a function of displacements from the private ones to the shared ones, and to the constants
-  // that the present loads make of them.
+  // that the present loads contribute.
   void condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const;
 
-  // force += stiffness * (displacement - rest), on all of the operator's nodes.
+  // Adds stiffness * (displacement - rest) to the force, on all of the operator's nodes.
   void add_internal_force(const Eigen::VectorXd& displacement, double load_factor, Eigen::VectorXd& force) const;
 
-  // Half of what these forces do on (displacement - rest), its derivative by the load factor alone, and the energy of
-  // the proportional parts.
+  // Strain energy, half the work of these forces on (displacement - rest); then its derivative by the load factor
+  // alone, and the energy of the proportional parts.
   double energy(const Eigen::VectorXd& displacement, double load_factor) const;
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   double unit_energy(const Eigen::VectorXd& proportional) const;
@@ -55,17 +55,19 @@ class CondensedOperator {
   // --- Faces of cracks inside that are closed (condensed_faces.cpp); all are open at first.
 
   std::size_t face_count() const { return openings_ ? static_cast<std::size_t>(openings_->of_forces.rows()) : 0; }
-  // Gaps that loads on the inside make; condense_load() has to follow, as it has after other ones are closed.
+  // Sets the gaps that loads inside the body cause; condense_load() has to follow, as it has to after close_faces().
   void set_face_offsets(const Eigen::Ref<const Affine>& offsets) { face_offsets_ = offsets; }
   void close_faces(const std::vector<char>& closed);
-  // Of open places the gap, of closed ones what they would overlap by if none pressed there, negative while it presses.
+  // Gaps of open places. A closed place has the overlap that it would have without its contact force, negative while
+  // its faces press.
   Affine face_gaps(const Affine& displacement) const;
-  // Gaps as displacements and loads alone make them, and the forces [N] that act there.
+  // Gaps that displacements and loads cause without contact forces; and the contact forces [N].
   Eigen::VectorXd open_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
   Eigen::VectorXd face_forces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Work of the loads on the inside that closed faces take.
+  // Work that loads inside the body do on the displacements due to contact forces.
   double work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // A function of displacements for each place, 2 * node + component; the gap of an open one is that and its offset.
+  // Adds the gap of a place as a function of displacements, 2 * node + component; the gap of an open place is this and
+  // its offset.
   void add_gap_function(std::size_t place, Eigen::Ref<Eigen::VectorXd> weights) const;
   const Affine& face_offsets() const { return face_offsets_; }
 
@@ -74,7 +76,7 @@ class CondensedOperator {
   void reduce_faces();
   void find_gaps_at_rest(const Affine& support);
   Affine pressing_forces(const Affine& displacement) const;
-  // Gaps of places that press on openings of their own, and forces over which these are shut.
+  // Gaps, without contact forces, of closed places that have openings of their own.
   Eigen::VectorXd shut_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
 
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest
@@ -89,7 +91,7 @@ class CondensedOperator {
   Affine face_offsets_;                        // of all places
   std::vector<char> free_faces_;               // those that private displacements or openings of their own can shut
   std::vector<Eigen::Index> pressing_, shut_;  // closed places; those of them that have openings of their own
-  // Per force at a place: private displacements, and gaps. Gaps per shared displacement. Once needed.
+  // Private displacements and gaps per contact force, and gaps per shared displacement; computed when first needed.
   Eigen::MatrixXd private_by_faces_, gaps_by_faces_, gaps_by_shared_;
   Eigen::LDLT<Eigen::MatrixXd> held_, held_shut_;  // of the closed places: with everything private, with openings alone
   Eigen::MatrixXd schur_of_closed_;

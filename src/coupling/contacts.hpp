@@ -9,8 +9,8 @@
 
 namespace bempd::coupling {
 
-// A place where two faces meet. Its gap is c.u, and where that is negative the faces press on each other with the
-// energy k/2 (c.u)^2.
+// Place of contact, where two faces can meet. Its gap is c.u; where the gap is negative the faces press on each other
+// with the penalty energy k/2 (c.u)^2.
 struct Contact {
   std::vector<TermEntry> pull;  // c
   double stiffness;             // k [N/m]
@@ -23,8 +23,9 @@ struct Contact {
   }
 };
 
-// All of them, and which are closed: those are squares of the energy like terms, the others nothing. Energies of closed
-// and open ones have the same slope where the gap is zero, so that the energy stays convex and equilibrium unique.
+// All places of contact and which of them are closed. Closed ones are squares of the energy like terms; open ones add
+// nothing. Both energies have the same slope where the gap is zero, so that the energy stays convex and equilibrium
+// unique.
 class Contacts {
  public:
   std::size_t size() const { return places_.size(); }
@@ -34,25 +35,25 @@ class Contacts {
   const std::vector<char>& closed() const { return closed_; }
   double present_stiffness(std::size_t i) const { return closed_[i] ? places_[i].stiffness : 0; }
 
-  // Open at first.
+  // Adds a place, which is open at first.
   void add(Contact place) {
     places_.push_back(std::move(place));
     closed_.push_back(0);
   }
-  // Of an open one.
+  // Replaces an open place.
   void replace(std::size_t i, Contact place) { places_[i] = std::move(place); }
   void set_closed(std::size_t i, bool closed) {
     closed_count_ += closed == (closed_[i] != 0) ? 0 : closed ? 1 : -1;
     closed_[i] = closed ? 1 : 0;
   }
 
-  // Places that may not press: on parts that would only be pushed away.
+  // Whether contact at the place is excluded, because it would only push a loose part away.
   bool is_barred(std::size_t i) const { return i < barred_.size() && barred_[i] != 0; }
   std::size_t barred_count() const { return barred_.size(); }  // of those that are known to be barred or not
   const std::vector<char>& barred() const { return barred_; }
   void bar(std::vector<char> barred) { barred_ = std::move(barred); }
 
-  // visit(contact) for those that are closed.
+  // Calls visit(contact) for the closed places.
   template <class Visit>
   void for_each_closed(const Visit& visit) const {
     if (closed_count_ == 0) return;
@@ -61,7 +62,7 @@ class Contacts {
     }
   }
 
-  // force += k (c.u) c of the closed ones.
+  // Adds the forces k (c.u) c of the closed places.
   void add_forces(const double* displacement, double* force) const {
     for_each_closed([&](const Contact& place) {
       const double tension = place.stiffness * place.gap(displacement);

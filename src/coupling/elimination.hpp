@@ -10,8 +10,8 @@ namespace bempd::coupling {
 
 enum class DofKind : char { prescribed, private_free, shared_free, tied };
 
-// The private unknowns of a stiffness (free, and touched by no other operator) eliminated. Degrees of freedom are the
-// stiffness' own.
+// Elimination of the private unknowns of a stiffness: those that are free and belong to no other operator. Degrees of
+// freedom are numbered as in the stiffness.
 class Elimination {
  public:
   using Stiffness = std::shared_ptr<const Eigen::MatrixXd>;
@@ -25,18 +25,18 @@ class Elimination {
   const std::vector<int>& private_dofs() const { return private_; }
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return schur_; }
-  // Private displacements per shared displacement, sign reversed.
+  // Private displacements per shared displacement, with the opposite sign.
   const Eigen::MatrixXd& transfer() const { return transfer_; }
-  // Private displacements to private forces, the shared ones held at 0.
+  // Private displacements from private forces while the shared ones are held at 0.
   virtual Affine solve_private(const Affine& force) const = 0;
-  // Of the private block, estimated; 1 if it is empty.
+  // Estimated reciprocal condition of the private block; 1 if it is empty.
   virtual double reciprocal_condition() const = 0;
 
  protected:
-  // Leaves the elimination to the derived class, which has nothing to do if there are no private unknowns.
+  // Sorts the unknowns; the derived class eliminates, and has nothing to do if there are no private unknowns.
   Elimination(Stiffness stiffness, std::vector<DofKind> kind);
 
-  // Throws Error (unsolvable): the private block is singular.
+  // Throws Error (unsolvable), because the private block is singular.
   [[noreturn]] static void fail_singular();
 
   Stiffness stiffness_;

@@ -1,4 +1,4 @@
-// Changes of a system's matrix: terms that go into other stages, holding springs, and what they leave unresisted.
+// Changes of a system's matrix: terms that enter other stages, holding springs, and motions that lose their resistance.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,16 +12,16 @@ namespace bempd::coupling {
 
 namespace {
 
-// The answer of a broken term to a pull of its own, relative to what it would have been on its own, from which on a
-// motion has lost its resistance.
+// Response of a broken term to a pull of its own, relative to that of the term alone, from which on a motion counts as
+// having lost its resistance.
 constexpr double suspicious_response = 1e8;
 
-// Springs alone resist a motion if terms take less than this share of its energy.
+// Share of a motion's energy below which terms do not count, so that springs alone resist it.
 constexpr double resisted_by_others = 1e-6;
 
-// Columns over the root of the number of unknowns beyond which a fresh factor costs less than a changed one: in the
-// plane its operations grow as the power 3/2 of that number, those of a column's change as the number itself. At 12,500
-// unknowns a fresh one takes the time of some 100 to 200 columns.
+// Number of columns, over the root of the number of unknowns, beyond which a fresh factor costs less than a changed
+// one. In the plane its operations grow as the power 3/2 of that number, those of a column's change as the number
+// itself. With 12,500 unknowns a fresh factor takes the time of some 100 to 200 columns.
 constexpr double most_columns_over_root = 2;
 
 }  // namespace
@@ -44,7 +44,7 @@ std::vector<StageChange> EquilibriumSystem::with_followers(std::vector<StageChan
   if (followers_of_.value.empty()) return changes;
   for (const int broken : terms_.broken_by(changes)) {
     for (const int follower : followers_of_.of(broken)) {
-      // This follower broke before; commit() may not have caught up with its mark.
+      // A follower without stiffness broke before; commit() may not have caught up with its mark.
       if (present_stiffness_[follower] == 0) continue;
       changes.push_back(terms_.breaking(follower));
     }
@@ -101,7 +101,7 @@ void EquilibriumSystem::change_factor(const std::vector<Eigen::Triplet<double>>&
 }
 
 void EquilibriumSystem::commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs) {
-  // What stiffens comes first: the matrix stays positive definite on the way.
+  // Stiffening changes come first, so that the matrix stays positive definite on the way.
   std::vector<Eigen::Triplet<double>> added, removed;
   int columns_added = 0, columns_removed = 0;
   std::vector<UnknownEntry> pull;
@@ -166,8 +166,8 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   rebuild_factor();
   if (!factor_.exists()) return true;
   if (factor_.is_current()) return factor_.pivots_are_sound();
-  // A stale factor knows nothing of the break. A motion that one term alone resisted runs away under the load that
-  // broke it; what several resisted together shows under uneven pulls along them.
+  // A stale factor does not show the break. A motion that one term alone resisted grows without bound under the load
+  // that broke the term; one that several terms resisted shows under uneven pulls along them.
   if (broken.size() < 2) return true;
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * node_count_);
   for (std::size_t i = 0; i < broken.size(); ++i) {
@@ -191,14 +191,14 @@ bool EquilibriumSystem::resists_all_motions(std::span<const int> broken) {
   return true;
 }
 
-// Let K be the matrix with the springs, roots of whose stiffnesses scale the columns of S, and m a motion that nothing
-// else resists: K m = S S^T m, so that m = K^-1 S y and S^T K^-1 S y = y with y = S^T m. All other eigenvalues are
-// less.
+// Finds the motions from an eigenvalue problem. Let K be the matrix with the springs, S columns of pulls scaled by the
+// roots of the springs' stiffnesses, and m a motion that nothing else resists: K m = S S^T m, so m = K^-1 S y and S^T
+// K^-1 S y = y with y = S^T m. All other eigenvalues are less.
 std::vector<Eigen::VectorXd> EquilibriumSystem::motions_held_by(std::span<const HoldingSpring> springs) {
   condense();
   assemble();
   const Eigen::SparseMatrix<double>& matrix = assembly_->sum(present_stiffness_, springs_);
-  // Parts that nothing but faces hold are free in it.
+  // The matrix has no contacts: parts that only crack faces hold are free in it.
   const std::unique_ptr<SystemSolver> solver = shifted_solver(method_, matrix, stiff_diagonal(matrix));
   Eigen::MatrixXd pulls = Eigen::MatrixXd::Zero(unknowns_.count(), static_cast<Eigen::Index>(springs.size()));
   for (Eigen::Index k = 0; k < pulls.cols(); ++k) {

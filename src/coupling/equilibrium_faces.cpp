@@ -1,11 +1,11 @@
-// Faces of cracks inside a system's operators.
+// Contact of crack faces inside a system's operators.
 #include <algorithm>
 
 #include "coupling/equilibrium_system.hpp"
 
 namespace bempd::coupling {
 
-// visit(operator, number of its first place).
+// Calls visit(operator, number of its first place).
 template <class Visit>
 void EquilibriumSystem::for_each_with_faces(const Visit& visit) const {
   std::size_t first = 0;
@@ -15,7 +15,7 @@ void EquilibriumSystem::for_each_with_faces(const Visit& visit) const {
   }
 }
 
-// In the operators as they are known here.
+// Closes and opens the faces of the operators as the system knows them.
 void EquilibriumSystem::close_faces() {
   std::size_t first = 0;
   for (CondensedOperator& op : operators_) {

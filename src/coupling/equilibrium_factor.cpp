@@ -1,4 +1,4 @@
-// The matrix of a system, its factor, and how that has come about.
+// Matrix of a system, its factor, and the record from which a factor can be made again.
 #include <algorithm>
 #include <utility>
 
@@ -35,7 +35,7 @@ std::unique_ptr<StiffnessAssembly> EquilibriumSystem::assembly_with(const Places
 }
 
 const Eigen::SparseMatrix<double>& EquilibriumSystem::assemble() const {
-  // Faces that never touch leave the pattern as it is.
+  // Places that have never touched are left out, so that they do not change the pattern.
   if (!assembly_) assembly_ = assembly_with(places_met_.get());
   if (!assembly_->has_room_for(contacts_)) {
     places_met_ = std::make_shared<const PlacesMet>(nodes_of_places(contacts_));
@@ -109,7 +109,7 @@ void EquilibriumSystem::set_factor_origin(FactorOrigin origin) {
   } else if (!origin.places.empty()) {
     source.places = std::make_shared<const PlacesMet>(std::move(origin.places));
   }
-  // A step that is taken back has mostly left the factor as it was.
+  // A step that is taken back has usually left the factor as it was, so it can be kept.
   if (source.has_matrix_of(source_) && factor_.recall(source.to_repeat)) return;
   source_ = std::move(source);
 }
@@ -120,7 +120,7 @@ void EquilibriumSystem::set_places_met(PlacesMet places) {
   places_met_ = places.empty() ? nullptr : std::make_shared<const PlacesMet>(std::move(places));
 }
 
-// One that cannot be made again, as on a processor that rounds otherwise, is made afresh.
+// Makes a factor again from its record; if that fails, as on a processor that rounds differently, makes a fresh one.
 void EquilibriumSystem::rebuild_factor() {
   if (!source_.is_awaited) return;
   condense();

@@ -110,7 +110,7 @@ Affine EquilibriumSystem::right_hand_side() const {
   return load(unknowns_.dof_of, Eigen::all);
 }
 
-// Terms and holding springs that end on prescribed displacements pull with them.
+// Adds the forces of terms and holding springs that end on prescribed displacements.
 void EquilibriumSystem::add_supports(const Affine& support, Affine& load) const {
   const auto is_free = [&](int node) { return is_unknown(2 * node) && is_unknown(2 * node + 1); };
   const auto add = [&](std::size_t t) {
@@ -151,7 +151,7 @@ void EquilibriumSystem::add_pressing_supports(const Affine& support, Affine& loa
   });
 }
 
-// Terms pull with q - k e0 where nothing moves.
+// Adds the forces of terms that remain where nothing moves: they pull with q - k e0.
 void EquilibriumSystem::add_offsets(Affine& load) const {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (!intact_[t]) continue;

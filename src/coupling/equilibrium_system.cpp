@@ -22,7 +22,7 @@ const SolutionMethod& least_demanding(const std::vector<DenseOperator>& operator
   return *method;
 }
 
-// Parts whose stiffness differs by more lose digits: what is rounding in the stiff part is a force in the soft one.
+// Ratio of stiffnesses beyond which parts lose digits: rounding in the stiff part is a force in the soft one.
 constexpr double ordinary_stiffness_ratio = 1e-6;
 
 struct StiffnessRange {
@@ -170,11 +170,12 @@ void EquilibriumSystem::set_load(Affine force, Affine prescribed) {
   for (int part = 0; part < 2; ++part) force_parts_[part] = force_.col(part).lpNorm<Eigen::Infinity>();
   ties_.collect(force_);
   if (condensed_ == Condensed::operators_and_load) condensed_ = Condensed::operators;
-  // What presses on closed faces is a matter of loads.
+  // Contact forces depend on the loads, so these are condensed anew.
   if (closed_face_count_ > 0) condense_load();
 }
 
-// Supports are edges and points that move alike: a few motions for thousands of degrees of freedom.
+// Collects the different motions of supports: edges and points move alike, which makes a few motions for thousands of
+// degrees of freedom.
 void EquilibriumSystem::collect_support_motions() {
   support_motions_.clear();
   for (int dof = 0; dof < 2 * node_count_; ++dof) {
@@ -262,7 +263,8 @@ Affine EquilibriumSystem::solve() {
     const Affine rhs = right_hand_side();
     for (int column = 0; column < 2; ++column) {
       if (rhs.col(column).isZero(0)) continue;
-      // The iteration's scalar products square the loads: near the ends of the number range they would be lost.
+      // Loads are scaled, because scalar products of the iteration square them: near the ends of the number range they
+      // would be lost.
       const double unit = std::exp2(std::ilogb(rhs.col(column).lpNorm<Eigen::Infinity>()));
       const Eigen::VectorXd unknowns = unit * solve_column(rhs.col(column) / unit);
       for (std::size_t i = 0; i < unknowns_.dof_of.size(); ++i) {

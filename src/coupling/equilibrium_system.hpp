@@ -25,14 +25,14 @@
 
 namespace bempd::coupling {
 
-// A motion (2 * node + component, largest component 1) and the energy it needs, relative to the stiffest motions.
+// Motion (2 * node + component, largest component 1) and the energy that it needs, relative to the stiffest motions.
 struct SoftMotion {
   Eigen::VectorXd motion;
   double resistance;
 };
 
-// What is left of a system once its operators are condensed and its matrix is factorized. References into the system,
-// good as long as it keeps that factor.
+// System after its operators are condensed and its matrix is factorized. It has references into the system, valid as
+// long as that keeps this factor.
 struct ReducedSystem {
   const linalg::SparseCholesky& cholesky;
   const std::vector<int>& dof_of;  // unknown -> dof
@@ -45,20 +45,21 @@ struct ReducedSystem {
 };
 
 // Equilibrium of all nodes: dense operators condensed onto the unknowns they share, terms, and holding springs, in one
-// sparse system, which is solved by the method that the operators name. Nothing is condensed or factorized before the
-// first solve().
+// sparse system. The method that the operators name solves it. Nothing is condensed or factorized before the first
+// solve().
 class EquilibriumSystem {
  public:
-  // Masters of tied nodes belong to dense operators; tied nodes carry terms only and cannot be prescribed.
+  // Creates the system. Masters of tied nodes belong to dense operators; tied nodes carry terms only and cannot be
+  // prescribed.
   EquilibriumSystem(int node_count, std::vector<DenseOperator> operators, Terms terms,
                     const std::vector<char>& prescribed_dofs, NodeTies ties = {});
   EquilibriumSystem(const EquilibriumSystem&) = delete;
   EquilibriumSystem& operator=(const EquilibriumSystem&) = delete;
 
-  // Where the nodes are: an ordering of a symmetric system with less fill follows from it.
+  // Sets the positions of the nodes, from which an ordering of a symmetric system with less fill follows.
   void place_nodes(const std::vector<Point>& positions);
 
-  // The unknowns of these nodes are eliminated last, from the next factorization on.
+  // Makes the next factorization eliminate the unknowns of these nodes last.
   void keep_last(std::vector<int> nodes);
   bool keeps_last(const std::vector<int>& nodes) const { return factor_.kept_nodes() == nodes; }
 
@@ -67,10 +68,10 @@ class EquilibriumSystem {
   bool is_prescribed(int dof) const { return unknowns_.kind[dof] == DofKind::prescribed; }
   bool is_unknown(int dof) const { return unknowns_.is_unknown(dof); }
   bool in_dense_body(int node) const { return in_body_[node] != 0; }
-  // Nodes of each dense operator, or of each piece of one, and those tied to them: a body that cannot break.
+  // Bodies that cannot break: the nodes of each dense operator, or of each piece of one, and those tied to them.
   const std::vector<std::vector<int>>& dense_bodies() const { return bodies_; }
 
-  // Stage of every term in its law, and whether it is not broken.
+  // Stage of every term in its law, and whether it is intact (not broken).
   const std::vector<std::uint8_t>& stages() const { return stages_; }
   const std::vector<char>& intact() const { return intact_; }
   // Stiffness of every term in its stage.
@@ -79,87 +80,89 @@ class EquilibriumSystem {
   bool has_offsets() const {
     return terms_.have_offsets() || operators_have_rest_[0] || operators_have_rest_[1] || closed_face_count() > 0;
   }
-  // What a term becomes where it reaches the critical elongation of its stage.
+  // Stage change of a term that reaches the critical elongation of its stage.
   StageChange after_critical(int term) const {
     return {term, terms_.law_of(static_cast<std::size_t>(term)).after_critical(stages_[term])};
   }
-  // The critical elongation of a term in its stage, as a share of its own critical one.
+  // Critical elongation of a term in its stage, as a share of its own critical elongation.
   double critical_share(int term) const {
     return terms_.law_of(static_cast<std::size_t>(term)).critical_share(stages_[term]);
   }
   double stiffness_after(const StageChange& change) const;
-  // Some changes and the breaks of all terms that follow what they break: by ascending terms, each once.
+  // Changes together with the breaks of all terms that follow broken ones; by ascending terms, each once.
   std::vector<StageChange> with_followers(std::vector<StageChange> changes) const;
-  // How many of the terms that changes break do not merely follow.
+  // Number of terms that the changes break, without those that merely follow others.
   std::int64_t count_broken(std::span<const StageChange> changes) const;
   const std::vector<HoldingSpring>& springs() const { return springs_; }
 
-  // Forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
+  // Sets forces on free degrees of freedom [N] and displacements of prescribed ones [m], 2 * node + component.
   void set_load(Affine force, Affine prescribed);
   const Affine& force() const { return force_; }
   const Affine& prescribed() const { return prescribed_; }
-  // How far supports move at most: proportionally, and at a load factor [m]. Asked for at every event.
+  // Largest motion of a support: of the proportional part, and at a load factor [m]. Every event asks for it.
   double support_motion() const;
   double support_motion(double load_factor) const;
-  // The same of their constant and proportional parts, which may nearly cancel: sums of magnitudes; and of forces [N].
+  // Sums of magnitudes of the constant and proportional parts, which may nearly cancel: of support motions [m], then of
+  // forces [N].
   double parts_of_support_motion(double load_factor) const;
   double parts_of_force(double load_factor) const { return force_parts_[0] + std::abs(load_factor) * force_parts_[1]; }
-  // How far terms and operators want to be from where they are without heat at most, likewise [m].
+  // Largest displacement that free swelling of terms and operators (heat, for instance) would cause, likewise [m].
   double rest_motion() const { return rest_motion_[1]; }
   double rest_motion(double load_factor) const { return rest_motion_[0] + std::abs(load_factor) * rest_motion_[1]; }
   const NodeTies& ties() const { return ties_; }
 
-  // Exchanged for as many; set_load() has to follow.
+  // Rest elongations and displacements, and their exchange for as many others; set_load() has to follow.
   Rests rests() const;
   void exchange_rests(Rests& others) noexcept;
-  // Number of the operator on these nodes, -1 if there is none; once condensed.
+  // Number of the operator on these nodes, -1 if there is none; only once operators are condensed.
   int operator_on(const std::vector<int>& nodes) const;
 
-  // A change of stages takes two calls, so that the parts it frees can be found in between and held before the matrix
-  // loses their resistance: mark the terms, then change the matrix (rank-one changes of the factor, by the drop of
-  // stiffness, where there is one). commit() also adds springs.
+  // Changes the stages of terms in two calls, so that fragments can be found in between and held before the matrix
+  // loses their resistance: mark() marks the terms, commit() changes the matrix (rank-one changes of the factor, by the
+  // drop of stiffness, where there is one) and adds springs.
   void mark(std::span<const StageChange> changes);
   void commit(std::span<const StageChange> changes, std::span<const HoldingSpring> springs);
 
-  // Places where faces may press on each other; the closed ones are a part of the matrix and of forces and energies.
+  // Places where crack faces may touch; the closed ones are a part of the matrix, of forces and of energies.
   const Contacts& contacts() const { return contacts_; }
   void add_contact(Contact contact) { contacts_.add(std::move(contact)); }
   void replace_open_contact(std::size_t place, Contact contact) { contacts_.replace(place, std::move(contact)); }
   void bar_contacts(std::vector<char> barred) { contacts_.bar(std::move(barred)); }
-  // Closes those that are open and opens those that are closed: rank-one changes of the factor.
+  // Closes open places and opens closed ones: rank-one changes of the factor.
   void switch_contacts(std::span<const int> places);
-  // All of them at once; the next solve factorizes afresh if that changes the matrix.
+  // Replaces all places; the next solve factorizes afresh if that changes the matrix.
   void set_contacts(Contacts contacts);
 
-  // The same without touching the factor, which then belongs to another matrix.
+  // Replaces all places without touching the factor, which then belongs to another matrix.
   void put_contacts(Contacts contacts) { contacts_ = std::move(contacts); }
 
-  // Places on the faces of cracks inside operators (equilibrium_faces.cpp), which none of these contacts has: they are
-  // shut exactly. Numbered by operators, all open at first.
+  // Places on the faces of cracks inside operators (equilibrium_faces.cpp), which are not among the contacts above:
+  // closed ones have a gap of exactly zero. They are numbered by operators, and all open at first.
   std::size_t face_count() const { return closed_faces_.size(); }
   const std::vector<char>& closed_faces() const { return closed_faces_; }
   std::size_t closed_face_count() const { return closed_face_count_; }
   void set_closed_faces(const std::vector<char>& closed);  // the next solve factorizes afresh if that changes them
   void switch_faces(std::span<const int> places);
-  // What loads inside operators make of the gaps; set_load() has to follow.
+  // Gaps that loads inside operators cause; set_load() has to follow a change.
   const Affine& face_offsets() const { return face_offsets_; }
   void exchange_face_offsets(Affine& others) noexcept;
-  // Of open places the gap, of closed ones what they would overlap by if none pressed there, negative while it presses.
+  // Gaps of open places. A closed place has the overlap that it would have without its contact force, negative while
+  // its faces press.
   Affine face_gaps(const Affine& displacement) const;
-  // Gaps as displacements and loads alone make them, and the forces [N] that act on closed ones.
+  // Gaps that displacements and loads cause without contact forces; and the contact forces [N] at closed places.
   Eigen::VectorXd open_gaps(const Eigen::VectorXd& displacement, double load_factor) const;
   Eigen::VectorXd face_forces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Work of loads inside operators that closed faces take.
+  // Work that loads inside operators do on the displacements due to contact forces.
   double work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const;
-  // Of the operator on these nodes.
+  // Closed faces of the operator on these nodes.
   std::vector<char> closed_faces_on(const std::vector<int>& nodes) const;
-  // Of an open place as a function of displacements, 2 * node + component, to which its offset is added.
+  // Gap of an open place as a function of displacements, 2 * node + component, without its offset.
   Eigen::VectorXd gap_function(std::size_t place) const;
 
   // Puts terms into other stages without touching the factor, which then belongs to another matrix.
   void set_stages(std::span<const StageChange> changes);
 
-  // The same for terms that break at once, and what follows them.
+  // Marks or commits the break of terms at once, with those that follow them.
   void mark_broken(std::span<const int> terms) { mark(all_broken(terms)); }
   void commit_break(std::span<const int> terms, std::span<const HoldingSpring> springs) {
     commit(all_broken(terms), springs);
@@ -168,50 +171,50 @@ class EquilibriumSystem {
   // Replaces the state; the next solve factorizes afresh.
   void restore(std::vector<std::uint8_t> stages, std::vector<HoldingSpring> springs);
   void forget_factor();
-  // Which entries of the matrix places of contact have needed so far: rounding depends on it.
+  // Entries of the matrix that places of contact have needed so far: rounding depends on them.
   PlacesMet places_met() const { return places_met_ ? *places_met_ : PlacesMet(); }
   void set_places_met(PlacesMet places);
   void forget_places_met();
-  // How the factor has come about, none if there is none; set again, it is made when it is needed
+  // Record of how the factor was made, empty if there is none. A record that is set is used when a factor is needed
   // (equilibrium_factor.cpp).
   std::optional<FactorOrigin> factor_origin() const;
   void set_factor_origin(FactorOrigin origin);
   bool has_current_factor();
-  // True if the factor is that of the present matrix, with these nodes' unknowns last.
+  // Whether the factor is that of the present matrix, with the unknowns of these nodes last.
   bool factor_keeps(const std::vector<int>& nodes);
 
-  // Throws Error (unsolvable) if something can move freely.
+  // Displacements in equilibrium. Throws Error (unsolvable) if something can move freely.
   Affine solve();
 
-  // Condenses and factorizes unless that is done. Throws Error (unsolvable). The method needs symmetry.
+  // Condenses and factorizes if necessary. Throws Error (unsolvable). The method must be a symmetric one.
   ReducedSystem reduce();
 
-  // Of the operators, which forces and energies need; once.
+  // Condenses the operators once, as forces and energies need them.
   void condense();
 
-  // False if some motion may have lost its resistance with these terms, without showing in their elongations under the
-  // present load; softest_motion() tells.
+  // Whether all motions keep their resistance after these terms break; if not, softest_motion() finds one. The loss
+  // need not show in elongations under the present load.
   bool resists_all_motions(std::span<const int> broken);
 
-  // The motions that nothing but these springs resists while no faces press, whichever of them holds which.
+  // Motions that only these springs resist while no faces press, whichever of the springs holds which motion.
   std::vector<Eigen::VectorXd> motions_held_by(std::span<const HoldingSpring> springs);
 
-  // The motion that meets the least resistance: what moves freely, after solve() has failed or run away.
+  // Motion with the least resistance: the one that is free, after solve() has failed or displacements have run away.
   SoftMotion softest_motion();
 
   // Nodal forces of operators and terms (not of holding springs) under a displacement at a load factor, which rest
-  // elongations, rest displacements and constant forces may depend on. Those on tied nodes are counted at their
+  // elongations, rest displacements and constant forces may depend on. Forces on tied nodes are counted at their
   // masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
 
-  // The same of some terms, and of the dense operator on these nodes if there is one; tied nodes keep what is theirs.
+  // Nodal forces of some terms, or of the dense operator on these nodes if there is one; tied nodes keep their forces.
   Eigen::VectorXd force_of_terms(std::span<const int> terms, const Eigen::VectorXd& displacement,
                                  double load_factor) const;
   Eigen::VectorXd force_of_operator(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
                                     double load_factor) const;
 
-  // Energy of operators and terms at the same, and its derivative by the load factor alone: what rest elongations, rest
-  // displacements and constant forces do that grow with it.
+  // Energy of operators and terms at a displacement and a load factor; and its derivative by the load factor alone,
+  // from the proportional parts of rest elongations, rest displacements and constant forces.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   // Strain energy of the proportional parts of displacements and rest elongations.
@@ -221,11 +224,11 @@ class EquilibriumSystem {
   double largest_stiffness() const { return largest_stiffness_; }
 
   bool is_symmetric() const { return method_.needs_symmetry(); }
-  // The sparse matrix, of which a symmetric system gives the lower triangle; for factorization and tests.
+  // Sparse matrix, of which a symmetric system has only the lower triangle; for factorization and tests.
   const Eigen::SparseMatrix<double>& assemble() const;
 
   const SolverCounters& counters() const { return counters_; }
-  // A reciprocal condition that the equations have from elsewhere.
+  // Takes account of a reciprocal condition that is known from elsewhere.
   void note_condition(double reciprocal) {
     counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, reciprocal);
   }
@@ -260,7 +263,7 @@ class EquilibriumSystem {
   void add_pressing_supports(const Affine& support, Affine& load) const;
   Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
   Eigen::VectorXd solve_column(const Eigen::VectorXd& rhs);
-  // All nodes' displacements from the unknowns, prescribed ones at 0.
+  // Displacements of all nodes from the unknowns, with prescribed ones at 0.
   Eigen::VectorXd displacement_of(const Eigen::VectorXd& unknowns) const;
 
   int node_count_;

@@ -11,7 +11,7 @@
 
 namespace bempd::coupling {
 
-// Columns c by which a matrix has changed at once, by plus or minus the sum of c c^T.
+// Columns c of a change of a matrix by plus or minus the sum of c c^T.
 struct FactorChange {
   bool adds = false;
   std::vector<int> end;      // of every column, in the arrays below
@@ -20,11 +20,11 @@ struct FactorChange {
   bool operator==(const FactorChange&) const = default;
 };
 
-// The nodes that each place of contact needs entries of a matrix between.
+// Nodes of each place of contact, between which it needs entries of the matrix.
 using PlacesMet = std::vector<std::vector<int>>;
 
-// How a factor has come about, from which it can be made again with the same digits: those of a factor that has been
-// changed differ from a fresh one's.
+// Record of how a factor was made, from which it can be made again with the same digits: a changed factor has other
+// digits than a fresh one.
 struct FactorOrigin {
   std::vector<StageChange> stages;    // of terms that were in other ones when it was made
   std::size_t springs = 0;            // so many of the present ones were there
@@ -33,7 +33,7 @@ struct FactorOrigin {
   std::vector<FactorChange> changes;  // since
 };
 
-// What a system's factor was made of.
+// State of a system that its factor was made of.
 struct FactorSource {
   std::vector<std::uint8_t> stages;  // of all terms
   std::vector<HoldingSpring> springs;

@@ -11,7 +11,7 @@ namespace bempd::coupling {
 
 namespace {
 
-// Of the equations for N, whose entries are of order one.
+// Largest residual of the equations for N, whose entries are of order one.
 constexpr double largest_residual = 1e-11;
 
 struct Elements {
@@ -21,7 +21,7 @@ struct Elements {
   int node_count() const { return 2 * count() + 1; }
   double node(int a) const { return a % 2 == 0 ? stations[a / 2] : 0.5 * (stations[a / 2] + stations[a / 2 + 1]); }
   double length(int element) const { return stations[element + 1] - stations[element]; }
-  // The element that holds a place, the left one of two.
+  // Element that holds a place, the left one of two.
   int at(double s) const {
     const auto after = std::lower_bound(stations.begin() + 1, stations.end() - 1, s);
     return static_cast<int>(after - stations.begin()) - 1;
@@ -33,7 +33,7 @@ struct Elements {
     if (a == 2 * e) return 0.5 * xi * (xi - 1);
     return a == 2 * e + 1 ? 1 - xi * xi : 0.5 * xi * (xi + 1);
   }
-  // Integral of the shape function.
+  // Integral of the shape function of a node.
   double share(int a) const {
     if (a % 2 == 1) return length(a / 2) * 2 / 3;
     return ((a > 0 ? length(a / 2 - 1) : 0) + (a < node_count() - 1 ? length(a / 2) : 0)) / 6;
@@ -44,7 +44,7 @@ struct Entry {
   int row, column;
 };
 
-// The lattice points 0 .. length; those at ends are boundary nodes, unless the interface ends half a spacing beyond.
+// Lattice points 0 .. length; those at ends are boundary nodes, unless the interface ends half a spacing beyond.
 struct LatticeRow {
   explicit LatticeRow(const std::vector<double>& stations)
       : length(static_cast<int>(std::floor(stations.back() + 0.25))),
@@ -55,9 +55,8 @@ struct LatticeRow {
   bool from_point, to_point;
 
   bool is_end(int i) const { return (i == 0 && from_point) || (i == length && to_point); }
-  // Shares of the points. They have the moment of the whole row too: a mouth lies farther from its last point than that
-  // point's share reaches on average, which the two points beside it make even, as if they led to it on a straight
-  // line.
+  // Shares of the points, which have the moment of the whole row, too. A half share would not reach to the mouth of a
+  // crack, half a spacing beyond the last point: the last two points beside a mouth make up for that moment.
   std::vector<double> shares() const {
     constexpr double lever = 0.125;
     std::vector<double> all(static_cast<std::size_t>(length) + 1, 1.0);
@@ -94,7 +93,7 @@ std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> interface_trace(cons
   const std::vector<Entry> entries = pattern(elements, row);
   const auto count = static_cast<Eigen::Index>(entries.size());
 
-  // Equations: per point sum N = 1 and sum N x_a = x_i (relative to the point), per node the forces.
+  // The equations are, per point, sum N = 1 and sum N x_a = x_i (relative to the point), and per node the forces.
   linalg::LeastChange problem;
   problem.lower = -std::numeric_limits<double>::infinity();
   problem.start.resize(count);

@@ -13,15 +13,15 @@
 
 namespace bempd::coupling {
 
-// What a region contributes to the equilibrium of shared nodes. Degrees of freedom are 2 * node + component.
+// Contributions of a region to the equilibrium of shared nodes. Degrees of freedom are 2 * node + component.
 
-// A part of a body that has come apart. Springs can hold two of its nodes, which lie far from each other.
+// Piece of a body that has come apart. Springs can hold two of its nodes, which lie far from each other.
 struct BodyPiece {
   std::vector<int> nodes;
   std::array<int, 2> holdable;
 };
 
-// Stiffness [N/m] on the nodes listed, as a boundary element region has it; positive semidefinite where it is
+// Stiffness [N/m] on the nodes listed, such as that of a boundary element region; positive semidefinite where it is
 // symmetric.
 struct DenseOperator {
   std::vector<int> nodes;
@@ -34,8 +34,8 @@ struct DenseOperator {
   std::vector<BodyPiece> pieces = {};                      // that nothing joins; empty: all of it is one
 };
 
-// What terms and operators want to be like without force: rest elongations of terms, constant and proportional parts,
-// and what each operator has at rest.
+// Stress-free state of terms and operators: rest elongations of terms, constant and proportional parts, and the rest
+// displacements of each operator.
 struct Rests {
   std::array<std::vector<double>, 2> of_terms;
   std::vector<Affine> of_operators;
@@ -47,8 +47,8 @@ struct Rests {
   }
 };
 
-// A spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium
-// it carries no force; `anchor` is the displacement along the direction at which it was attached [m].
+// Spring from the ground along a direction at a node. It holds a motion that nothing else resists, so in equilibrium it
+// carries no force; `anchor` is the displacement along the direction at which it was attached [m].
 struct HoldingSpring {
   int node;
   double cosine, sine;

@@ -11,7 +11,7 @@ namespace bempd::coupling {
 
 namespace {
 
-// Held directions count as independent above this share of the strongest one (a ratio of squares).
+// Share of the strongest held direction (a ratio of squares) above which another one counts as independent.
 constexpr double rank_tolerance = 1e-12;
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram) {
@@ -22,7 +22,7 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> null_space(const Eigen::Matrix3d& gram)
   return modes.vectors.leftCols(free);
 }
 
-// An orthonormal basis whose last vector lies along `row`.
+// Orthonormal basis whose last vector lies along `row`.
 Eigen::MatrixXd basis_along(const Eigen::RowVectorXd& row) {
   return linalg::symmetric_modes(row.transpose() * row).vectors;
 }
@@ -44,7 +44,7 @@ RigidMotion::RigidMotion(const std::vector<Point>& positions, const std::vector<
   }
   free_ = null_space(gram);
   if (radius == 0) {
-    // A single node does not rotate.
+    // Modes of the two translations only, because a single node does not rotate.
     const linalg::SymmetricModes modes = linalg::symmetric_modes(gram.topLeftCorner<2, 2>());
     int free = 0;
     while (free < 2 && modes.values[free] <= rank_tolerance) ++free;
@@ -85,7 +85,7 @@ std::vector<HeldDirection> RigidMotion::missing_supports(const std::vector<Point
     }
     if (!best) break;
     supports.push_back(*best);
-    // Take the motion now held out of the remaining ones.
+    // The motion that is now held is removed from the remaining ones.
     const Eigen::RowVectorXd held = row(positions[best->node], best->cosine, best->sine) * remaining;
     remaining = (remaining * basis_along(held).leftCols(remaining.cols() - 1)).eval();
   }
@@ -101,7 +101,7 @@ std::string RigidMotion::describe() const {
     if (std::abs(m.x()) < 1e-6) return "translate in y";
     return "translate along (" + std::to_string(m.x()) + ", " + std::to_string(m.y()) + ")";
   };
-  // Among the free motions look for pure translations first: they are what a person recognises.
+  // Pure translations are looked for first among the free motions, because a reader recognises them.
   const bool rotates = free_count() > 0 && free_.row(2).norm() > 1e-9;
   const Eigen::MatrixXd sorted = free_ * basis_along(free_.row(2));
   const int translations = free_count() - (rotates ? 1 : 0);

@@ -7,7 +7,7 @@
 
 namespace bempd::coupling {
 
-// A displacement component that something holds.
+// Displacement component of a node that is held.
 struct HeldDirection {
   int node;
   double cosine, sine;
@@ -43,7 +43,7 @@ class RigidMotion {
   Eigen::Matrix<double, 3, Eigen::Dynamic> free_;  // columns: (x, y, rotation * radius)
 };
 
-// The small rigid motion that is nearest to that of some nodes in the mean square.
+// Small rigid motion that is nearest to the motion of some nodes in the mean square.
 struct RigidFit {
   Point centre = Point::Zero(), translation = Point::Zero();  // of the centre
   double rotation = 0;                                        // counter-clockwise

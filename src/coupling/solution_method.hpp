@@ -8,23 +8,23 @@
 
 namespace bempd::coupling {
 
-// How equations with the matrices of a kind of operator are solved. Every operator names its method; a system takes
-// that of its operators which asks the least of the matrix.
+// Method that solves equations with the matrices of a kind of operator. Every operator names its method; a system takes
+// the one, of its operators' methods, that requires the least of the matrix.
 class SolutionMethod {
  public:
   virtual ~SolutionMethod() = default;
 
-  // Matrices are symmetric and positive semidefinite, so that one triangle is enough.
+  // Whether matrices must be symmetric and positive semidefinite, so that one triangle is enough.
   virtual bool needs_symmetry() const = 0;
 
-  // Throws Error (unsolvable) if the private part is singular.
+  // Eliminates the private unknowns. Throws Error (unsolvable) if the private part is singular.
   virtual std::shared_ptr<const Elimination> eliminate(Elimination::Stiffness stiffness,
                                                        std::vector<DofKind> kind) const = 0;
 
   virtual std::unique_ptr<SystemSolver> make_solver() const = 0;
 };
 
-// Cholesky factors and conjugate gradients.
+// Method with Cholesky factors and conjugate gradients.
 const SolutionMethod& symmetric_solution();
 
 }  // namespace bempd::coupling

@@ -12,19 +12,19 @@
 
 namespace bempd::coupling {
 
-// What the unknowns of a pull are and how strongly each takes part in it.
+// Unknown of a pull, with its weight in it.
 struct UnknownEntry {
   int unknown;
   double weight;
 };
 
-// A pull of this size along a direction (or times any vector) at a node, as the unknowns feel it: its masters' where
-// the node is tied.
+// Appends a pull of this size along a direction (or times any vector) at a node, in terms of unknowns: those of its
+// masters where the node is tied.
 void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int node, double cosine, double sine,
                  double size, std::vector<UnknownEntry>& entries);
 
-// Sums terms, condensed operators and holding springs up to the sparse matrix of the unknowns. Where entries go is
-// found once; summing up anew costs one pass over the terms.
+// Sums terms, condensed operators and holding springs up to the sparse matrix of the unknowns. The positions of entries
+// are found once; summing up anew costs one pass over the terms.
 class StiffnessAssembly {
  public:
   // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only. Each
@@ -32,17 +32,17 @@ class StiffnessAssembly {
   StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
                     const std::vector<CondensedOperator>& operators, bool symmetric, const Contacts& contacts = {});
 
-  // A term that is gone has the stiffness 0; its entries stay, so that the pattern does not change. Closed contacts
-  // have room.
+  // Sums the matrix. A broken term has the stiffness 0; its entries stay, so that the pattern does not change. Closed
+  // contacts have entries.
   const Eigen::SparseMatrix<double>& sum(const std::vector<double>& stiffness,
                                          const std::vector<HoldingSpring>& springs, const Contacts& contacts = {});
   bool has_room_for(const Contacts& contacts) const;  // the closed ones
 
  private:
-  // visit(node, other) for every two nodes with common entries, some of them several times.
+  // Calls visit(node, other) for every two nodes with common entries, some of them several times.
   template <class Visit>
   void each_pair(const Contacts& contacts, const Visit& visit) const;
-  // Nodes coupled to each node, those with a smaller number left out where the matrix is symmetric.
+  // Nodes coupled to each node; without those of a smaller number where the matrix is symmetric.
   linalg::Adjacency partners(const Contacts& contacts) const;
   void make_pattern(const Contacts& contacts);
   std::vector<int> nodes_pulled(std::size_t term) const;
@@ -54,7 +54,7 @@ class StiffnessAssembly {
   void find_places();
   void find_block(int row_node, int column_node, int* places) const;
   void add_general(std::size_t term, double stiffness);
-  // Its part of the nodes' own blocks goes to `diagonal`: xx, xy, yy.
+  // Adds a wide term; its part of the nodes' own blocks goes to `diagonal`: xx, xy, yy.
   void add_wide(std::span<const TermEntry> entries, double stiffness, Eigen::Matrix3Xd& diagonal);
   void add_bonds(const std::vector<double>& stiffness);
   void add_operators();

@@ -14,12 +14,13 @@ namespace bempd::coupling {
 namespace {
 
 // Wanted residual of the sparse system relative to its right-hand side; one application of an up-to-date factor reaches
-// it. A solution that rounding or a factor changed too often keeps above the second limit calls for a fresh factor.
+// it. A solution that stays above the second limit, by rounding or after too many changes of the factor, calls for a
+// fresh factor.
 constexpr double solution_tolerance = 1e-13;
 constexpr double acceptable_residual = 1e-12;
 constexpr double acceptable_rounding = 1e-14;  // relative to the forces that the largest displacement causes
 
-// Pivots as small as this, relative to the diagonal, are worth a look for a motion that nothing resists.
+// Pivot relative to the diagonal below which a motion without resistance is looked for.
 constexpr double suspicious_pivot_ratio = 1e-10;
 
 // Shifts of inverse iteration: the first is far below the stiffness of slender parts, the second survives the rounding
@@ -100,7 +101,7 @@ void SystemFactor::factorize(const Matrix& matrix) {
   state_ = FactorState::factorized;
   kept_when_made_ = kept_nodes_;
   ++counters_.sparse_factorizations;
-  // With the matrix scaled to a unit diagonal, which neither units nor stiff neighbours spoil.
+  // The matrix is scaled to a unit diagonal for this, so that units and stiff neighbours do not matter.
   counters_.reciprocal_condition = std::min(counters_.reciprocal_condition, factor.smallest_pivot_ratio());
   counters_.factor_nonzeros = factor.factor_nonzeros();
 }
@@ -137,7 +138,7 @@ Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolv
     const linalg::KrylovResult result = solver_->iterate(apply, rhs, solution_tolerance, solution);
     counters_.iterations += result.iterations;
     if (result.relative_residual <= acceptable_residual) return solution;
-    // Next to a mechanism the displacements are so large that forces smaller than this are rounding of their sums.
+    // Forces smaller than this are rounding, as displacements next to a mechanism are very large.
     const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
     if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }

@@ -13,7 +13,7 @@
 
 namespace bempd::coupling {
 
-// What the factor of a sparse system is of.
+// State of the factor relative to the present matrix.
 enum class FactorState : char {
   none,        // nothing
   factorized,  // the present matrix, as it was factorized
@@ -21,7 +21,7 @@ enum class FactorState : char {
   stale        // an earlier matrix: it only preconditions
 };
 
-// The factor of a system's sparse matrix, which follows it through low-rank changes, and solutions by it.
+// Factor of a system's sparse matrix, which follows it through low-rank changes, and solutions by it.
 class SystemFactor {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -29,10 +29,10 @@ class SystemFactor {
   SystemFactor(const SolutionMethod& method, const Unknowns& unknowns, SolverCounters& counters)
       : method_(method), unknowns_(unknowns), counters_(counters) {}
 
-  // Gives the unknowns an order of elimination with less fill.
+  // Sets the graph from which an order of elimination with less fill follows.
   void set_graph(linalg::NodeGraph graph) { graph_ = std::make_unique<linalg::NodeGraph>(std::move(graph)); }
 
-  // The unknowns of these nodes are eliminated last, from the next factorization on.
+  // Makes the next factorization eliminate the unknowns of these nodes last.
   void keep_last(std::vector<int> nodes);
   int kept() const { return kept_; }  // unknowns
   bool keeps(const std::vector<int>& nodes) const;
@@ -45,28 +45,28 @@ class SystemFactor {
     if (exists()) forgotten_ = state_;
     state_ = FactorState::none;
   }
-  // Takes back the last forget() if no other factor has been made since, and this one had come about so; the caller
-  // knows of which matrix.
+  // Takes back the last forget() if no other factor has been made since and the factor had undergone just these
+  // changes; the caller knows that the matrix is the same.
   bool recall(const std::vector<FactorChange>& changes);
   void lose() { forgotten_ = FactorState::none; }  // for good
 
   // Throws Error (unsolvable) if the matrix is singular.
   void factorize(const Matrix& matrix);
 
-  // Of a factor that exists: the matrix changes by plus or minus columns * columns^T.
+  // Changes an existing factor: the matrix changes by plus or minus columns * columns^T.
   void change(const Matrix& columns, linalg::Change change);
-  // All of them since it was factorized, up to the first that it could not follow.
+  // All changes since the factorization, up to the first one that the factor could not follow.
   const std::vector<FactorChange>& changes() const { return changes_; }
   void repeat(const FactorChange& change);
 
-  // One solution; asks for the present matrix if the factor at hand does not reach it. Throws Error (unsolvable).
+  // Solves once; asks for the present matrix if the present factor is not good enough. Throws Error (unsolvable).
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs, const SystemSolver::Apply& apply,
                         const std::function<const Matrix&()>& assemble);
 
-  // False if some pivot is so small that a motion may have lost its resistance. The factor is current.
+  // Whether no pivot is so small that a motion may have lost its resistance. The factor must be current.
   bool pivots_are_sound() const;
 
-  // Of a solver with a symmetric matrix, factorized.
+  // Cholesky factor of a solver with a symmetric matrix, factorized.
   const linalg::SparseCholesky& cholesky() const { return *solver_->cholesky(); }
 
  private:
@@ -85,16 +85,16 @@ class SystemFactor {
   double largest_diagonal_ = 0;  // of the matrix last factorized
 };
 
-// The diagonal, next to nothing where it has none.
+// Diagonal of the matrix, with a tiny value where it has none.
 Eigen::VectorXd stiff_diagonal(const Eigen::SparseMatrix<double>& matrix);
 
-// Of the matrix and a small share of that diagonal, which neither units nor stiff neighbours spoil: a singular matrix
-// can be factorized so, without hiding its null space behind motions that are merely soft, such as those of slender
-// parts. Throws Error (unsolvable).
+// Solver of the matrix plus a small share of that diagonal, which does not depend on units or stiff neighbours. So a
+// singular matrix can be factorized without hiding its null space behind motions that are merely soft, such as those of
+// slender parts. Throws Error (unsolvable).
 std::unique_ptr<SystemSolver> shifted_solver(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                              const Eigen::VectorXd& diagonal);
 
-// A vector that a matrix hardly resists, largest entry 1: inverse iteration.
+// Vector that a matrix hardly resists, largest entry 1, by inverse iteration.
 Eigen::VectorXd softest_vector(const SolutionMethod& method, const Eigen::SparseMatrix<double>& matrix,
                                double& resistance);
 

@@ -9,8 +9,8 @@
 
 namespace bempd::coupling {
 
-// A sparse direct factor and the iteration that it preconditions: one application of a factor of the present matrix is
-// a solution, a stale one takes more.
+// Sparse direct factor and the iteration that it preconditions: one application of a factor of the present matrix is a
+// solution; a stale factor takes more.
 class SystemSolver {
  public:
   using Apply = std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>;  // (x, y): y = A x
@@ -19,14 +19,14 @@ class SystemSolver {
 
   virtual linalg::SparseFactorization& factorization() = 0;
 
-  // The same, where the matrix is symmetric and its unknowns can be ordered and condensed; null if not.
+  // Cholesky factorization, where the matrix is symmetric and its unknowns can be ordered and condensed; null if not.
   virtual linalg::SparseCholesky* cholesky() { return nullptr; }
 
   // Improves `x` until the residual has at most this inf-norm relative to the right-hand side, or gives up.
   virtual linalg::KrylovResult iterate(const Apply& apply, const Eigen::VectorXd& rhs, double tolerance,
                                        Eigen::VectorXd& x) const = 0;
 
-  // A x of an assembled matrix.
+  // Product A x with an assembled matrix.
   virtual Eigen::VectorXd multiply(const Eigen::SparseMatrix<double>& matrix, const Eigen::VectorXd& x) const = 0;
 };
 

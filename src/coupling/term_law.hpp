@@ -6,8 +6,9 @@
 
 namespace bempd::coupling {
 
-// What a term goes through: in every stage it has a share of its virgin stiffness and a critical elongation, as a share
-// of its own critical one; what reaches it is in the next stage. After the last of these stages the term is broken.
+// Law of a term, a list of stages: in every stage it has a share of its virgin stiffness, and a critical elongation as
+// a share of its own critical one. A term that reaches it enters the next stage. After the last stage the term is
+// broken.
 class TermLaw {
  public:
   struct Stage {
@@ -15,16 +16,16 @@ class TermLaw {
     bool operator==(const Stage&) const = default;
   };
 
-  // Throws Error (argument) if there is no stage, or a share is not positive and finite.
+  // Creates a law. Throws Error (argument) if there is no stage, or a share is not positive and finite.
   explicit TermLaw(std::vector<Stage> stages);
 
-  // Breaks at its critical elongation.
+  // Law of a term that breaks at its critical elongation.
   static const TermLaw& brittle();
 
   bool operator==(const TermLaw&) const = default;
 
   const std::vector<Stage>& stages() const { return stages_; }
-  // The stage that follows the last of these. This is the one place that says whether a term is broken.
+  // Number of the stage behind the last one, in which a term is broken. Only this function decides what is broken.
   int broken_stage() const { return static_cast<int>(stages_.size()); }
   bool is_broken(int stage) const { return stage >= broken_stage(); }
   double stiffness_share(int stage) const { return is_broken(stage) ? 0 : stages_[stage].stiffness_share; }
@@ -37,7 +38,7 @@ class TermLaw {
   std::vector<Stage> stages_;
 };
 
-// A term that goes into another stage.
+// Change of a term into another stage.
 struct StageChange {
   int term, stage;
 };

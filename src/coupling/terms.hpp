@@ -17,32 +17,32 @@ namespace bempd::coupling {
 
 struct Terms;
 
-// What makes shares of their critical values of the elastic elongations of terms, and the directions of bonds so
-// scaled, along which a difference of displacements is such a share at once.
+// Factors that turn elastic elongations of terms into shares of their critical values. The directions of bonds are
+// scaled by them, so that a difference of displacements along one is such a share at once.
 struct CriticalScales {
   std::vector<double> per_elongation;  // [1/m]
   std::vector<double> cosine, sine;
 
   explicit CriticalScales(std::size_t count = 0) : per_elongation(count), cosine(count), sine(count) {}
-  // An infinite critical stretch makes 0 of every elongation.
+  // Sets the factor of a term; an infinite critical stretch makes it 0.
   void set(std::size_t place, const Terms& terms, std::size_t term, double critical_stretch);
 };
 
-// How strongly the displacement of a node takes part in a term.
+// Coefficients of the displacement of a node in a term.
 struct TermEntry {
   int node;
   double x, y;
   bool operator==(const TermEntry&) const = default;
 };
 
-// What the displacements u add to the energy as squares: each term is k/2 (c.u - e0)^2 + q (c.u), with c its
+// Terms of the energy, which are squares of the displacements u: each is k/2 (c.u - e0)^2 + q (c.u), with c its
 // coefficients, c.u its elongation [m], k its stiffness [N/m], e0 its rest elongation [m] and q its constant force [N].
-// Rest elongations and constant forces have a part that is constant and one that is proportional to the load factor.
+// Rest elongations and constant forces have a constant part and one that is proportional to the load factor.
 //
-// A bond is the term of two nodes whose coefficients are -n and n, n the unit vector from the first to the second;
-// stepping sweeps over all of them at every event, hence the structure of arrays. Terms of any other shape (`wide`) are
-// numbered with them: `first` and `second` are then one and the same node and the direction is 0, so that sweeps over
-// the arrays of bonds pass over them without asking.
+// A bond is the term of two nodes whose coefficients are -n and n, where n is the unit vector from the first to the
+// second; stepping sweeps over all of them at every event, hence the structure of arrays. Terms of any other shape
+// (`wide`) are numbered with them: their `first` and `second` are the same node and the direction is 0, so that sweeps
+// over the arrays of bonds pass over them without a test.
 struct Terms {
   std::vector<int> first, second;    // nodes
   std::vector<double> cosine, sine;  // unit vector from first to second
@@ -53,8 +53,8 @@ struct Terms {
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
   std::array<std::vector<double>, 2> constant_force;   // [N]
 
-  // Poisson's ratio in the plane of bonds that count what compression across them adds to their stretch; terms beyond
-  // the end have 0 and do not count it.
+  // Poisson's ratio in the plane of bonds whose stretch counts the effect of compression across them; terms beyond the
+  // end have 0 and do not count it.
   std::vector<double> contraction;
 
   // Law of each term, an index into `laws`; terms beyond the end are brittle.
@@ -73,8 +73,8 @@ struct Terms {
   };
   Wide wide;
 
-  // Pairs of a term and one that follows it: as soon as the first is gone, so is the second. By leaders, ascending,
-  // once all are there; what follows does not break by itself.
+  // Pair of a term (leader) and a follower: when the leader breaks, the follower breaks, too. Pairs are sorted by
+  // leaders once all are there; followers do not break by themselves.
   struct Following {
     int leader, follower;
     auto operator<=>(const Following&) const = default;
@@ -87,12 +87,12 @@ struct Terms {
   std::size_t bond_count() const { return size() - wide.term.size(); }
   bool is_wide(std::size_t term) const { return first[term] == second[term]; }
 
-  // Both return the number of the new term.
+  // Functions that add a term return its number.
   int add_bond(int from, int to, const Eigen::Vector2d& direction, double length_between, double its_stiffness);
   int add_wide(std::span<const TermEntry> entries_of_different_nodes, double its_length, double its_stiffness);
 
-  // The follower goes with any of its leaders, all of which have smaller numbers than it; once for every follower, in
-  // the order of their numbers.
+  // Makes a term follow any of its leaders, all of which have smaller numbers; called once for every follower, in the
+  // order of their numbers.
   void let_follow(int follower, std::span<const int> leaders);
   bool follows(int term) const { return std::binary_search(followers.begin(), followers.end(), term); }
   bool wide_terms_only_follow() const { return wide_followers == wide.term.size(); }
@@ -108,22 +108,22 @@ struct Terms {
   const TermLaw& law_of(std::size_t term) const { return term < law.size() ? laws[law[term]] : laws.front(); }
 
   bool is_broken(std::size_t term, int stage) const { return law_of(term).is_broken(stage); }
-  // The change that breaks a term, whatever stage it is in.
+  // Change that breaks a term, whatever stage it is in.
   StageChange breaking(int term) const { return {term, law_of(static_cast<std::size_t>(term)).broken_stage()}; }
-  // The terms that some changes break.
+  // Terms that some changes break.
   std::vector<int> broken_by(std::span<const StageChange> changes) const;
 
-  // True if some term pulls without elongation.
+  // Whether some term has a force without elongation.
   bool have_offsets() const {
     return has(rest_elongation, 0) || has(rest_elongation, 1) || has(constant_force, 0) || has(constant_force, 1);
   }
   bool have_offsets(int part) const { return has(rest_elongation, part) || has(constant_force, part); }
 
-  // Part 0 or 1 of e0 and q.
+  // Rest elongation e0 and constant force q, part 0 (constant) or 1 (proportional).
   double rest(std::size_t term, int part) const { return value(rest_elongation[part], term); }
   double constant(std::size_t term, int part) const { return value(constant_force[part], term); }
 
-  // visit(node, x, y) for every coefficient vector.
+  // Calls visit(node, x, y) for every coefficient vector.
   template <class Visit>
   void for_each_entry(std::size_t term, const Visit& visit) const {
     if (is_wide(term)) {
@@ -138,13 +138,13 @@ struct Terms {
     for_each_entry(term, [&](int node, double, double) { visit(node); });
   }
 
-  // c.u, with the displacements as 2 * node + component.
+  // Elongation c.u, with the displacements as 2 * node + component.
   double elongation(std::size_t term, const double* displacement) const {
     return is_wide(term) ? wide_elongation(place_of_wide(term), displacement) : bond_elongation(term, displacement);
   }
 
-  // c.u - e0: what the stiffness feels. The first takes a part of an affine displacement, the second the displacement
-  // at a load factor.
+  // Elastic elongation c.u - e0, on which the stiffness acts: from a part of an affine displacement, then from the
+  // displacement at a load factor.
   double elastic_elongation_part(std::size_t term, const double* displacement, int part) const {
     return elongation(term, displacement) - rest(term, part);
   }
@@ -158,7 +158,7 @@ struct Terms {
            load_factor * constant(term, 1);
   }
 
-  // k/2 (c.u - e0)^2 + q (c.u), likewise.
+  // Energy k/2 (c.u - e0)^2 + q (c.u) with such a stiffness.
   double energy(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
     const double elastic = elastic_elongation(term, displacement, load_factor);
     const double force = constant(term, 0) + load_factor * constant(term, 1);
@@ -167,11 +167,11 @@ struct Terms {
 
   CriticalScales critical_scales(const std::vector<double>& critical_stretch) const;
 
-  // Elastic elongations of all terms as shares of their critical ones, the two parts of a displacement apart.
+  // Elastic elongations of all terms as shares of their critical ones, for both parts of a displacement separately.
   void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
                        std::vector<double>& proportional_part) const;
 
-  // force += stiffness (c.u) c, without rest elongations and constant forces, on all nodes.
+  // Adds the forces stiffness (c.u) c of all terms, without rest elongations and constant forces, on all nodes.
   void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace bempd::coupling {
 
-// What every degree of freedom (2 * node + component) is, and the numbers of those that a sparse system solves for.
+// Kind of every degree of freedom (2 * node + component), and the numbers of those that a sparse system solves for.
 struct Unknowns {
   std::vector<DofKind> kind;
   std::vector<int> unknown_of;  // dof -> unknown of the sparse system, or -1

@@ -20,7 +20,7 @@ class CsvTable {
 
   const std::string& text() const { return text_; }
 
-  // Throws std::system_error.
+  // Writes the table. Throws std::system_error.
   void save(const std::filesystem::path& path) const;
 
  private:

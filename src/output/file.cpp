@@ -53,8 +53,8 @@ class Descriptor {
   int number_;
 };
 
-// A reader that goes away while a FIFO is written raises SIGPIPE, which would end the host. The signal is held back in
-// this thread, and taken out again if it was not pending before.
+// Scope without SIGPIPE: a reader that goes away while a FIFO is written raises it, which would end the host. The
+// signal is held back in this thread, and taken out again if it was not pending before.
 class WithoutBrokenPipe {
  public:
   WithoutBrokenPipe() {
@@ -107,8 +107,8 @@ void write_through(const fs::path& path, const fs::path& target, int flags, std:
   if (!file.is_open() || !file.write(content) || !file.close()) fail(path, errno);
 }
 
-// Next to the target, so that it can take its place; under a short name, as the target's own may be as long as the
-// system allows.
+// Name of the unfinished file: next to the target, so that it can take its place, and short, as the target's own name
+// may be as long as the system allows.
 fs::path unfinished_name(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   return target.parent_path() / (".bempd_" + std::to_string(::getpid()) + "_" + std::to_string(count++) + ".part");
@@ -121,7 +121,7 @@ void replace(const fs::path& path, const fs::path& target, const struct stat* ol
   Descriptor file(unfinished, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open()) fail(path, errno);
   if (old != nullptr) {
-    // As well as the file system and the rights of the process allow.
+    // Owner and group are kept as well as the file system and the rights of the process allow.
     [[maybe_unused]] const bool same_owner = ::fchown(file.number(), old->st_uid, old->st_gid) == 0;
     [[maybe_unused]] const bool same_mode = ::fchmod(file.number(), old->st_mode & 0777) == 0;
   }
@@ -143,7 +143,7 @@ void write_file(const fs::path& path, std::string_view content, bool to_disk) {
     if (errno != ENOENT) fail(path, errno);
     return replace(path, place.target, nullptr, content, to_disk);
   }
-  // What the process has open already is continued, as its other output is.
+  // A file that the process has open is continued, as its other output is.
   if (S_ISDIR(found.st_mode)) fail(path, EISDIR, ", which is a folder; give the name of a file");
   if (S_ISSOCK(found.st_mode)) fail(path, ENOTSUP, ", which is a socket; give the name of a file");
   if (S_ISBLK(found.st_mode)) fail(path, ENOTSUP, ", which is a disk; give the name of a file");

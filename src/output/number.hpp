@@ -6,7 +6,7 @@
 namespace bempd::output {
 
 // Shortest decimal text that reads back as the same double (at most 17 significant digits); nan, inf and -inf as such.
-// Always with a point, whatever the locale.
+// It always has a point, whatever the locale.
 std::string to_text(double value);
 std::string to_text(std::int64_t value);
 

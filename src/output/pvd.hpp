@@ -7,7 +7,7 @@
 
 namespace bempd::output {
 
-// One file of a time series; several parts may belong to one time.
+// File of a time series; several parts may belong to one time.
 struct PvdEntry {
   double time = 0;
   int part = 0;
@@ -15,10 +15,10 @@ struct PvdEntry {
   std::string name{};  // of the part
 };
 
-// ParaView collection. Throws std::system_error, also for names that XML cannot hold.
+// Writes a ParaView collection. Throws std::system_error, also for names that XML cannot hold.
 void write_pvd(const std::filesystem::path& path, const std::vector<PvdEntry>& entries);
 
-// The entries of a file that write_pvd() has written; nothing if it cannot be read as one.
+// Entries of a file that write_pvd() has written; empty if it cannot be read as one.
 std::optional<std::vector<PvdEntry>> read_pvd(const std::filesystem::path& path);
 
 }  // namespace bempd::output

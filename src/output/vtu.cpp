@@ -22,8 +22,8 @@ constexpr std::string_view vtk_type() {
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
 }
 
-// The elements that describe the arrays come first in the file, their numbers follow in one block: each array as its
-// size in bytes (UInt64) and its bytes, found by its offset in the block.
+// Text of a file: the elements that describe the arrays come first, their numbers follow in one block. Each array is
+// its size in bytes (UInt64) and its bytes, found by its offset in the block.
 class VtuFile {
  public:
   void open(std::string_view element) { text_.append("<").append(element).append(">\n"); }
@@ -33,9 +33,9 @@ class VtuFile {
   void add_array(std::string_view name, int components, const std::vector<Number>& values, bool counted = false) {
     text_.append("<DataArray type=\"").append(vtk_type<Number>());
     text_.append("\" Name=\"").append(xml_escaped(name));
-    // One is the default, and some readers make a matrix of a scalar field when it is given.
+    // One component is the default, and some readers make a matrix of a scalar field when it is given.
     if (components != 1) text_.append("\" NumberOfComponents=\"").append(to_text(std::int64_t{components}));
-    // Readers know how many entries points and cells have, but not the grid as a whole.
+    // The count is given for the grid as a whole only: readers know how many entries points and cells have.
     if (counted) text_.append("\" NumberOfTuples=\"").append(count_text(values.size() / components));
     text_.append("\" format=\"appended\" offset=\"").append(count_text(block_.size())).append("\"/>\n");
     const std::uint64_t size = values.size() * sizeof(Number);

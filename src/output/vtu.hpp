@@ -10,7 +10,7 @@
 
 namespace bempd::output {
 
-// Numbers of the VTK file format.
+// Cell types of the VTK file format.
 enum class VtuCell : std::uint8_t {
   vertex = 1,
   line = 3,
@@ -39,7 +39,8 @@ struct VtuGrid {
   void add_cell(VtuCell type, const std::vector<std::int64_t>& cell_points);
 };
 
-// VTK XML file (UnstructuredGrid) with its numbers in binary form as they are, NaN included. Throws std::system_error.
+// Writes a VTK XML file (UnstructuredGrid) with its numbers in binary form as they are, NaN included. Throws
+// std::system_error.
 void write_vtu(const std::filesystem::path& path, const VtuGrid& grid);
 
 }  // namespace bempd::output

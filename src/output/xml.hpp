@@ -9,10 +9,10 @@ namespace bempd::output {
 // 2, Char).
 bool fits_xml(std::string_view text);
 
-// Text that fits, written for a quoted attribute so that readers get the same characters back.
+// Text that fits, escaped for a quoted attribute so that readers get the same characters back.
 std::string xml_escaped(std::string_view text);
 
-// The text that was written so.
+// Text from which xml_escaped() made this one.
 std::string xml_unescaped(std::string_view escaped);
 
 // Value of the byte_order attribute of VTK files written by this machine.

@@ -22,7 +22,7 @@ class FieldCache {
   std::map<Key, regions::FieldValues> fields_;
 };
 
-// One entry a bond of the region: `intact` and `cut` are those of the scene.
+// States of a region's bonds, one entry a bond: `intact` and `cut` are those of the scene.
 std::vector<regions::BondState> bond_states(const regions::Region& region, const std::vector<char>& intact,
                                             const std::vector<int>& cut);
 

@@ -8,11 +8,11 @@
 
 namespace bempd::results {
 
-// Appends to the array of this name, which is made if it is not there.
+// Appends to the array of this name, which is created if necessary.
 void append(std::vector<output::VtuArray>& arrays, const std::string& name, int components,
             const std::vector<double>& values);
 
-// Stress as viewers want it, from xx, yy, xy: "stress" as a 3 x 3 tensor with what acts across the plane, and the
+// Appends stress for viewers, from xx, yy, xy: "stress" as a 3 x 3 tensor with the component across the plane, and the
 // largest and smallest principal stress in the plane.
 void append_stress(std::vector<output::VtuArray>& arrays, const PlaneElasticity& elasticity,
                    const std::vector<double>& values);

@@ -69,7 +69,7 @@ void add_region(VtuGrid& grid, const SnapshotBlock& block, const regions::Region
   }
 }
 
-// Cracks, piece by piece.
+// Grid of cracks, piece by piece.
 VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
   VtuGrid grid;
   std::vector<double> openings, displacements;
@@ -92,7 +92,7 @@ VtuGrid grid_of(const std::vector<regions::CrackPicture>& cracks) {
   return grid;
 }
 
-// A point for each.
+// Grid of tips, a point for each.
 VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   VtuGrid grid;
   std::vector<double> directions;
@@ -128,7 +128,7 @@ VtuGrid grid_of(const std::vector<regions::TipValues>& tips) {
   return grid;
 }
 
-// Also while there is none yet, so that all moments of a series have the same parts.
+// Whether the scene can have cracks, also if it has none yet, so that all moments of a series have the same parts.
 bool may_have_cracks(const scene::Scene& scene, const regions::Discretization& d) {
   for (const auto& region : d.regions)
     if (region->bonds()) return true;

@@ -8,21 +8,21 @@
 
 namespace bempd::results {
 
-// What a snapshot shows of cracks.
+// Cracks and tips that a snapshot shows.
 struct CracksShown {
   std::vector<regions::CrackPicture> faces;
   std::vector<regions::TipValues> tips;
 };
 
-// A part of a snapshot, a file of its own. Parts are shown in the order of their numbers.
+// Part of a snapshot, a file of its own. Parts are shown in the order of their numbers.
 struct PicturePart {
   int number;
   std::string name;
   output::VtuGrid grid;
 };
 
-// The body under one solution: its regions by kind, the inside of those of boundary elements on triangles whose sides
-// are the root of the region's area over `inside_divisions` (0: not at all), and its cracks.
+// Pictures of the body under one solution: its regions by kind, the inside of those of boundary elements on triangles
+// whose sides are the root of the region's area over `inside_divisions` (0: none), and its cracks.
 std::vector<PicturePart> pictures(const scene::Scene& scene, const regions::Discretization& discretization,
                                   const regions::Solution& solution, const FieldsOfScene& fields,
                                   const CracksShown& cracks, double inside_divisions);

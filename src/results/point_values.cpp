@@ -9,7 +9,8 @@ namespace bempd::results {
 
 namespace {
 
-// On an interface the region comes first whose values are at hand, then the lower number; 0 outside the body.
+// Region at a place, 0 outside the body. On an interface it is the one of the highest rank (lattices come before
+// boundary elements), then the one with the lower number.
 int region_at(const scene::Scene& scene, const regions::Discretization& d, const Point& place) {
   const regions::Region* found = nullptr;
   for (const auto& region : d.regions) {
@@ -19,7 +20,7 @@ int region_at(const scene::Scene& scene, const regions::Discretization& d, const
   return found ? found->id() : 0;
 }
 
-// The region asked for, or the one that has the place; throws Error (argument) if the place lies outside.
+// Region asked for, or the one that has the place; throws Error (argument) if the place lies outside.
 int region_for(const scene::Scene& scene, const regions::Discretization& d, const Point& place, std::size_t number,
                int wanted) {
   if (wanted == 0) {

@@ -13,7 +13,7 @@ struct PointValues {
   std::int64_t kernel_evaluations = 0;
 };
 
-// From where a place is looked at: as part of one region, 0 for any; on a crack from its right face.
+// Side from which a place is looked at: as part of one region, 0 for any; on a crack from its right face.
 struct Side {
   int region = 0;
   bool from_right = false;

@@ -11,17 +11,17 @@
 
 namespace bempd::results {
 
-// Where a run stands.
+// Moment of a run: load factor and number of events.
 struct Moment {
   double load_factor;
   std::int64_t events;
 };
 
-// Series of VTK files, one file a part and moment, with a collection for each series.
+// Series of VTK files, one file for each part and moment, with a collection for each series.
 class Snapshots {
  public:
-  // Adds a moment to the series of this prefix. Throws Error (io), also where files of another run are in the way and
-  // the options do not say what to do with them.
+  // Adds a moment to the series of this prefix. Throws Error (io), also where files of another run exist and the
+  // options do not say what to do with them.
   void write(const std::string& prefix, const Moment& moment, std::vector<PicturePart> parts,
              const scene::Options& options);
 

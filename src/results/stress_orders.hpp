@@ -5,13 +5,13 @@
 
 namespace bempd::results {
 
-// Finds out at which places stress is unbounded, and of which order.
+// Finds the places at which stress is unbounded, and the order of each.
 class StressOrders {
  public:
   // `places` stay with the caller; what is closer than some `tolerance` is the same place.
   StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance);
 
-  // One entry a node: 0 where stress is bounded; else it goes as r to the power of minus this.
+  // Order of the stress at the nodes: 0 where it is bounded; else stress grows as r to the power of minus this.
   regions::FieldValues at_nodes(const regions::FieldValues& positions) const;
 
   // Throws Error (argument) for places where stress is unbounded.

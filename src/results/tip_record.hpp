@@ -6,7 +6,7 @@
 
 namespace bempd::results {
 
-// A tip at an event, or (event 0) at the end of a step.
+// Tip at an event, or (event 0) at the end of a step.
 struct TipRecord {
   std::int64_t event, total_broken_bonds;
   double load_factor;

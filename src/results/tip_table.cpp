@@ -8,7 +8,7 @@ namespace bempd::results {
 
 namespace {
 
-// Of a file of tips.
+// Columns of a file of tips.
 std::vector<std::string> columns_of_tips() {
   return {"event",
           "total_broken_bonds",

@@ -7,7 +7,7 @@
 
 namespace bempd::results {
 
-// A line for every record. Throws Error (io).
+// Writes a line for every record. Throws Error (io).
 void write_tips(const std::string& path, const std::vector<TipRecord>& records);
 
 }  // namespace bempd::results

@@ -6,7 +6,7 @@
 
 namespace bempd::results {
 
-// Files are the host's business: its reason and the path, as an error the host can act on.
+// Runs `body` and turns failures to write files into errors for the host, with the reason and the path.
 template <class Body>
 void writing(const Body& body) {
   try {
