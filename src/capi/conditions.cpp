@@ -34,7 +34,7 @@ SampledValues samples(std::int64_t count, const double* constant, const double* 
 
 SampledValues single(double constant, double proportional) { return {{constant}, {proportional}}; }
 
-// The host is asked once per place; later questions get the remembered answer.
+// Function that asks the host once per place and remembers the answer.
 BoundaryFunction remember(bempd_boundary_function function, void* user) {
   require(function != nullptr, "function is NULL; give a function of the position");
   auto known = std::make_shared<std::map<std::pair<double, double>, BoundaryValue>>();

@@ -18,7 +18,7 @@ enum class Use { idle, in_a_call, to_be_freed };  // the last: once the call tha
 
 }  // namespace bempd::capi
 
-// The handles of the C interface. A const model keeps its engine as it is; the books of the calls are not part of that.
+// Handles of the C interface. A const model keeps its engine as it is; the records of calls are not part of that.
 struct bempd_model {
   bempd::model::Model engine;
   mutable std::string error;
@@ -32,8 +32,9 @@ struct bempd_state {
 
 namespace bempd::capi {
 
-// Message of the last failure of a call without a model, cut off where it is too long. A thread's own std::string would
-// be registered for its end, for which the C library takes memory and ends the process where there is none.
+// Message of the last failure of a call without a model, cut off where it is too long. It is no std::string: a thread's
+// own would be registered for its destruction, for which the C library takes memory and ends the process where there is
+// none.
 class ThreadError {
  public:
   void assign(std::string_view message) noexcept {
@@ -50,8 +51,8 @@ class ThreadError {
 
 ThreadError& thread_error();
 
-// What a call does, seen through two pointers: the guards are compiled once, not for every function. It takes no memory
-// and is to be used only as an argument.
+// Reference to the work of a call, by two pointers, so that the guards are compiled once and not for every function. It
+// takes no memory and is to be used only as an argument.
 template <class... Arguments>
 class Work {
  public:
@@ -67,10 +68,10 @@ class Work {
   void (*call_)(const void*, Arguments...);
 };
 
-// A call that has no model. Every exception becomes a status and a message that starts with the function's name.
+// Runs a call that has no model. Every exception becomes a status and a message that starts with the function's name.
 bempd_status without_model(const char* function, const Work<>& body) noexcept;
 
-// A call on a model, const or not; `body` receives its engine.
+// Runs a call on a model, const or not; `body` receives its engine.
 bempd_status with_model(bempd_model* model, const char* function, const Work<model::Model&>& body) noexcept;
 bempd_status with_model(const bempd_model* model, const char* function, const Work<const model::Model&>& body) noexcept;
 
@@ -86,7 +87,7 @@ inline void require_finite(double value, const char* name) {
 
 std::vector<Point> points_from(const double* values, std::int64_t count, const char* name);
 
-// Size that a caller's struct must have at least and what it says.
+// Size of a caller's struct as it says, which must be at least the given one.
 template <class T>
 std::size_t struct_bytes(const T* given, const char* name, std::size_t least) {
   require(given != nullptr, name, " is NULL; give a struct filled by its _init function");

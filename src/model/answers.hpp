@@ -6,7 +6,7 @@
 #include "coupling/rigid_motion.hpp"
 #include "fracture/crack_evolution.hpp"
 
-// What calls of a model hand back.
+// Results that calls of a model return.
 namespace bempd::model {
 
 struct StepResult {
@@ -28,7 +28,7 @@ struct GrowthResult {
   double released_energy = 0;
 };
 
-// Sets of nodes that bonds and boundary elements join.
+// Pieces of the body: sets of nodes that bonds and boundary elements join.
 struct Pieces {
   std::vector<std::vector<int>> nodes;
   std::vector<int> of_node;  // numbers from 1

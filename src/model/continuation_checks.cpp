@@ -1,4 +1,4 @@
-// What a state's bytes say of how its run goes on.
+// Checks of the part of a state's bytes from which its run continues.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -78,7 +78,7 @@ bool is_sound(const fracture::FaceState& faces, const PreparedScene& scene) {
          are_below(faces.pending, terms);
 }
 
-// Tips go on or end in a window, none begins.
+// Whether tips are those of an earlier state: they may grow or end in a window, but none begins there.
 bool are_those_of(const std::vector<fracture::GrowingTip>& tips, const std::vector<fracture::GrowingTip>& later,
                   std::size_t laws) {
   const auto is_same = [&](const fracture::GrowingTip& tip, const fracture::GrowingTip& then) {

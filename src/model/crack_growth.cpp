@@ -10,7 +10,7 @@
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
-// Growth of cracks with boundary elements: the scene is prepared anew, and its run goes on.
+// Growth of cracks with boundary elements: the scene is prepared again with the longer cracks, and its run continues.
 namespace bempd::model {
 
 namespace {
@@ -37,8 +37,8 @@ struct HashOfPoint {
 constexpr const char* no_tip_with_elements =
     "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
 
-// Whether lattices have the same bonds in the same order, so that what is broken among them can be taken over: where
-// material points lie on outlines a lattice may move out of the way of a longer crack.
+// Whether lattices have the same bonds in the same order, so that broken ones can be taken over: a lattice whose
+// material points lie on outlines may move out of the way of a longer crack.
 bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   const coupling::Terms &a = now.system->terms(), &b = before.system->terms();
   if (a.size() != b.size()) return false;
@@ -53,8 +53,8 @@ bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
   return true;
 }
 
-// Of each node the one that its region had at its place before, in the order in which it has several there; else one
-// close by.
+// Node before of every node now: the one that the same region had at this place, in order where it has several there;
+// otherwise the closest one.
 std::vector<int> nodes_before(const regions::Discretization& now, const regions::Discretization& before) {
   std::vector<int> found(now.positions.size(), -1);
   for (std::size_t r = 0; r < now.regions.size(); ++r) {
@@ -79,7 +79,7 @@ std::vector<int> nodes_before(const regions::Discretization& now, const regions:
   return found;
 }
 
-// The load factor at which the first tip grows, rising from zero, and that tip.
+// Load factor at which the first tip grows, rising from zero, and that tip.
 std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues>& tips,
                                             const scene::Options& options) {
   std::vector<crack::Candidate> candidates;
@@ -115,7 +115,7 @@ std::span<const fracture::CrackExtension> Model::extensions() const {
   return prepared_->evolution->progress().extensions;
 }
 
-// As functions of the load factor, which nothing changes between events while the loads are the same.
+// Factors of tips as functions of the load factor, which stay valid between events while the loads are the same.
 const std::vector<regions::TipValues>& Model::tip_factors() {
   const coupling::Affine& displacement = prepared_->evolution->state().displacement;
   const std::vector<char>& closed = prepared_->system->closed_faces();
@@ -140,7 +140,7 @@ std::vector<regions::TipValues> Model::growing_tips() {
   return tips;
 }
 
-// Tips that may grow; bempd_grow_cracks() is refused where there is none.
+// Tips that may grow; throws if there is none, which refuses bempd_grow_cracks().
 std::vector<regions::TipValues> Model::free_tips() {
   const std::vector<regions::TipValues> tips = growing_tips();
   if (!tips.empty()) return tips;
@@ -149,7 +149,8 @@ std::vector<regions::TipValues> Model::free_tips() {
        "all tips are frozen, or have stopped before an interface; let one grow again with bempd_set_tip_frozen()");
 }
 
-// To where the first tip is critical. What closes, opens or breaks on the way makes other tips of them.
+// Goes to the load factor at which the first tip is critical. Tips are computed anew whenever faces close or open, or
+// bonds break, on the way.
 Growing Model::go_to_growth(double length) {
   for (int round = 0;; ++round) {
     const std::vector<regions::TipValues> tips = free_tips();
@@ -169,13 +170,14 @@ Growing Model::go_to_growth(double length) {
   }
 }
 
-// With the cracks that these values load: those of the scene, or others on a way to them.
+// Prepared scene of the cracks with their extensions. `on_way` are the values that load them; null stands for those of
+// the scene.
 std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                      const scene::SceneValues* on_way) {
   return with_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing), on_way);
 }
 
-// Ends of cracks that had elements and lie among bonds now.
+// Crack ends that had elements before and lie in a lattice now.
 std::vector<crack::TipId> Model::entering(const regions::Discretization& next) const {
   std::vector<crack::TipId> tips;
   const std::vector<regions::PartedCrack>& before = prepared_->discretization.cracks;
@@ -186,7 +188,7 @@ std::vector<crack::TipId> Model::entering(const regions::Discretization& next) c
   return tips;
 }
 
-// The run goes on in it.
+// Prepared scene with these cracks, in which the run continues.
 std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
   scene_.set_cracks(std::move(longer));
   const auto build_next = [&] { return build(prepared_.get()); };
@@ -210,7 +212,7 @@ std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> long
   return next;
 }
 
-// The scene with longer cracks, whose growth is in its books, and its tips.
+// Scene with the extended cracks, after their growth is entered in its history, and its tips.
 Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen,
                    const scene::SceneValues* on_way) {
   constexpr double turns = 0.01, turns_too_much = 0.35;  // [rad]

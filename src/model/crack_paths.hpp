@@ -9,7 +9,7 @@
 
 namespace bempd::model {
 
-// A vertex of a crack's path. Of one that was described, or in whose place the crack began, no growth is known: NaN.
+// Vertex of a crack's path. Its growth is NaN if it was described, or if the crack began there.
 struct PathVertex {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -21,8 +21,8 @@ struct PathVertex {
   double energy_release_rate = unknown, resistance = unknown;  // in its direction, and met there [J/m^2]
 };
 
-// The path of a crack from its start to its end: the described points, none for one that began in the run, and what it
-// grew by.
+// Path of a crack from its start to its end: the described points (none for a crack that began in the run), and the
+// extensions.
 std::vector<PathVertex> path_of(int crack, std::span<const Point> described,
                                 std::span<const fracture::CrackExtension> extensions);
 

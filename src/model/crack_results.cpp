@@ -19,7 +19,7 @@ namespace bempd::model {
 
 namespace {
 
-// Load factors and angle at which a tip with known factors grows by a criterion.
+// Computes the load factors and the angle at which a tip with known stress intensity factors grows by a criterion.
 void complete(regions::TipValues& tip, KinkCriterion criterion) {
   if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
   const crack::AffineFactors factors{tip.constant_factors, tip.proportional_factors};
@@ -37,7 +37,7 @@ void never_grows(regions::TipValues& tip) {
   tip.critical_kink_angle = regions::TipValues::unknown;
 }
 
-// Factors by which the tip grows, for tips around which no ring fits.
+// Takes the factors by which the tip grows, from the stress ahead, for tips around which no ring fits.
 void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& tip, double load_factor) {
   if (!tip.factors.at(load_factor).allFinite()) return;
   values.method = regions::TipMethod::stress_ahead;
@@ -47,7 +47,7 @@ void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& 
   values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.modulus);
 }
 
-// Length by which an end of a crack has grown as a line; the scene's crack does not have it.
+// Length by which an end of a crack has grown in a lattice, which the scene's crack does not have.
 double grown_among_bonds(int crack, int end, const scene::Crack& described,
                          std::span<const fracture::CrackExtension> extensions) {
   double sum = 0;
@@ -79,7 +79,7 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
     tips.insert(tips.end(), found.begin(), found.end());
   }
   for (regions::TipValues& tip : tips) complete(tip, growth_criterion(options_));
-  // By crack, its first point first.
+  // Tips are ordered by crack, the first point's end first.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
   });
@@ -96,7 +96,7 @@ std::vector<regions::TipValues> Model::compute_tips() const {
   return all;
 }
 
-// Looked for among broken bonds.
+// Tips found among broken bonds.
 std::vector<regions::TipValues> Model::tips_in_lattices() const {
   const regions::BondedBody body = bonded_body();
   std::vector<regions::TipValues> tips =
@@ -105,7 +105,7 @@ std::vector<regions::TipValues> Model::tips_in_lattices() const {
   return tips;
 }
 
-// Tips of lines as the run grows them: place, direction and load factors.
+// Tips of crack lines as the run grows them: place, direction and load factors.
 std::vector<regions::TipValues> Model::tips_of_lines() const {
   const std::vector<fracture::TipProspect> prospects = prepared_->evolution->tip_prospects();
   std::vector<regions::KnownTip> known;
@@ -212,7 +212,7 @@ std::vector<std::vector<Point>> Model::paths_in_lattices() const {
   return paths;
 }
 
-// Among bonds; of all that were described if none is.
+// Crack in lattices that is nearest to a place; of all described cracks, if none is in a lattice.
 int Model::crack_nearest(const Point& place, const std::vector<std::vector<Point>>& paths) const {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();

@@ -13,17 +13,19 @@ using crack::TipState;
 
 namespace {
 
-// A tip that would stop this part of its way before an edge or a crack goes on to it.
+// Reach of an extension over its length: a tip that would stop closer before an edge or a crack goes on to it.
 constexpr double reach = 1.25;
 
-// Closer to an end of a crack than this part of the way a tip meets that end: what is left beside it would break.
+// Share of an extension's length within which a tip that passes an end of a crack joins that end: the ligament would
+// break.
 constexpr double near_an_end = 0.1;
 
-// The same for corners of outlines, beside which elements would become tiny.
+// Share of an extension's length within which a tip joins a corner of an outline, beside which elements would become
+// tiny.
 constexpr double near_a_corner = 1e-3;
 
-// Elements do not go on across an interface, and none lie on it: this part of the way, or half of what there is, is
-// left before it.
+// Share of an extension's length (or half of the distance, if less) that is left before an interface, since elements
+// neither cross an interface nor lie on it.
 constexpr double before_an_interface = 0.25;
 
 class Meetings {
@@ -40,7 +42,7 @@ class Meetings {
     }
   }
 
-  // With all of a crack but the segment that the tip itself is the end of.
+  // Adds a crack, all of it except the segment that ends at the tip itself.
   void with(const scene::Crack& crack, bool own, int own_end) {
     const std::size_t last = crack.points.size() - 1;
     for (std::size_t i = 0; i < last; ++i) {
@@ -57,7 +59,7 @@ class Meetings {
     if (!own || own_end == 0) ends_.push_back(crack.points.back());
   }
 
-  // Ends of cracks come last: they take over what is met next to them.
+  // First meeting on the path. Ends of cracks come last: they replace a meeting next to them.
   std::optional<TipWay> first() {
     for (const Point& end : ends_) {
       const double fraction = closest_fraction(way_, end), close = near_an_end * length_;
@@ -81,11 +83,12 @@ class Meetings {
   std::vector<Point> ends_;
 };
 
-// A tip of elements that would come closer than this to material points goes on to them, so that no element becomes
-// much shorter than their spacing; and so far behind the interface, in spacings.
+// Distances in spacings: a tip of elements that would come closer than the first to material points goes on to them, so
+// that no element becomes much shorter than their spacing; and into_a_lattice is how far it then goes behind the
+// interface.
 constexpr double near_a_lattice = 2, into_a_lattice = 4, least_into_a_lattice = 1;
 
-// Where a way through one region first meets a straight edge of a lattice of the same material.
+// Straight edge of a lattice of the same material that a path through one region meets first.
 struct LatticeAhead {
   Point place;
   double way, spacing, width;  // width: of the lattice on the way

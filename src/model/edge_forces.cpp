@@ -6,7 +6,7 @@
 #include "model/model.hpp"
 #include "regions/places/edge_part.hpp"
 
-// Edges as a host that couples sees them: nodes, forces on them, and values given at them.
+// Edges for a host that couples: nodes, forces on them, and values given at them.
 namespace bempd::model {
 
 namespace {
@@ -36,7 +36,8 @@ std::vector<int> Model::edge_cells(int region, int edge) {
   return regions::edge_cells(prepared_->discretization, region, nodes);
 }
 
-// By all nodes: the forces of elements or bonds less those of the loads on them.
+// Forces that act on a body from outside, by all nodes: the forces of elements or bonds less those of the loads on
+// them.
 Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
   const regions::Discretization& d = prepared_->discretization;
   const fracture::EvolutionState& state = prepared_->evolution->state();
@@ -55,7 +56,8 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
   force += system.force_of_terms(terms, state.total_displacement, state.load_factor);
   scene::SceneValues acting = loads_.acting == Acting::on_a_way ? *loads_.in_force : scene_.values();
   coupling::Affine loads = scene_.under(acting, [&] { return regions::loads_on(scene_, d, body); });
-  // Loads that pieces which came free have lost, and a fluid that has reached bonds, which is nobody's load by name.
+  // Two kinds of loads are corrected: those that free fragments have lost, and the pressure of a fluid in broken bonds,
+  // which is no load of its own.
   coupling::Affine given = prepared_->conditions.force;
   system.ties().collect(given);
   const coupling::Affine beside = system.force() - given;
@@ -72,8 +74,8 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
   return force - coupling::evaluate(loads, state.load_factor);
 }
 
-// A node of several interfaces of a body has for each the force that tractions make there on its side, and the same
-// share of what then is missing or left.
+// Forces of neighbouring regions at the nodes of an interface. A node of several interfaces of a body has for each the
+// force of the tractions there on its side, plus the same share of the difference to the whole force.
 std::map<int, Point> Model::forces_of_neighbours(int region_id, int edge) {
   const regions::Discretization& d = prepared_->discretization;
   if (!regions::is_in_contact(d, region_id, edge)) return {};

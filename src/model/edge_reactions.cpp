@@ -51,7 +51,7 @@ std::vector<Point> Model::traction_forces(int id, int edge, const std::vector<in
 std::map<int, double> Model::forces_of_supports(int region_id, int edge) {
   const EdgeName wanted(region_id, edge);
   const Holders holders = holders_of(scene_, prepared_->conditions, wanted);
-  // What the tractions of every edge make of the nodes that it shares.
+  // Forces of the tractions of every edge at the nodes that it shares with others.
   std::map<EdgeName, std::map<int, Point>> tractions;
   for (const auto& [dof, edges] : holders)
     if (edges.size() > 1)

@@ -33,7 +33,7 @@ void add_place(Hash& hash, const scene::Condition& condition) {
   hash.add(condition.components);
 }
 
-// Whether the values are numbers of the host's, which they are unless it gave a function.
+// Adds the values of a condition; returns false if the host gave a function, whose values are not numbers of its own.
 bool add_values(Hash& hash, const scene::Condition& condition) {
   const auto add_parts = [&](const auto& values) {
     add(hash, values.constant);
@@ -82,7 +82,7 @@ SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& op
   for (const scene::OptionDescription& option : scene::option_descriptions()) {
     if (option.shapes_operators) add_option(body, option, options);
   }
-  // Those of other schemes mean nothing here.
+  // Options of other schemes are left out, because they have no effect here.
   for (const scene::OptionDescription& option : regions::scheme_options(options)) add_option(body, option, options);
   Hash supports;
   for (const scene::Condition& support : scene.supports()) add_place(supports, support);

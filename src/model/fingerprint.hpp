@@ -8,8 +8,8 @@
 
 namespace bempd::model {
 
-// Numbers that two scenes share if the host has said the same. What is computed from it stays out: its last digits
-// depend on the processor.
+// Fingerprint of what the host has described: two scenes share it if that is the same. Computed values stay out,
+// because their last digits depend on the processor.
 struct SceneFingerprint {
   std::uint64_t body = 0;      // regions with their materials, initial cracks, options that shape the system
   std::uint64_t supports = 0;  // places and components in their order, not the values
@@ -18,7 +18,8 @@ struct SceneFingerprint {
 
 SceneFingerprint fingerprint(const scene::Scene& scene, const scene::Options& options);
 
-// Loads with their values, and the values of supports. `values` stand for those that the host gives by functions.
+// Fingerprint of the loads with their values, and of the values of supports. `values` stand for those that the host
+// gives by functions.
 std::uint64_t load_fingerprint(const scene::Scene& scene, const regions::DofConditions& values);
 
 }  // namespace bempd::model

@@ -5,7 +5,7 @@
 
 namespace bempd::model {
 
-// The option growth.criterion.
+// Criterion that the option growth.criterion names.
 KinkCriterion growth_criterion(const scene::Options& options);
 
 }  // namespace bempd::model

@@ -4,7 +4,7 @@
 
 namespace bempd::model {
 
-// What supports hold of some nodes.
+// Displacement components of some nodes that supports hold.
 std::vector<coupling::HeldDirection> held_directions(const PreparedScene& prepared, const std::vector<int>& nodes);
 
 }  // namespace bempd::model

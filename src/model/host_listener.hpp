@@ -9,17 +9,17 @@
 
 namespace bempd::model {
 
-// Tells a host how far a long part of a call is, ten times a second at most.
+// Reports to a host how far a long part of a call is, ten times a second at most.
 class HostListener final : public PhaseListener {
  public:
-  // With the seconds that the part has taken and those that it is expected to take in all, 0 if nothing is known; false
-  // to cancel the call.
+  // Host's function, with the seconds that the part has taken and those that it is expected to take in all, 0 if
+  // nothing is known; it returns false to cancel the call.
   using Function = std::function<bool(const char* phase, double share, double seconds, double expected)>;
 
   HostListener() = default;
   explicit HostListener(Function function) : function_(std::move(function)) {}
 
-  // Null where nobody listens.
+  // The listener, or null if the host does not listen.
   PhaseListener* or_null() { return function_ ? this : nullptr; }
 
   void hear(const char* phase, double share, double seconds) override {

@@ -5,7 +5,7 @@
 #include "regions/fluid_ways.hpp"
 #include "regions/swelling.hpp"
 
-// Values of loads and supports, and when they act.
+// Values of loads and supports, and when they take effect.
 namespace bempd::model {
 
 template <class Values>
@@ -16,7 +16,7 @@ void Model::set_load_values(int load, Values values) {
   values_were_set();
 }
 
-// Where a temperature acts.
+// Rest lengths of bonds and operators under the present temperatures; empty if there are none, or if nothing changes.
 std::optional<fracture::CrackEvolution::Heat> Model::heat(const regions::DofConditions& conditions) {
   coupling::EquilibriumSystem& system = *prepared_->system;
   if (conditions.swelling.empty()) return std::nullopt;
@@ -71,7 +71,7 @@ fracture::CrackPressures Model::pressures_of(const regions::DofConditions& condi
   return sums;
 }
 
-// What acts until they do, for states that are saved in between.
+// Keeps the values that act now, for states that are saved before the new ones take effect.
 void Model::values_will_be_set() {
   if (!prepared_ || loads_.acting == Acting::others) return;
   loads_.others = acting_values();
@@ -109,7 +109,7 @@ void Model::go_back_to(LoadsBefore before) noexcept {
   if (before.faces) prepared_->evolution->unload_faces(std::move(*before.faces));
   if (before.heat) prepared_->evolution->cool_down(std::move(*before.heat));
   prepared_->evolution->act_again(std::move(before.run));
-  // What regions know of it for their results; without memory they know it with the next loads.
+  // Regions keep their swelling for results; if memory for that is missing, they get it with the next loads.
   say([&] {
     if (before.heat)
       regions::swell_again(prepared_->discretization, before.conditions.swelling, prepared_->system->terms());
@@ -177,8 +177,8 @@ StepResult Model::advance_to_values(double target, fracture::Goal goal) {
   }
 }
 
-// At the end of the way, where what was set acts already; its conditions, unless cracks have grown since. What fails
-// now leaves the model there on its way.
+// Ends a path at its values, which act already, under the conditions of the path's end; these are computed again if
+// cracks have grown since. A failure leaves the model at that point of its path.
 void Model::arrive(std::optional<regions::DofConditions> known, std::optional<scene::SceneValues> said) noexcept {
   say([&] {
     regions::DofConditions conditions =

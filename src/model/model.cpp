@@ -24,7 +24,7 @@ namespace bempd::model {
 
 namespace {
 
-// The first event for which the load had to be higher than what bonds could carry; 0 if there is none.
+// Number of the first event at which equilibrium was lost; 0 if there is none.
 std::int64_t first_unstable(std::span<const fracture::HistoryEntry> lines) {
   const auto unstable = [](const fracture::HistoryEntry& h) { return h.stretch_ratio > 1 + fracture::ratio_rounding; };
   const auto found = std::find_if(lines.begin(), lines.end(), unstable);
@@ -82,7 +82,7 @@ void Model::check_mechanism(const PreparedScene& p) const {
   }
 }
 
-// None where they grow bond by bond.
+// Prepares the growth of cracks as lines, unless they grow bond by bond.
 void Model::grow_lines(PreparedScene& p) const {
   const std::string rule = options_.text_in_effect("pd.crack_rule");
   if (rule == "bond") return;

@@ -40,38 +40,38 @@ struct Grown;
 class ElementTips;
 struct DrivenRun;
 
-// A scene, its state, and what can be asked of them.
+// Model of a host: a scene, its state, and all requests to them.
 class Model {
  public:
   scene::Options& options() { return options_; }
   const scene::Options& options() const { return options_; }
   const scene::Scene& scene() const { return scene_; }
 
-  // Throws Error (order) once the model is prepared.
+  // Scene to be changed. Throws Error (order) once the model is prepared.
   scene::Scene& editable_scene();
-  // After a call that failed: what it has prepared is given up, and so is a body whose first equilibrium was not found,
-  // so that the scene can be corrected.
+  // Cleans up after a failed call: what it has prepared is given up, and so is a body whose first equilibrium was not
+  // found, so that the scene can be corrected.
   void call_failed(bool was_prepared, bool unsolvable) noexcept;
   template <class Values>
   void set_load_values(int load, Values values);
   template <class Values>
   void set_support_values(int support, Values values);
-  // One value for each node of the edge part, in x and y.
+  // Sets one value for each node of the edge part, in x and y.
   void set_nodal_values(bool of_support, int id, std::vector<double> constant, std::vector<double> proportional);
 
   void prepare();
   const PreparedScene& prepared();  // prepares if needed
   const PreparedScene* prepared_or_null() const { return prepared_.get(); }
 
-  // Both in loads.cpp. The first moves the load factor, the second with it loads and supports, on a straight line from
-  // the values with which the last step ended to those that the host has set since.
+  // Steps (loads.cpp). advance() moves the load factor; advance_to_values() also moves loads and supports, on a
+  // straight line from the values with which the last step ended to those that the host has set since.
   StepResult advance(double target, fracture::Goal goal);
   StepResult advance_to_values(double target, fracture::Goal goal);
-  // Row by row through a table, from the present load factor, which is its time (programs.cpp).
+  // Steps row by row through a table, from the present load factor, which is the time of the table (programs.cpp).
   StepResult run_program(const scene::LoadTable& table, fracture::Goal goal);
 
-  // Tips that are critical first grow by a length, at the load factor at which they are; what they do not touch of the
-  // scene stays prepared. Throws Error if no tip can grow; then nothing has changed (crack_growth.cpp).
+  // Lets the tips that are critical first grow by a length, at their critical load factor; what they do not touch of
+  // the scene stays prepared. Throws Error if no tip can grow; then nothing has changed (crack_growth.cpp).
   GrowthResult grow_cracks(double length);
   void set_tip_frozen(int crack, int end, bool frozen);
   std::span<const fracture::CrackExtension> extensions() const;
@@ -84,9 +84,9 @@ class Model {
   void request_stop() { stop_requested_ = true; }
   void set_phase_progress(HostListener::Function function) { phases_ = HostListener(std::move(function)); }
   PhaseListener* phase_listener() { return phases_.or_null(); }
-  // Threads that a call may let the BLAS have.
+  // Number of threads that a call may let the BLAS have.
   int blas_threads() const { return std::max(1, options_.whole_number("threads")); }
-  // For the length of a call, which hears requests made while it runs.
+  // Scope of a call, which hears requests made while it runs.
   [[nodiscard]] CancellationScope hear_requests() {
     cancel_requested_ = stop_requested_ = false;
     return CancellationScope(&cancel_requested_);
@@ -96,13 +96,13 @@ class Model {
   fracture::LoadInterval admissible_load_factors();
   std::int64_t generation() const { return generation_; }
 
-  // What a region is made of, once prepared; throws Error (argument) if there is none of this number.
+  // Region as it is prepared; throws Error (argument) if there is none of this number.
   const regions::Region& region(int id);
-  // Its bonds; throws Error (argument) for a region that has none.
+  // Bonds of a region; throws Error (argument) for a region that has none.
   std::span<const pd::Bond> bonds(int region);
   std::vector<regions::BondState> bond_states(int region);
 
-  // Fields of a region; computed once per generation.
+  // Field of a region, computed once per generation.
   const regions::FieldValues& field(int region, regions::Field field);
   regions::FieldSize field_size(int region, regions::Field field) { return this->region(region).field_size(field); }
 
@@ -112,22 +112,23 @@ class Model {
     Eigen::Vector2d force;
     double moment;
   };
-  // Throws Error (argument) unless the region has the edge.
+  // Region, checked to have the edge; throws Error (argument) without it.
   const scene::Region& region_with_edge(int region, int edge) const;
-  // Of all supports on an edge (edge_reactions.cpp).
+  // Reaction of all supports on an edge (edge_reactions.cpp).
   EdgeReaction edge_reaction(int region, int edge, const Point& about);
-  // Of an edge in order (edge_forces.cpp), and what supports and neighbours exert on its region through them [N].
+  // Nodes of an edge in order (edge_forces.cpp), and the forces that supports and neighbours exert on its region there
+  // [N].
   std::vector<regions::EdgeNode> edge_nodes(int region, int edge);
   std::vector<int> edge_cells(int region, int edge);
   std::vector<Point> edge_forces(int region, int edge);
 
-  // What the body has come into, the largest piece first, and what holds and loads them (pieces.cpp).
+  // Pieces of the body, the largest first, with what holds and loads them (pieces.cpp).
   const Pieces& pieces();
   std::vector<int> pieces_of_support(int support);  // numbers from 1, ascending
   std::vector<int> pieces_of_load(int load);
   std::vector<int> node_pieces(int region);
   PieceState piece(int number);
-  // Separated, but bonds still connect what is held and loaded.
+  // Whether the body is separated although bonds still connect what is held and loaded (a hinge).
   bool hangs();
 
   // Values at places in the body; stress only if asked for.
@@ -136,22 +137,22 @@ class Model {
   // Places where stress is unbounded.
   const std::vector<regions::SingularPlace>& singular_places();
 
-  // Tips of cracks that have elements, by crack, then of those among bonds; computed once per generation
-  // (crack_results.cpp).
+  // Tips of cracks with elements, by crack, then tips in lattices; computed once per generation (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();
   const std::vector<results::TipRecord>& tip_history() const { return tip_history_; }
-  // Cracks that were described and, with the next ids, those that began in the run; their paths (crack_results.cpp).
+  // Number of cracks, described ones and, with the next ids, those that began in the run; and their paths
+  // (crack_results.cpp).
   int crack_count() const;
   std::vector<PathVertex> crack_path(int crack) const;
   double crack_length(int crack) const;  // 0: of all
   // Openings along a crack and normal to it [m].
   std::vector<Point> crack_openings(int crack, const std::vector<double>& fractions);
 
-  // state.cpp
+  // States (state.cpp).
   SavedState save(bool with_values = false) const;
   void restore(const SavedState& state);
 
-  // Files
+  // Files of results.
   void write_snapshot(const std::string& prefix);
   void write_history(const std::string& path) const;
   void write_tips(const std::string& path) const;
@@ -168,7 +169,8 @@ class Model {
                         fracture::Goal goal);
   struct Loads {
     Acting acting = Acting::values;
-    // With which the last step ended, at the present load factor; none before the first one, as at rest.
+    // Values with which the last step ended, at the present load factor; none before the first one, when the body is at
+    // rest.
     std::optional<scene::SceneValues> in_force;
     double end_of_way = 0;                     // load factor
     std::optional<scene::SceneValues> others;  // that act, while others do
@@ -201,7 +203,7 @@ class Model {
   bool has_crack_elements() const;
   bool records_tips() const { return options_.whole_number("tips.record") > 0; }
   void record_tips();
-  // Records tips, asks the host whether to go on, and is back at the start where that fails (recording.cpp).
+  // Runs, records tips and asks the host whether to go on; returns to the start if that fails (recording.cpp).
   void run_recording(DrivenRun& run, StepResult& result);
   regions::BondedBody bonded_body() const;
   std::vector<regions::TipValues> compute_tips() const;
@@ -223,7 +225,7 @@ class Model {
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   // `chosen`: the library has chosen the lengths, and may shorten them.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
-  // Whether steps have to look after tips with elements (driven_growth.cpp).
+  // Whether tips with elements grow in steps (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
   void grow_next(ElementTips& tips, DrivenRun& run);
@@ -233,7 +235,7 @@ class Model {
   void take_back(DrivenRun& run) noexcept;
   void look_after_lines(DrivenRun& run);
   fracture::StopReason with_stopped_lines(fracture::StopReason reason, const DrivenRun& run);
-  // The scene with what its cracks had grown by when a state was saved; null if that is what they are now.
+  // Scene with the growth that its cracks had when a state was saved; null if the present scene has just that.
   std::unique_ptr<PreparedScene> as_grown(const std::vector<fracture::CrackExtension>& extensions);
   void check_mechanism(const PreparedScene& prepared) const;
   void check_loads_inside_free_pieces(const PreparedScene& prepared) const;
@@ -248,8 +250,8 @@ class Model {
   static regions::Solution solution_of(const PreparedScene& prepared);
   results::FieldsOfScene fields();
   void log(int level, const std::string& message) const;
-  // What is said of work that is done. A call does not fail for want of words: without memory for them they are left
-  // out.
+  // Runs code that only reports on finished work: a failure is ignored, since a call must not fail because memory for a
+  // message is missing.
   template <class Body>
   static void say(const Body& body) noexcept {
     try {

@@ -5,7 +5,7 @@
 #include "model/held_directions.hpp"
 #include "model/model.hpp"
 
-// What bonds and boundary elements still join.
+// Pieces that bonds and boundary elements still join.
 namespace bempd::model {
 
 std::vector<coupling::HeldDirection> held_directions(const PreparedScene& p, const std::vector<int>& nodes) {
@@ -33,8 +33,8 @@ const Pieces& Model::pieces() {
   return pieces_;
 }
 
-// Boundary elements know loads on the inside of a region as a whole: a piece that growing cracks free cannot lose its
-// part of them.
+// Refuses free pieces with loads inside: boundary elements have loads on the inside of a region as a whole, so that a
+// piece that growing cracks free cannot lose its part of them.
 void Model::check_loads_inside_free_pieces(const PreparedScene& p) const {
   const auto is_loaded_inside = [&](const regions::Region& region) {
     if (!region.is_cut()) return false;
@@ -62,7 +62,7 @@ void Model::check_loads_inside_free_pieces(const PreparedScene& p) const {
   }
 }
 
-// Pieces that something holds or loads.
+// Number of pieces that supports hold or loads act on.
 int Model::anchored_pieces() {
   const regions::DofConditions& c = prepared_->conditions;
   const Pieces& all = pieces();
@@ -94,7 +94,7 @@ std::vector<int> Model::pieces_of_support(int support) {
   return pieces_of(std::move(nodes));
 }
 
-// Those on which it puts forces where its values are 1.
+// Nodes on which the load has forces if its values are 1.
 std::vector<int> Model::loaded_nodes(int load) {
   const std::size_t place = static_cast<std::size_t>(load) - 1;
   scene::SceneValues values = scene::at_rest(scene_.values());

@@ -13,7 +13,7 @@
 
 namespace bempd::model {
 
-// What acts on a body beside what the host has set.
+// Values that act on a body: those that the host has set, or others before these take effect.
 enum class Acting : std::uint8_t {
   values,   // what was set
   others,   // what was set before: it has to be replaced before anything else is done
@@ -27,7 +27,7 @@ struct SavedState {
   fracture::EvolutionState evolution;
   fracture::Continuation continuation;
   std::vector<results::TipRecord> tips;  // not among its bytes
-  // With which the last step had ended, none before the first; functions are not among the bytes.
+  // Values with which the last step had ended, none before the first; functions are not written to bytes.
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;
   double end_of_way = 0;
@@ -40,7 +40,7 @@ struct SavedState {
 std::vector<std::uint8_t> to_bytes(const SavedState& state);
 SavedState from_bytes(const std::uint8_t* bytes, std::size_t size);
 
-// The same in a file, which is replaced as a whole (state_files.cpp). Throws Error (io).
+// Writes a state to a file, which is replaced as a whole, or reads it (state_files.cpp). Throws Error (io).
 void write_state(const SavedState& state, const std::string& path);
 SavedState read_state(const std::string& path);
 

@@ -18,7 +18,7 @@ bool is_sound(const fracture::GrowingTip& tip) {
 
 namespace {
 
-// A state whose numbers go together may still have been made for another body.
+// Throws unless a state belongs to this body: its numbers may be consistent and still be those of another one.
 void require_fit(const SavedState& saved, const PreparedScene& scene) {
   const fracture::EvolutionState& state = saved.evolution;
   const auto dofs = static_cast<Eigen::Index>(2 * scene.discretization.positions.size());
@@ -39,7 +39,7 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   }
   for (const coupling::Terms::Following& pair : terms.following)
     must(!is_broken(static_cast<std::size_t>(pair.leader)) || is_broken(static_cast<std::size_t>(pair.follower)));
-  // Every grown face that the state has is one of a bond that is gone, and the list of closed ones has it.
+  // Every grown face of a state belongs to a broken bond, and the list of closed faces has room for it.
   std::set<int> grown;
   for (const fracture::GrownFace& face : state.faces.grown) {
     must(face.term >= 0 && face.term < static_cast<int>(terms.size()) && grown.insert(face.term).second &&
@@ -51,7 +51,7 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
     for (const int term : terms_of_event)
       must(term >= 0 && term < static_cast<int>(terms.size()) && is_broken(static_cast<std::size_t>(term)));
   const std::vector<int>& cut = scene.cut_bonds;
-  // A line that has gone on in elements has broken bonds that its crack cuts now.
+  // A crack line that has gone on in elements has broken bonds that the crack cuts now.
   const bool both = std::any_of(scene.discretization.cracks.begin(), scene.discretization.cracks.end(),
                                 [](const auto& crack) { return crack.has_elements() && crack.cuts_bonds(); });
   const auto most = static_cast<std::int64_t>(cut.size()) + state.broken_bonds;
@@ -60,8 +60,8 @@ void require_fit(const SavedState& saved, const PreparedScene& scene) {
   must(fits(saved.continuation, state, scene));
 }
 
-// Values of a state in the form that the scene's have; those that the scene has at present where the state has none:
-// functions are not among its bytes, and its loads may have been others.
+// Values of a state in the form that the scene's have. Present values stand for those that the state lacks: functions
+// are not written to bytes, and the loads may have been others.
 scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneValues& present) {
   const auto fit = [](const std::vector<scene::Values>& of_state, const std::vector<scene::Values>& of_scene) {
     std::vector<scene::Values> all = of_scene;
@@ -72,7 +72,7 @@ scene::SceneValues fitted(const scene::SceneValues& values, const scene::SceneVa
   return {fit(values.supports, present.supports), fit(values.loads, present.loads)};
 }
 
-// Whether all of a state's values are known and can be those of this scene.
+// Whether all of a state's values are known and fit this scene.
 bool are_known(const scene::SceneValues& values, const scene::SceneValues& present) {
   return std::equal(values.supports.begin(), values.supports.end(), present.supports.begin(), present.supports.end(),
                     scene::are_alike) &&
@@ -155,7 +155,7 @@ void Model::restore_body(const SavedState& state) {
   if (state.in_force) loads.in_force = fitted(*state.in_force, scene_.values());
   regions::DofConditions conditions = conditions_under(scene_.values());
   const bool same_loads = state.load_fingerprint == load_fingerprint(scene_, conditions);
-  // Under other loads than the present ones the body is as it was saved until they act, so that what they do is work.
+  // The saved loads act until the next step if they differ from the present ones, so that the change does work.
   loads.acting = same_loads ? state.acting : Acting::others;
   const bool known = loads.acting == Acting::values || are_known(state.acting_values, scene_.values());
   if (!known) {  // functions that its bytes do not have, or other loads: the present ones act at once

@@ -109,14 +109,14 @@ void visit_members(State& c, Visit& visit) {
   visit(c.places_met), visit(c.barred), visit(c.changes_that_bar), visit(c.factor), visit(c.window);
 }
 
-// How values are given. Functions are not written.
+// Form in which values are given. Functions are not written.
 enum class Form : std::uint8_t { function, samples, places };
 
 template <class Both, class Visit>
 requires std::is_same_v<std::remove_const_t<Both>, scene::SceneValues>
 void visit_members(Both& values, Visit& visit) { visit(values.supports), visit(values.loads); }
 
-// Numbers go one by one: the padding of a struct holds what lay in memory before.
+// Writes numbers one by one, because the padding of a struct has undefined content.
 class Writer {
  public:
   template <class T>
@@ -223,7 +223,7 @@ class Reader {
   Eigen::Index count_of() {
     std::uint64_t count = 0;
     (*this)(count);
-    // No entry is shorter than its least number, so this bounds what is allocated to a small multiple of the bytes.
+    // The count is bounded by the bytes left: no entry is shorter than its smallest number, which limits allocation.
     require(count <= left_ / std::min(sizeof(T), sizeof(double)),
             "the bytes of the state are damaged: an array is longer than what is left");
     return static_cast<Eigen::Index>(count);
@@ -237,7 +237,7 @@ class Reader {
   std::size_t left_;
 };
 
-// What a state consists of, listed once for writing and reading.
+// Members of a state, listed once for writing and reading.
 template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, SavedState>
 void visit_members(State& state, Visit& visit) {

@@ -19,7 +19,8 @@ bool is_sound(const coupling::HoldingSpring& s, Eigen::Index dofs) {
          std::isfinite(s.anchor);
 }
 
-// Energies may be beyond the range of numbers (CrackEvolution::energies_are_lost), nothing else may.
+// Whether the numbers of a line are finite. Only energies may be beyond the range of doubles
+// (CrackEvolution::energies_are_lost).
 bool is_sound(const fracture::HistoryEntry& line) {
   return line.event >= 0 && line.total_broken_bonds >= 0 && std::isfinite(line.load_factor) &&
          std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor) &&

@@ -9,7 +9,7 @@ namespace bempd::model {
 
 struct PreparedScene;
 
-// Tips with elements without errors, as growth needs them, and of which state they are.
+// Factors of tips with elements, without error estimates, as growth needs them, and the state that they belong to.
 struct TipFactors {
   const PreparedScene* scene = nullptr;  // null: to be found anew
   coupling::Affine displacement;

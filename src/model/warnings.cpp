@@ -5,7 +5,7 @@
 #include "linalg/blas.hpp"
 #include "model/model.hpp"
 
-// What the log is told.
+// Messages for the log.
 namespace bempd::model {
 
 namespace {
@@ -13,10 +13,10 @@ namespace {
 // Reciprocal condition that leaves displacements three or four digits.
 constexpr double poor_condition = 1e-12;
 
-// Bent strips of 400 : 1 come to it, with reactions that are off by 1e-5.
+// Residual from which on a warning is due: bent strips of 400 : 1 have it, with reactions that are off by 1e-5.
 constexpr double poor_residual = 1e-8;
 
-// Systems that take long enough for the rate of the BLAS to matter.
+// Number of unknowns from which on the speed of the BLAS matters.
 constexpr std::int64_t unknowns_that_need_a_fast_blas = 5000;
 
 }  // namespace
@@ -93,7 +93,7 @@ void Model::warn_of_interface() {
               "peridynamic region more room there if it should go on"));
 }
 
-// The bond that bears most of what is left is of the hinge.
+// The warning names the bond that carries most of the rest: it belongs to the hinge.
 void Model::tell_of_hinge() {
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   const fracture::EvolutionState& state = evolution.state();
@@ -126,7 +126,7 @@ void Model::tell_of_growth(const fracture::Growth& growth, const PreparedScene& 
   }
 }
 
-// Windows know nothing of tips with elements.
+// Tells once that a run uses no windows, because windows cannot follow tips with elements.
 void Model::tell_of_whole_body() {
   if (told_of_whole_body_ || prepared_->system->terms().size() == 0) return;
   told_of_whole_body_ = true;

@@ -42,7 +42,7 @@ std::vector<LatticeRegion::EdgePoint> CellCentredLattice::edge_points(int edge) 
   const LatticePoint span = end - start;
   const int count = span.cwiseAbs().maxCoeff();
   const LatticePoint step = span / count;
-  // The cell to the left of every piece of the edge, named by its lower left corner.
+  // The cell lies to the left of every piece of the edge and is numbered by its lower left corner.
   const LatticePoint left(-step.y(), step.x());
   const LatticePoint to_corner(std::min({0, step.x() + left.x(), step.x(), left.x()}),
                                std::min({0, step.y() + left.y(), step.y(), left.y()}));
@@ -58,7 +58,7 @@ void CellCentredLattice::add_edge_forces(const Point& a, const Point& b,
   add_layer_forces(grid(), a, b, traction, forces);
 }
 
-// Whole cells; points on interfaces stand for none.
+// Share of a cell that each point stands for: whole cells; points on interfaces stand for none.
 std::vector<double> CellCentredLattice::cell_shares() const {
   std::vector<double> shares(points_.size(), 0.0);
   std::fill_n(shares.begin(), grid().point_count(), 1.0);

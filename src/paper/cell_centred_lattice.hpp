@@ -4,24 +4,24 @@
 
 namespace bempd::paper {
 
-// Material points are the centres of the cells, then, on interfaces, points of their own: the nodes of the boundary
-// elements there.
+// Lattice whose material points are the centres of the cells; behind them come, on interfaces, points at the nodes of
+// the boundary elements there.
 class CellCentredLattice final : public UncorrectedLattice {
  public:
   CellCentredLattice(int id, const regions::LatticeDescription& described, const scene::Material& material);
 
-  // Its points do not lie on interfaces.
+  // Rank 0, because the points of the lattice do not lie on interfaces.
   int rank_at_interfaces() const override { return 0; }
 
  protected:
   void place_points(const regions::Preparation& preparation) override;
   std::vector<char> shared_points(const regions::Preparation& preparation) const override;
-  // The points of the layer of cells behind the edge.
+  // Points of the layer of cells behind the edge.
   std::vector<EdgePoint> edge_points(int edge) const override;
   void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                        Eigen::Ref<Eigen::VectorXd> forces) const override;
   std::vector<double> cell_shares() const override;
-  // A crack at 45 degrees cannot miss them all.
+  // Cracks may pass through points, because one at 45 degrees cannot miss all centres.
   bool cracks_may_meet_points() const override { return true; }
   double reach_beyond_cells() const override { return 0.5; }
 };

@@ -20,7 +20,7 @@ namespace {
 // Parameter of the points beside a node with two tractions (node at xi = 1).
 constexpr double shifted = 2.0 / 3;
 
-// Point where the identity is written, as a point of every element that it lies on: two when it is a common end.
+// Collocation point, as a point of every element that it lies on: two elements when it is a common end.
 struct CollocationPoint {
   struct Home {
     int element;
@@ -29,7 +29,8 @@ struct CollocationPoint {
   std::vector<Home> homes;
 };
 
-// One point for every traction node. Points at nodes with two tractions would give the same equation twice.
+// Collocation points, one for every traction node. A point at a node with two tractions would give one equation twice,
+// so such a node has a point in each of its elements.
 std::vector<CollocationPoint> collocation_points(const BoundaryMesh& mesh) {
   std::vector<int> traction_of_node(mesh.nodes.size(), -1);
   std::vector<bool> has_two(mesh.nodes.size(), false);
@@ -49,8 +50,8 @@ std::vector<CollocationPoint> collocation_points(const BoundaryMesh& mesh) {
   return points;
 }
 
-// Fills G^T and H^T in lengths over the body's diagonal and for unit shear modulus; one pair of columns a point, so
-// that points are independent of each other.
+// Computes G^T and H^T in lengths over the body's diagonal and for unit shear modulus. Each point has a pair of columns
+// of its own, so that points are independent of each other.
 class Assembler {
  public:
   Assembler(const BoundaryMesh& mesh, double nu, double tolerance)
@@ -93,7 +94,7 @@ class Assembler {
         if (!home) constant += block;
       }
     }
-    // A constant displacement has no traction, so T may act on u - u(x) everywhere: the free term is never needed.
+    // T acts on u - u(x) everywhere, because a constant displacement has no traction: so the free term is never needed.
     const auto value = boundary_.elements[home_element].shape(home_xi);
     for (int b = 0; b < 3; ++b)
       double_layer_transpose.block<2, 2>(2 * mesh_.elements[home_element].nodes[b], 2 * point) -= value[b] * constant;

@@ -9,7 +9,7 @@
 
 namespace bempd::paper {
 
-// A mesh with the displacement nodes as traction nodes: one traction at a corner, that cannot jump there.
+// Copies a mesh with its displacement nodes as traction nodes: a corner has one traction, which cannot jump there.
 BoundaryMesh with_one_traction_at_corners(BoundaryMesh mesh);
 
 // Collocation boundary element operator of one elastic body with quadratic elements: Somigliana's identity H u = G t at
@@ -26,7 +26,7 @@ class CollocationOperator final : public bem::BoundaryOperator {
   Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& displacements) const override;
   std::int64_t kernel_evaluations() const override { return kernel_evaluations_; }
 
-  // K_B [Pa/m], rows 2 * traction_node + component, columns 2 * node + component.
+  // Matrix K_B [Pa/m], rows 2 * traction_node + component, columns 2 * node + component.
   const Eigen::MatrixXd& traction_matrix() const { return traction_matrix_; }
 
  private:

@@ -7,13 +7,13 @@
 namespace bempd::paper {
 
 struct CollocationRules {
-  // Interface rows are t = -b dx of every node and its point (Yang and Liu 2021, Eqs. 26, 27); else the balance of
-  // nodal forces.
+  // Whether interface rows are t = -b dx of every node and its point (Yang and Liu 2021, Eqs. 26, 27); otherwise they
+  // are the balance of nodal forces.
   bool pointwise_traction = false;
   bool one_traction_at_corners = false;  // else one of each edge
 };
 
-// A boundary element region of the scheme `paper`: collocation, every node on an interface a material point.
+// Boundary element region of the scheme `paper`: collocation, and every node on an interface is a material point.
 class CollocationRegion final : public regions::BoundaryRegion {
  public:
   CollocationRegion(int id, const regions::BoundaryDescription& described, const scene::Material& material,

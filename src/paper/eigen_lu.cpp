@@ -9,11 +9,12 @@ namespace bempd::paper {
 
 namespace {
 
-// Eigen counts the entries of the factor in the index type of the matrix; 32 bits would overflow in silence.
+// Matrix with 64-bit indices: Eigen counts the entries of the factor in the index type, and 32 bits would overflow
+// without notice.
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
-// Minimum degree of A + A^T. Eigen's own returns the old place of a new column, its LU wants the new place of an old
-// one.
+// Minimum degree ordering of A + A^T. Eigen's own returns the old place of a new column, but its LU needs the new place
+// of an old one.
 struct MinimumDegree {
   using PermutationType = Eigen::AMDOrdering<std::int64_t>::PermutationType;
   void operator()(const LongMatrix& matrix, PermutationType& permutation) const {
@@ -26,8 +27,9 @@ struct MinimumDegree {
 class Supernodal : public Eigen::SparseLU<LongMatrix, MinimumDegree> {
  public:
   Supernodal() {
-    // The systems have a symmetric pattern and usually a good diagonal: ordering for the pattern of A + A^T and keeping
-    // a diagonal pivot that is not much smaller than the best leaves far less fill than full partial pivoting.
+    // Symmetric mode, because the systems have a symmetric pattern and usually a good diagonal: an ordering for the
+    // pattern of A + A^T, which keeps a diagonal pivot that is not much smaller than the best one, has far less fill
+    // than full partial pivoting.
     isSymmetric(true);
     setPivotThreshold(0.1);
   }
@@ -50,7 +52,7 @@ class Supernodal : public Eigen::SparseLU<LongMatrix, MinimumDegree> {
   }
 
  private:
-  // U's diagonal blocks are stored with L; rows come in no particular order.
+  // Pivot j; U's diagonal blocks are stored with L, whose rows have no particular order.
   double pivot(Eigen::Index j) const {
     for (SCMatrix::InnerIterator it(m_Lstore, j); it; ++it)
       if (it.row() == j) return it.value();

@@ -9,8 +9,8 @@
 
 namespace bempd::paper {
 
-// What make_sparse_lu() gives, by one of Eigen's solvers: `Solver` is such a class that also tells its `pivots()` (U_jj
-// by column of the matrix) and `entries()`, and throws what is no fault of the matrix.
+// Factorization for make_sparse_lu() by one of Eigen's solvers. `Solver` is such a class that also has `pivots()` (U_jj
+// by column of the matrix) and `entries()`, and throws failures that are not the matrix's.
 template <class Solver>
 class RowScaledLU final : public linalg::SparseFactorization {
  public:

@@ -21,7 +21,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
   Umfpack() {
     m_control[UMFPACK_IRSTEP] = 0;
     m_control[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;
-    // Never METIS, which reseeds the process-wide random generator and swaps signal handlers.
+    // The ordering is never METIS, which reseeds the process-wide random generator and swaps signal handlers.
     m_control[UMFPACK_ORDERING] = UMFPACK_ORDERING_AMD;
   }
 
@@ -34,7 +34,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
     check(m_fact_errorCode);
   }
 
-  // Eigen's own leaves the solution as it lies in memory where UMFPACK has failed.
+  // Replaces Eigen's own function, which returns uninitialized memory as the solution where UMFPACK has failed.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rhs) const {
     Eigen::MatrixXd x(rhs.rows(), rhs.cols());
     for (Eigen::Index c = 0; c < rhs.cols(); ++c) {
@@ -61,7 +61,7 @@ class Umfpack : public Eigen::UmfPackLU<LongMatrix> {
   }
 
  private:
-  // A negative code is an error, a positive one a warning.
+  // Throws for a negative code, which is an error; a positive one is a warning.
   static void check(SuiteSparse_long code) {
     if (code == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
     if (code < 0) throw std::runtime_error("UMFPACK: error " + std::to_string(code));

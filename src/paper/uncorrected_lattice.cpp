@@ -7,7 +7,7 @@ namespace bempd::paper {
 
 using namespace regions;
 
-// Also of elements that the host has chosen: there is no tie in this scheme.
+// Points are shared also with elements that the host has chosen: this scheme has no ties.
 std::vector<char> UncorrectedLattice::shared_points(const Preparation& preparation) const {
   std::vector<char> shared(points_.size(), 0);
   for (const Contact& contact : preparation.arrangement.contacts) {

@@ -4,17 +4,17 @@
 
 namespace bempd::paper {
 
-// A lattice of the scheme `paper`: bonds as published, without any correction at surfaces; points stand for volumes.
+// Lattice of the scheme `paper`: bonds as published, without any correction at surfaces; points stand for volumes.
 class UncorrectedLattice : public regions::LatticeRegion {
  public:
   using regions::LatticeRegion::LatticeRegion;
 
-  // Published bodies have one lattice: two are coupled by the points they share.
+  // Lattices stay apart, as published bodies have one: two are coupled by the points they share.
   bool acts_as_one_with(const LatticeRegion&) const override { return false; }
-  // Forces of its bonds at surfaces and interfaces are not those of the stress there.
+  // No lattice for the places of contact: bond forces at surfaces and interfaces are not those of the stress there.
   std::optional<regions::LatticeGrid> lattice_grid() const override { return std::nullopt; }
   std::optional<pd::FaceLattice> face_lattice() const override { return std::nullopt; }
-  // Of its own points, whatever the cells.
+  // Network of the region's own points, whatever the cells.
   pd::Network make_network(const pd::CellLattice& cells, int threads) const override;
 
  protected:
@@ -22,7 +22,8 @@ class UncorrectedLattice : public regions::LatticeRegion {
   regions::FieldValues damage(const std::vector<char>& intact) const override;
 
  private:
-  // Points on interfaces and faces count as full ones: with less, the published stretching example has larger errors.
+  // Volumes of points on interfaces and faces are full ones: with less, the published stretching example has larger
+  // errors.
   std::vector<double> volumes() const { return std::vector<double>(points_.size(), 1.0); }
 };
 

@@ -35,7 +35,7 @@ class Bins {
     for (std::size_t i = 0; i < points.size(); ++i) points_[bin_of(points[i])].push_back(static_cast<int>(i));
   }
 
-  // Files a face with all bins from whose points a bond can reach it.
+  // Adds a face to all bins from whose points a bond can reach it.
   void add(const Face& face, int number) {
     const Point reach(width_ + place_tolerance, width_ + place_tolerance);
     const Eigen::Array2i from = place(face[0].cwiseMin(face[1]) - reach).max(0);
@@ -70,8 +70,8 @@ class Bins {
 
 int sign(double value) { return value > place_tolerance ? 1 : value < -place_tolerance ? -1 : 0; }
 
-// Whether a bond passes from one side of the boundary to the other. Where it passes through an end of faces, it does if
-// two faces leave that place to different sides of the bond.
+// Whether a bond passes from one side of the boundary to the other. If it passes through an end of faces, it does so
+// when two faces leave that place to different sides of the bond.
 bool crosses_boundary(const Point& from, const Point& to, const std::vector<Face>& faces,
                       const std::vector<int>& candidates) {
   const Point along = (to - from).normalized();
@@ -95,7 +95,7 @@ bool crosses_boundary(const Point& from, const Point& to, const std::vector<Face
   return false;
 }
 
-// Bond vectors met so far. Steps that differ by rounding are the same.
+// Bond vectors found so far; steps that differ by rounding count as one.
 class Offsets {
  public:
   explicit Offsets(double horizon) : horizon_(horizon) {}

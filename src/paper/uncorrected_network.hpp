@@ -11,8 +11,8 @@ namespace bempd::paper {
 
 // Bonds of the discretized peridynamic equation as published (Yang and Liu 2021, Eqs. 13, 19 and 20), without any
 // correction at surfaces: every pair of points closer than the horizon, of stiffness c(r) / r times the volume factor
-// times both volumes. Linear fields are not exact, neither in the bulk nor at faces, so what Network says of residuals
-// and weights is left at its defaults; `bulk_stiffness` of an offset is that of two unit volumes.
+// times both volumes. Linear fields are not exact, neither in the bulk nor at faces, so Network's residuals and weights
+// keep their defaults; `bulk_stiffness` of an offset is that of two unit volumes.
 //
 // Points are anywhere, in units of the spacing; the horizon is `horizon_ratio` of them. A point's volume is 1 for a
 // full cell (spacing^2 times thickness). `faces` are straight pieces of the body's boundary: bonds that cross them are

@@ -13,8 +13,8 @@ using namespace coupling;
 
 namespace {
 
-// A factor is refreshed when its stored updates cost as much to apply as the factor itself, roughly. One that has
-// missed changes hardly ever gets there in this many refinements.
+// Number of stored updates after which a factor is refreshed: they then cost about as much to apply as the factor
+// itself. A factor that has missed changes hardly ever converges in this many refinements.
 constexpr int most_updates = 120;
 constexpr int most_refinements = 4;
 

@@ -4,7 +4,7 @@
 
 namespace bempd::paper {
 
-// LU factors and iterative refinement, for matrices that need not be symmetric.
+// Method with LU factors and iterative refinement, for matrices that need not be symmetric.
 const coupling::SolutionMethod& unsymmetric_solution();
 
 }  // namespace bempd::paper
