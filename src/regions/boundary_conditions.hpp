@@ -9,7 +9,7 @@
 
 namespace bempd::regions {
 
-// Of a crack among bonds [Pa].
+// Pressure of a fluid in a crack among bonds [Pa].
 struct CrackPressure {
   int crack;                 // id
   Eigen::RowVector2d value;  // constant and proportional part
@@ -25,25 +25,26 @@ struct DofConditions {
   std::vector<CrackPressure> crack_pressures;   // follow as cracks grow; not part of `force`
   std::vector<std::vector<int>> reaction_dofs;  // per support; a shared degree of freedom counts for the first one
 
-  // What makes materials want other lengths, by the ids of regions; not part of `force`.
+  // Swelling of materials, by the ids of regions; it is not part of `force`.
   std::map<int, std::vector<Swelling>> swelling;
 
   std::vector<std::vector<int>> held_dofs;  // per support: with those that count for another one
 
-  // What loads inside regions make of the gaps of cracks that close, by regions.
+  // Gaps that loads inside regions cause at cracks that can close, by regions.
   coupling::Affine face_offsets{0, 2};
 
-  // What loads do beside the work of `force`: half of (1, f) within (1, f) at the load factor f [J].
+  // Work of loads that `force` does not include: half of (1, f) within (1, f) at the load factor f [J].
   Eigen::Matrix2d work_within = Eigen::Matrix2d::Zero();
 
-  // Of every region at a load factor.
+  // Body forces of all regions at a load factor.
   std::vector<BodyForce> body_forces(double load_factor) const;
 };
 
-// Of one region in DofConditions::body_force, its two parts times these.
+// Body force of one region in DofConditions::body_force: the sum of its two parts times `parts`.
 BodyForce body_force_of(const coupling::Affine& all, int region, const Eigen::Vector2d& parts);
 
-// Throws Error (argument) for contradictory supports, tractions on interfaces, and places without a node.
+// Applies supports and loads. Throws Error (argument) for contradictory supports, tractions on interfaces, and places
+// without a node.
 DofConditions apply_conditions(const scene::Scene& scene, const Discretization& discretization);
 
 }  // namespace bempd::regions

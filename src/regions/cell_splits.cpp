@@ -54,7 +54,7 @@ class CellSplitter {
   SplitCells result_;
 };
 
-// Neighbours with one parted side each, at which the common side is not parted and lies next to both.
+// Opens the common side of two neighbours that have one parted side each, if it is not parted and lies next to both.
 void CellSplitter::open_steps() {
   std::map<Pair, int> ends;  // sides next to the parted one of such a cell
   for (std::size_t c = 0; c < cells_.size() / 4; ++c) {
@@ -66,14 +66,14 @@ void CellSplitter::open_steps() {
     if (count == 2) parted_.insert(pair);
 }
 
-// The key tells copies of a place apart.
+// Adds a point; the key distinguishes copies at one place.
 int CellSplitter::add(const std::vector<int>& key, const Point& at, const std::vector<int>& nodes) {
   const auto [found, is_new] = made_.try_emplace(key, static_cast<int>(nodes_.size() + result_.added.size()));
   if (is_new) result_.added.push_back({at, nodes});
   return found->second;
 }
 
-// The middle of a side as one of its ends sees it.
+// Middle of a side as one of its ends sees it.
 int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from) {
   const Pair ends = side(cell, k);
   const Point at = 0.5 * (place(cell, k) + place(cell, k + 1));
@@ -82,7 +82,7 @@ int CellSplitter::middle(std::size_t cell, std::size_t k, std::size_t seen_from)
   return add({ends[0], ends[1], own}, at, {own});
 }
 
-// The centre as some corners see it that follow each other from the first one on.
+// Centre as a row of corners sees it, from the first one on.
 int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count) {
   std::vector<int> group, key{-1, static_cast<int>(cell)};
   for (std::size_t k = first; k < first + count; ++k) group.push_back(corner(cell, k));
@@ -90,7 +90,8 @@ int CellSplitter::centre(std::size_t cell, std::size_t first, std::size_t count)
   return add(key, 0.25 * (place(cell, 0) + place(cell, 1) + place(cell, 2) + place(cell, 3)), group);
 }
 
-// Sides that are left get no points in between, so that the pieces fit the cells beside; but where a crack ends.
+// Splits a cell. Sides that are not parted get no points in between, so that the pieces fit the cells beside, except
+// where a crack ends.
 void CellSplitter::split(std::size_t cell) {
   const auto piece = [&](int a, int b, int c, int d) { result_.nodes.insert(result_.nodes.end(), {a, b, c, d}); };
   const auto at = [&](std::size_t k) { return corner(cell, k); };

@@ -10,7 +10,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Seen from a place on a crack the way to a point begins this share of it away from the crack itself.
+// Share of the line from a place on a crack to a point that is left out, so that the line begins off the crack itself.
 constexpr double off_the_crack = 1e-3;
 
 bool cross_each_other(const Point& a, const Point& b, const Point& c, const Point& d) {

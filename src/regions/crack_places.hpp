@@ -7,10 +7,10 @@
 
 namespace bempd::regions {
 
-// The lattices in which faces of cracks are found to meet.
+// Lattices in which crack faces can touch.
 pd::FacePlaces face_lattices(const Discretization& discretization);
 
-// Where the faces of initial cracks can press on each other.
+// Places where the faces of initial cracks can touch.
 std::vector<pd::FacePlace> places_on_cracks(const std::vector<scene::Crack>& cracks,
                                             const Discretization& discretization, const pd::FacePlaces& lattices);
 

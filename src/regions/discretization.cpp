@@ -13,7 +13,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Regions that nearly touch are rarely meant to: coordinates have been rounded somewhere.
+// Warns of regions that nearly touch: usually coordinates have been rounded.
 void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outlines, Discretization& d) {
   constexpr double share = 0.1;
   std::vector<double> reach;
@@ -30,7 +30,7 @@ void warn_of_gaps(const scene::Scene& scene, const std::vector<Outline>& outline
                             " only: let them share vertices if they belong together"));
 }
 
-// An arrangement speaks of the outlines it was given; from here on of ids - 1, which removed regions leave out.
+// Numbers regions by ids - 1, with gaps for removed ones; an arrangement numbers the outlines that it was given.
 void number_by_ids(Arrangement& arrangement, const scene::Scene& scene) {
   const std::vector<int> ids = scene.region_ids();
   if (static_cast<int>(ids.size()) == scene.region_count()) return;

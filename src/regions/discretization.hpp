@@ -32,8 +32,8 @@ struct Discretization {
   std::string regions_with(const std::vector<int>& nodes) const;
 };
 
-// Throws Error (argument) if regions overlap, touch at points only, or do not match at interfaces. `before` is that of
-// the same scene with shorter cracks, if there is one.
+// Discretizes the scene. Throws Error (argument) if regions overlap, touch at points only, or do not match at
+// interfaces. `before` is the discretization of the same scene with shorter cracks, if there is one.
 Discretization discretize(const scene::Scene& scene, const scene::Options& options,
                           const Discretization* before = nullptr);
 

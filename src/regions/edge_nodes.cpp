@@ -13,7 +13,7 @@ namespace {
 
 bool has(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
 
-// Of some nodes of a region, which may have many more.
+// Entries of some nodes of a region, which may have many more.
 std::map<int, int> entries_of(const Region& region, const std::vector<PlacedNode>& placed) {
   std::map<int, int> of_node;
   for (const PlacedNode& n : placed) of_node.emplace(n.node, -1);

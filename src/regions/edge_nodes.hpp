@@ -6,7 +6,7 @@
 #include "regions/boundary_conditions.hpp"
 #include "regions/discretization.hpp"
 
-// The nodes along an edge, and what belongs to them.
+// Nodes along an edge, and the quantities that belong to them.
 namespace bempd::regions {
 
 struct EdgeNode {
@@ -16,9 +16,9 @@ struct EdgeNode {
   double weight;    // integral of its shape function along the edge [m]
 };
 
-// In order along the part, each once.
+// Nodes in order along the part, each once.
 std::vector<PlacedNode> nodes_in_order(const Discretization& discretization, int region, const EdgeSpan& span);
-// The same for a whole edge.
+// Nodes of a whole edge in order, each once.
 std::vector<EdgeNode> edge_nodes(const scene::Scene& scene, const Discretization& discretization, int region, int edge);
 // Elements or cells of the region that have a side on the edge, in order along it.
 std::vector<int> edge_cells(const Discretization& discretization, int region, const std::vector<EdgeNode>& nodes);
@@ -26,7 +26,7 @@ std::vector<int> edge_cells(const Discretization& discretization, int region, co
 // Regions whose bonds make one body with those of a region, by id; a region without bonds is alone.
 std::vector<int> regions_of_body(const Discretization& discretization, int region);
 
-// Forces of the present loads on some regions, with those on cracks that they have elements on.
+// Forces of the present loads on some regions, with those on cracks that have elements there.
 coupling::Affine loads_on(const scene::Scene& scene, const Discretization& discretization,
                           const std::vector<int>& regions);
 

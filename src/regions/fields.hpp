@@ -15,7 +15,7 @@ namespace bempd::regions {
 enum class Field { position = 1, displacement, stress, damage, traction, bond_stretch, element_stress, stress_order };
 enum class BondState { intact = 0, broken = 1, cut = 2 };
 
-// A field as numbers, entry by entry.
+// Field as numbers, entry by entry.
 struct FieldValues {
   std::vector<double> values;
   int components = 1;
@@ -32,33 +32,33 @@ inline int components_of(Field field) {
   return field == Field::damage || field == Field::bond_stretch || field == Field::stress_order ? 1 : 2;
 }
 
-// Where faces of a crack pass through each other.
+// Largest overlap of the faces of a crack.
 struct Overlap {
   int crack;
   Point place;
   double depth;  // [m]
 };
 
-// Loads on the faces of a crack that has elements, by the part of its length: pressure and shear [Pa], constant and
+// Loads on the faces of a crack with elements, by the fraction of its length: pressure and shear [Pa], constant and
 // multiplied by the load factor.
 struct CrackLoad {
   int crack;  // id
   std::function<std::array<Point, 2>(double fraction)> values;
 };
 
-// A state of all nodes and bonds at one load factor.
+// State of all nodes and bonds at one load factor.
 struct Solution {
   const Eigen::VectorXd& displacement;  // [m], 2 * node + component
   const coupling::Terms& bonds;
   const std::vector<char>& intact;     // per bond
   std::vector<BodyForce> body_forces;  // per region
-  // What cracks with elements need beside: null without them.
+  // Members that cracks with elements need besides: null without such cracks.
   const coupling::Affine* parts = nullptr;  // of the displacement
   const std::vector<CrackLoad>* crack_loads = nullptr;
   double load_factor = 0;
   const std::vector<std::uint8_t>* stages = nullptr;  // of bonds in their laws; null: they are intact or gone
 
-  // By region: which of the places on its cracks are closed; empty without.
+  // Closed places on the cracks of each region; empty if there are none.
   std::vector<std::vector<char>> closed_faces = {};
   const coupling::Affine* body_force_parts = nullptr;  // DofConditions::body_force; null: none
 
@@ -84,7 +84,7 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual PointValue at(const Point& place) = 0;
-  // On cracks with elements: values of the right face, seen from the first point, in place of the left one.
+  // Chooses, on cracks with elements, the values of the right face, seen from the first point, instead of the left one.
   virtual void look_from_right(bool /*right*/) {}
   virtual std::int64_t kernel_evaluations() const { return 0; }
 };

@@ -10,10 +10,10 @@ namespace bempd::regions {
 
 namespace {
 
-// Up to which a bond is one spacing long, and places are the same, in spacings.
+// Tolerances in spacings: for a bond to be one spacing long, and for two places to be the same.
 constexpr double same_length = 1e-6, same_place = 0.1;
 
-// Pressure per strain in the plane where both are the same in all directions [Pa]; 0 for terms of no lattice.
+// Pressure per strain in the plane where both are equal in all directions [Pa]; 0 for terms of no lattice.
 std::vector<double> moduli_of_terms(const Discretization& d, const coupling::Terms& terms) {
   std::vector<double> moduli(terms.size(), 0.0);
   for (const auto& region : d.regions) {

@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// Through bonds of the scene, whose terms these are.
+// Paths of a fluid through bonds of the scene, which are these terms.
 pd::FluidWays fluid_ways(const scene::Scene& scene, const Discretization& discretization, const coupling::Terms& terms);
 
 }  // namespace bempd::regions

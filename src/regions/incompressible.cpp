@@ -8,7 +8,7 @@
 namespace bempd::regions {
 
 void require_determined_pressure(const Discretization& d, const std::vector<char>& prescribed) {
-  // One pressure a region, scaled: a combination without effect on free displacements is undetermined.
+  // Pressures of the regions, scaled: a combination without effect on free displacements is undetermined.
   const auto dofs = static_cast<Eigen::Index>(prescribed.size());
   std::vector<int> ids;
   std::vector<Eigen::VectorXd> outflows;

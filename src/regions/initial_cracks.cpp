@@ -15,12 +15,13 @@ using scene::Scene;
 
 namespace {
 
-// How far a crack passes material points by, in spacings: next to nothing, as any place between the same rows cuts the
-// same bonds.
+// Distance at which a crack passes material points, in spacings: very small, as any place between the same rows cuts
+// the same bonds.
 constexpr double aside = 1e-3;
 constexpr int ways_aside = 8;
 
-// A crack moved to its right, or turned from there by an angle; a mouth reaches a little farther, so that it stays one.
+// Crack moved to its right, or in a direction turned from there by an angle; a mouth reaches a little farther, so that
+// it stays a mouth.
 scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack crack, double distance, double angle) {
   std::vector<Point>& points = crack.points;
   const Point first = (points[1] - points[0]).normalized(), last = (points.end()[-1] - points.end()[-2]).normalized();
@@ -46,7 +47,7 @@ std::vector<Point> points_met(const scene::Crack& crack, const Discretization& d
   return met;
 }
 
-// Whether a crack runs along a boundary behind which there is no lattice: it has no other side there.
+// Whether a crack runs along a boundary behind which there is no lattice: it has no second face there.
 bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Discretization& d,
                          const std::vector<Point>& met) {
   return std::any_of(met.begin(), met.end(), [&](const Point& p) {
@@ -62,7 +63,7 @@ bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Di
   });
 }
 
-// Of the first way aside by which it meets no point; as it was if there is none.
+// Shifts a crack in the first direction in which it meets no material point; leaves it where it is if there is none.
 void pass_points_by(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
   scene::Crack& crack = found.cracks[static_cast<std::size_t>(number) - 1];
   const std::vector<Point> met = points_met(crack, d);
@@ -72,7 +73,7 @@ void pass_points_by(const Scene& scene, const Discretization& d, int number, Lat
     if (const std::optional<LatticeGrid> grid = region->lattice_grid()) spacing = std::min(spacing, grid->spacing);
   if (std::isinf(spacing)) return;  // scheme paper
   for (int way = 0; way < ways_aside; ++way) {
-    // To the right, to the left, and between.
+    // Directions are tried in this order: to the right, to the left, and between.
     const double angle = way < 2 ? way * std::numbers::pi : way * std::numbers::phi;
     const scene::Crack beside = moved(scene, d, crack, aside * spacing, angle);
     if (!points_met(beside, d).empty()) continue;
@@ -97,7 +98,7 @@ LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, co
     const std::vector<Point> points = found.cracks[c].points;
     if (!d.cracks[c].cuts_bonds() || points.size() < 2) continue;
     const auto move = [&](const Point& tip, const Point& before, Point& end) {
-      // Both ends of a single piece may move.
+      // A single segment may have two ends that move, so each gets less than half of it.
       const double length = (tip - before).norm(), backward = (points.size() > 2 ? 0.9 : 0.45) * length;
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), tip, d.tolerance) != Location::inside) continue;

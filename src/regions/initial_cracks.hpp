@@ -9,9 +9,9 @@
 
 namespace bempd::regions {
 
-// The scene's cracks as they are in lattices: as described, but for those through material points, which pass them by;
-// with pd.crack_tip = stated, they end so that their tips are felt at the described places. There some bonds have a
-// share of their stiffness only.
+// Cracks of the scene as they are in lattices. They are as described, except that a crack through material points is
+// shifted beside them; with pd.crack_tip = stated, cracks end so that their effective tips are at the described places.
+// There some bonds keep a share of their stiffness.
 struct LatticeCracks {
   std::vector<scene::Crack> cracks;
   std::vector<std::pair<int, double>> weakened;  // of the whole scene, and their shares
@@ -20,13 +20,13 @@ struct LatticeCracks {
 LatticeCracks cracks_in_lattices(const scene::Scene& scene, const Discretization& discretization,
                                  const scene::Options& options);
 
-// Bonds (of the whole scene) cut by them, ascending. Throws Error (argument) for one that runs along a boundary through
-// its points, but for cell-centred points, which a crack at 45 degrees cannot miss: there the points stay bonded
-// to both faces, with a warning.
+// Bonds (of the whole scene) cut by the cracks, ascending. Throws Error (argument) for a crack that runs along a
+// boundary through its points. Cell-centred points are an exception, because a crack at 45 degrees cannot miss them:
+// there the points stay bonded to both faces, with a warning.
 std::vector<int> bonds_cut_by_cracks(const std::vector<scene::Crack>& cracks, const Discretization& discretization,
                                      std::vector<std::string>& warnings);
 
-// Where cracks that cut bonds end inside a region in which they grow as lines.
+// End of a crack that cuts bonds, inside a region in which cracks grow as lines.
 struct StartingTip {
   Point place, direction;
   int region;  // id

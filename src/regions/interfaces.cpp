@@ -12,7 +12,8 @@ using scene::Scene;
 
 namespace {
 
-// An arc above an edge of a lattice leaves a gap, or overlaps: what was meant is an interface, and those are straight.
+// Refuses an arc above an edge of a lattice, which leaves a gap or overlaps: an interface was intended, and must be
+// straight.
 void require_straight_interfaces(const Scene& scene, double tolerance) {
   const std::vector<int> ids = scene.region_ids();
   for (int id : ids) {

@@ -12,12 +12,13 @@ namespace bempd::regions {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
-// Rays closer than this are the same.
+// Angle below which two rays are the same.
 constexpr double same_angle = 1e-6;
 
 double angle_of(const Point& direction) { return std::atan2(direction.y(), direction.x()); }
 
-// From one angle counter-clockwise to another, (0, whole turn]; what is none by rounding is a whole turn.
+// Turn from one angle counter-clockwise to another, in (0, whole turn]; one that is zero up to rounding is a whole
+// turn.
 double turn_between(double from, double to) {
   const double turn = std::remainder(to - from, whole_turn);
   if (std::abs(turn) < same_angle) return whole_turn;
@@ -40,7 +41,7 @@ WedgeFinder::WedgeFinder(const scene::Scene& scene, const Discretization& d) : s
   tree_ = BoxTree(boxes);
 }
 
-// The first region that has a place, 0 if none.
+// First region that has a place, 0 if none.
 int WedgeFinder::region_at(const Point& place) const {
   for (int id : scene_.region_ids())
     if (locate(scene_.region(id).outline(), place, d_.tolerance) != Location::outside) return id;
@@ -58,7 +59,7 @@ int WedgeFinder::held_on(const OutlineEdge& edge, double fraction) const {
 WedgeFinder::Sector WedgeFinder::between(int region, const Point& place, const Ray& from, const Ray& to) const {
   Sector sector{region, from, to, turn_between(from.angle, to.angle)};
   if (sector.opening < whole_turn || from.crack) return sector;
-  // A cusp, of the body or of what it leaves out.
+  // A full turn may be a cusp, of the body or of a notch in it: the opposite side decides.
   constexpr double beside = 1e-3;
   const Outline& outline = scene_.region(region).outline();
   const Point opposite(-std::cos(from.angle), -std::sin(from.angle));
@@ -83,7 +84,7 @@ void WedgeFinder::add_sectors_of_outlines(const Point& place, std::vector<Sector
   }
   for (const auto& [region, both] : rays) {
     for (const Ray& from : both.first) {
-      // The body lies on the left of its edges, up to the next one.
+      // The sector ends at the next edge, because the body lies on the left of its edges.
       const Ray* next = nullptr;
       for (const Ray& to : both.second)
         if (!next || turn_between(from.angle, to.angle) < turn_between(from.angle, next->angle)) next = &to;
@@ -111,7 +112,7 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
   for (auto& [region, cracks] : rays) {
     const auto is_of_region = [id = region](const Sector& sector) { return sector.region == id; };
     if (std::none_of(sectors.begin(), sectors.end(), is_of_region)) {
-      // Inside: from the last ray round to the first one.
+      // The sector goes from the last ray round to the first one, because the place is inside the region.
       sectors.push_back({region, cracks.back(), cracks.back(), whole_turn});
       cracks.pop_back();
     }
@@ -163,7 +164,7 @@ std::vector<MeetingWedge> WedgeFinder::wedges_at(const Point& place) const {
     }
     wedges.push_back(std::move(found));
   };
-  // Those that begin at a free side, then closed rings.
+  // Wedges that begin at a free side come first, then closed rings.
   for (const bool rings : {false, true}) {
     for (std::size_t k = 0; k < sectors.size(); ++k) {
       const bool begins = std::none_of(sectors.begin(), sectors.end(),

@@ -8,7 +8,7 @@
 
 namespace bempd::regions {
 
-// What meets at a place: the materials around it, bonded where they touch.
+// Wedge of the materials around a place, bonded where they touch.
 struct MeetingWedge {
   Wedge wedge;
   int region;     // the first one
@@ -23,7 +23,7 @@ class WedgeFinder {
   std::vector<MeetingWedge> wedges_at(const Point& place) const;
 
  private:
-  // A side of a region, seen from the place.
+  // Side of a region, seen from the place.
   struct Ray {
     double angle;
     int held = 0;  // components

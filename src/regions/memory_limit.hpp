@@ -11,8 +11,8 @@ namespace bempd::regions {
 // option memory.limit allows; both by estimate, before anything is built.
 void require_memory(const scene::Scene& scene, const scene::Options& options);
 
-// The same for what turns out while a region is meshed: throws if `bytes` are more than there are, with `what` as the
-// sentence's subject and `advice` as its end.
+// Throws Error (argument) if `bytes` are more than the memory allowed, for needs that appear only while a region is
+// meshed; `what` is the sentence's subject and `advice` its end.
 void require_memory_for(double bytes, const std::string& what, const std::string& advice,
                         const scene::Options& options);
 

@@ -13,10 +13,10 @@ class NodeRegistry {
  public:
   NodeRegistry(const Point& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
 
-  // A node that belongs to one region only.
+  // Adds a node that belongs to one region only.
   int add(const Point& position);
 
-  // A node on an interface: the one that another region has put at this place, or a new one.
+  // Node on an interface: the one that another region has put at this place, or a new one.
   int add_shared(const Point& position, int region);
 
   const std::vector<Point>& positions() const { return positions_; }

@@ -18,7 +18,7 @@ namespace bempd::regions {
 class Region;
 class Scheme;
 
-// What regions are built from.
+// Everything that regions are built from.
 struct Preparation {
   const scene::Scene& scene;
   const scene::Options& options;
@@ -27,27 +27,27 @@ struct Preparation {
   double tolerance;                                     // distance below which places are the same
   const std::vector<std::unique_ptr<Region>>& regions;  // all of them, by ascending id
   const std::vector<PartedCrack>& cracks;               // once all regions are there
-  // Those of the same scene with shorter cracks, of which what has not changed is taken over; null if there are none.
+  // Regions of the same scene with shorter cracks, from which unchanged parts are taken; null if there are none.
   const std::vector<std::unique_ptr<Region>>* before;
 };
 
-// What they add to.
+// Lists of the scene to which regions add their contributions.
 struct Contributions {
   NodeRegistry& registry;
   coupling::Terms& bonds;
   std::vector<double>& critical_stretch;  // per term
   std::vector<std::string>& warnings;
 
-  // What bonds of a region break by.
+  // Critical stretch, law and contraction of bonds of a region.
   struct Breaking {
     double limit;        // stretch
     int law;             // of `bonds`
     double contraction;  // 0: compression across a bond is not counted apart
   };
-  // Adds one between nodes of the scene, a step of the lattice apart.
+  // Adds a bond between nodes of the scene, a step of the lattice apart.
   void add_bond(const pd::Bond& between_nodes, const Point& step, double spacing, const Breaking& breaking) const;
-  // Adds the squares of all cells, which follow their own bonds; `node` gives those of the scene for points of the
-  // grid, `term` those of it for bonds. Returns RegionBonds::squares.
+  // Adds the squares of all cells, which follow their own bonds. `node` gives the scene's node for a point of the grid,
+  // `term` the scene's term for a bond. Returns RegionBonds::squares.
   std::vector<int> add_squares(const pd::CellLattice& grid, const std::vector<pd::Bond>& of_grid,
                                const PlaneElasticity& elasticity, double spacing, const std::function<int(int)>& node,
                                const std::function<int(int)>& term) const;

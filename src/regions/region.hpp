@@ -36,7 +36,7 @@ struct EdgeSpan {
   double from, to;
 };
 
-// A node of the scene and where it lies on a part of an edge, as a fraction of the part.
+// Node of the scene and its place on a part of an edge, as a fraction of the part.
 struct PlacedNode {
   int node;
   double fraction;
@@ -53,7 +53,7 @@ struct LeadingElements {
 
 enum class TipMethod { elements = 1, contours = 2, stress_ahead = 3 };
 
-// The tip of a crack. What is not known is NaN.
+// Tip of a crack with its values; unknown ones are NaN.
 struct TipValues {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -69,14 +69,14 @@ struct TipValues {
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
   double plane_modulus = 0;  // [Pa]
 
-  // By the criterion of growth in force (Model::complete()); the largest double, or minus it, where it never grows.
+  // Values by the growth criterion in force (Model::complete()); the largest double, or minus it, where it never grows.
   double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]
   double critical_load_factor = unknown;       // at which the tip grows while the load factor rises
   double critical_load_factor_down = unknown;  // and while it falls
   double critical_kink_angle = unknown;        // by which it turns at the former [rad]
   double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
 
-  // Of a tip among bonds.
+  // Members from here on belong to tips among bonds.
   TipMethod method = TipMethod::elements;
   int contours = 0;
   bool grown = false, branched = false;
@@ -116,7 +116,7 @@ struct RegionPicture {
   Cells cells;
 };
 
-// The part of a snapshot that a region is written to, together with the others that name it.
+// Part of a snapshot to which a region is written, together with other regions that name the same part.
 struct SnapshotBlock {
   std::string name;
   int number;  // blocks are written in this order
@@ -128,14 +128,15 @@ struct SnapshotBlock {
   std::vector<Array> arrays;
 };
 
-// What regions are made of, summed up.
+// Sizes of regions, summed up.
 struct RegionStatistics {
   std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
   double seconds_boundary = 0, seconds_lattice = 0;
   std::set<const void*> counted;  // what regions share counts once
 };
 
-// A region as operators on the scene's nodes. Its own nodes are numbered from 0; `nodes()` gives theirs in the scene.
+// Region as operators on the scene's nodes. Its own nodes are numbered from 0; `nodes()` gives their numbers in the
+// scene.
 class Region {
  public:
   Region(int id, const scene::Material& material) : id_(id), material_(material) {}
@@ -151,9 +152,9 @@ class Region {
   // --- Preparation: each step for all regions, in the order of their ids, before the next one.
 
   virtual void mesh(const Preparation& /*preparation*/) {}
-  // Numbers the nodes and builds operators; bonds go to the scene's.
+  // Numbers the nodes and builds operators; bonds are added to the scene's.
   virtual void build(const Preparation& preparation, Contributions& contributions) = 0;
-  // Interfaces at which nodes of the other side are to follow this region's elements, and the other side's part in it.
+  // Interfaces at which nodes of the other side are to follow this region's elements; then the other side's part in it.
   virtual std::vector<LeadingElements> leading_elements() const { return {}; }
   virtual void follow(const LeadingElements& leading, int leader, coupling::NodeTies& ties) const;
   // Places of nodes on interfaces with another region, once meshed [m].
@@ -163,13 +164,13 @@ class Region {
   virtual std::vector<Point> interface_points(const Preparation& /*preparation*/, const Contact& /*own*/) { return {}; }
   // --- Strains that its material wants, which loads make of heat; before operators are asked for
 
-  // Throws Error (argument) if the region cannot swell like that.
+  // Takes a swelling strain. Throws Error (argument) if the region cannot swell like that.
   virtual void swell(const Swelling& /*strain*/, LatticeSwelling& /*lattices*/) {}
-  // Once all have been told: the lengths without stress of its terms.
+  // Sets the rest elongations of the region's terms, once all regions have their swelling.
   virtual void set_rests(const LatticeSwelling& /*lattices*/, coupling::Terms& /*terms*/) const {}
-  // Of its dense operator, once it has been told; null without.
+  // Rest displacements of its dense operator, once it has its swelling; null without.
   virtual const coupling::Affine* rest_of_operator() const { return nullptr; }
-  // Displacement at a place with which it follows freely, constant and proportional part; nothing if it cannot.
+  // Displacement at a place by which the region swells freely, constant and proportional part; empty if it cannot.
   virtual std::optional<Eigen::Matrix2d> free_displacement(const Point& /*place*/) const {
     return Eigen::Matrix2d::Zero();
   }
@@ -190,21 +191,21 @@ class Region {
                             Eigen::Ref<Eigen::VectorXd> force) const = 0;
   // Adds nodal forces [N] of a force per volume.
   virtual void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const = 0;
-  // What the constant and the proportional part of the loads on its inside, forces per volume and tractions on cracks,
-  // do to each other's displacements [J] beside the work of the nodal forces, of which the nodes know nothing.
+  // Work [J] of the loads on the inside of the region (forces per volume and tractions on cracks, constant and
+  // proportional part) on each other's displacements: the part that nodal forces do not include.
   virtual Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& /*body_force*/,
                                       const std::vector<CrackLoad>& /*crack_loads*/) const {
     return Eigen::Matrix2d::Zero();
   }
 
-  // What these loads make of the gaps of its cracks that close, the openings of its dense operator [m].
+  // Gaps that these loads cause at cracks that can close: openings of its dense operator [m].
   virtual coupling::Affine face_offsets(const std::array<BodyForce, 2>& /*body_force*/,
                                         const std::vector<CrackLoad>& /*crack_loads*/) const {
     return coupling::Affine(0, 2);
   }
 
-  // Force [N] of the body's own stress on one side of each of some nodes: what its tractions on this edge add up to
-  // there. Where edges share a node it tells their parts of the force.
+  // Force [N] of the tractions of the body on this edge at each of some nodes; edges share a node's force in this
+  // ratio.
   virtual std::vector<Point> forces_on_edge(const EdgeSpan& /*span*/, const std::vector<int>& nodes_of_scene,
                                             const FieldsOfRegion& /*fields*/) const {
     return std::vector<Point>(nodes_of_scene.size(), Point::Zero());
@@ -213,73 +214,72 @@ class Region {
   // --- Cracks and bonds
 
   virtual bool takes_cracks() const { return false; }
-  // Share of a full cell's area that each of its nodes has; none where it has no cells.
+  // Share of a full cell's area that each of its nodes has; empty where it has no cells.
   virtual std::vector<double> shares_of_cells() const { return {}; }
-  // What the growth of a crack as a line asks of it, where it takes such cracks.
+  // Data for the growth of crack lines in the region, if it can have such cracks.
   virtual std::optional<pd::TipLaw> tip_law(const scene::Options& /*options*/) const { return {}; }
-  // Whether cracks cut it into pieces that do not hold each other.
+  // Whether cracks cut the region into pieces that do not hold each other.
   virtual bool is_cut() const { return false; }
-  // Whether a crack has elements in it that are no boundary of its pieces.
+  // Whether a crack has elements in the region that are no boundary of its pieces.
   virtual bool has_inner_crack(int /*crack*/) const { return false; }
-  // Whether it puts elements on cracks: those parts of Preparation::cracks that it has. Then it has what is below.
+  // Whether the region has elements on cracks: parts of Preparation::cracks. Then it has the functions below.
   virtual bool has_crack_elements() const { return false; }
   // Adds nodal forces [N] of a load on the faces of one of its cracks, the constant part or the proportional one.
   virtual void add_crack_load(const CrackLoad& /*load*/, int /*part*/, Eigen::Ref<Eigen::VectorXd> /*force*/) const {}
-  // Tips of its cracks and what they carry; for their growth factors are enough, without T and errors.
+  // Tips of its cracks with their values; growth needs the factors only, without T and errors.
   virtual std::vector<TipValues> tips(const Solution& /*solution*/, TipDetail /*detail*/) const { return {}; }
-  // Openings of one of its cracks at parts of its length: along it and normal to it, positive if it is open [m].
+  // Openings of one of its cracks at fractions of its length: along it and normal to it, positive if it is open [m].
   virtual std::vector<Point> crack_openings(int /*crack*/, const std::vector<double>& /*fractions*/,
                                             const Solution& /*solution*/) const {
     return {};
   }
   virtual std::vector<CrackPicture> crack_pictures(const Solution& /*solution*/) const { return {}; }
-  // Where faces overlap most, if they do.
+  // Largest overlap of crack faces; empty if there is none.
   virtual std::optional<Overlap> overlap(const Solution& /*solution*/) const { return std::nullopt; }
-  // How a crack has to end so that its tip is felt at a place inside the region, to which it comes in a direction; at
-  // most so far behind it. Bonds are the scene's.
+  // End of a crack cut that puts the effective tip at a place inside the region, to which the crack comes in a
+  // direction; at most `backward` behind it. Bonds are the scene's.
   virtual pd::FeltEnd end_felt_at(const Point& tip, const Point& /*direction*/, double /*backward*/) const {
     return {tip, {}};
   }
-  // Points that a crack may not pass through, as they would belong to neither of its faces, on a crack.
+  // Points on a crack through which it may not pass, as they would belong to neither of its faces.
   virtual std::vector<Point> points_met_by(const scene::Crack& /*crack*/) const { return {}; }
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}
-  // Pairs of own nodes, none for a region without bonds: a row of the scene's bonds. What else the scene has joins
-  // nodes that no region has both of.
+  // Bonds as pairs of own nodes, a row of the scene's bonds; empty for a region without bonds. Other bonds of the scene
+  // join nodes that no region has both of.
   virtual std::optional<std::span<const pd::Bond>> bonds() const { return std::nullopt; }
   virtual std::size_t first_bond() const { return 0; }
-  // Numbers of the scene's terms at its nodes, each once; those that cross to regions it acts as one with are theirs
-  // too.
+  // Numbers of the scene's terms at its nodes, each once; with those that cross to regions with which it acts as one.
   virtual std::vector<int> terms() const { return {}; }
-  // Of a region whose bonds show what a crack tip among them carries.
+  // Lattice of a region whose bonds show the stress field at a crack tip among them.
   virtual std::optional<LatticeGrid> lattice_grid() const { return std::nullopt; }
-  // The rows on which the faces of cracks are found to meet; nothing if they cannot.
+  // Rows of the lattice on which crack faces can touch; empty if they cannot.
   virtual std::optional<pd::FaceLattice> face_lattice() const { return std::nullopt; }
 
   // --- Results
 
   // Entries of its own nodes in fields of nodes.
   virtual std::vector<int> entries_of_nodes() const;
-  // For every entry of such fields a node of the scene that moves as one with it.
+  // Node of the scene that moves with every entry of such fields.
   virtual std::vector<int> nodes_of_entries() const { return nodes_; }
-  // Throws Error (argument) for a field that the region does not have.
+  // Size of a field. Throws Error (argument) for a field that the region does not have.
   virtual FieldSize field_size(Field field) const = 0;
   virtual FieldValues field(Field field, const Solution& solution) const = 0;
   virtual std::int64_t cell_count() const = 0;
   virtual Cells cells() const = 0;
   virtual SnapshotBlock snapshot_block() const = 0;
   virtual RegionPicture picture(const Solution& /*solution*/) const { return {{}, cells()}; }
-  // Whether its cells are elements of its boundary, so that its inside takes a picture of its own.
+  // Whether its cells are elements of its boundary, so that its inside needs a picture of its own.
   virtual bool has_inside() const { return false; }
-  // Its cracks with elements; null without.
+  // Lines of its cracks with elements; null without.
   virtual const CrackLines* crack_lines() const { return nullptr; }
-  // A field as a snapshot shows it, one entry a node.
+  // Field as a snapshot shows it, one entry a node.
   virtual FieldValues at_nodes(Field /*field*/, const FieldValues& values) const { return values; }
   // `fields` and the solution outlive the evaluator.
   virtual std::unique_ptr<Evaluator> evaluator(const Solution& solution, const FieldsOfRegion& fields,
                                                bool with_stress) const = 0;
-  // On an interface the region with the highest rank is asked for values.
+  // Rank of the region on interfaces: the region with the highest one is asked for values.
   virtual int rank_at_interfaces() const = 0;
   virtual void add_statistics(RegionStatistics& statistics) const = 0;
 

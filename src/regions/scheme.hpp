@@ -13,7 +13,7 @@ class BoundaryDescription;
 class LatticeDescription;
 class OutlinedDescription;
 
-// How the kinds of regions that schemes differ in become equations.
+// Scheme: how the kinds of regions in which schemes differ become equations.
 class Scheme {
  public:
   virtual ~Scheme() = default;
@@ -22,7 +22,7 @@ class Scheme {
                                                   const scene::Material& material) const = 0;
   virtual std::unique_ptr<Region> lattice_region(int id, const LatticeDescription& described,
                                                  const scene::Material& material) const = 0;
-  // Throws Error (argument) where regions have to lie on the rows of a lattice.
+  // Region with any outline. Throws Error (argument) where regions have to lie on the rows of a lattice.
   virtual std::unique_ptr<Region> outlined_region(int id, const OutlinedDescription& described,
                                                   const scene::Material& material) const;
 
@@ -30,17 +30,17 @@ class Scheme {
   virtual void require_grids_can_touch(int /*region*/, int /*other_region*/) const {}
 };
 
-// The one that the option `scheme` names.
+// Scheme that the option `scheme` names.
 std::unique_ptr<Scheme> make_scheme(const scene::Options& options);
 
-// The options that it alone has, all of which shape its operators.
+// Options that only this scheme has, all of which shape its operators.
 const std::vector<scene::OptionDescription>& scheme_options(const scene::Options& options);
 
 // Legal words of the option `scheme`.
 std::vector<std::string> scheme_names();
 
-// What there is to know of a scheme, the symmetric one aside: the word that chooses it, what it is in the option's
-// sentence, how to make it, and the options that it alone has.
+// Entry of a scheme, except the symmetric one: the word that chooses it, its phrase in the option's sentence, a
+// function that makes it, and the options that only it has.
 struct SchemeEntry {
   const char* name;
   const char* summary;

@@ -12,7 +12,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Ends of whatever lies on outlines, and the points of cracks with elements.
+// Places to be examined: ends of edges, supports, loads and interfaces on outlines, and the points of cracks with
+// elements.
 std::vector<Point> candidates(const scene::Scene& scene, const Discretization& d) {
   std::vector<Point> places;
   for (int id : scene.region_ids()) {
@@ -33,7 +34,7 @@ std::vector<Point> candidates(const scene::Scene& scene, const Discretization& d
   return places;
 }
 
-// Each once, in the order in which they come first.
+// Places without repetition, in the order in which they come first.
 std::vector<Point> distinct(const std::vector<Point>& places, double tolerance) {
   NodeRegistry known(places.front(), tolerance);
   std::vector<Point> once;
@@ -43,7 +44,7 @@ std::vector<Point> distinct(const std::vector<Point>& places, double tolerance) 
   return once;
 }
 
-// Wedges repeat, on lattices of holes and rows of layers.
+// Known exponents of wedges, which repeat on lattices of holes and rows of layers.
 class KnownExponents {
  public:
   std::optional<std::complex<double>> of(const Wedge& wedge) {
@@ -54,7 +55,7 @@ class KnownExponents {
       key.insert(key.end(), {std::round(digits * sector.opening), e.young_modulus, e.poisson_ratio, e.thickness});
     }
     for (const int held : wedge.held) key.push_back(held);
-    // Without a single component that is held the direction does not matter.
+    // The direction matters only if a single component is held.
     const auto is_single = [](int held) { return held == 1 || held == 2; };
     if (std::none_of(wedge.held.begin(), wedge.held.end(), is_single)) key.front() = 0;
     const auto found = known_.find(key);
@@ -74,14 +75,14 @@ SingularKind kind_of(const MeetingWedge& meeting) {
   return alike ? SingularKind::corner : SingularKind::interface;
 }
 
-// The region that has a place, 0 if none.
+// Region that has a place, 0 if none.
 int region_at(const scene::Scene& scene, const Point& place, double tolerance) {
   for (int id : scene.region_ids())
     if (locate(scene.region(id).outline(), place, tolerance) != Location::outside) return id;
   return 0;
 }
 
-// Single points that are loaded or held, where no edge holds the same components.
+// Adds single points that are loaded or held, where no edge holds the same components.
 void add_points(const scene::Scene& scene, const Discretization& d, const WedgeFinder& finder,
                 std::vector<SingularPlace>& found) {
   const auto add = [&](const scene::Condition& condition) {

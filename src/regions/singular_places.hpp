@@ -9,7 +9,7 @@ namespace bempd::regions {
 
 enum class SingularKind { corner = 1, interface, crack, point };
 
-// A place where the stress of the elastic body is unbounded: beside it displacements go as r to the exponent.
+// Place where the stress of the elastic body is unbounded: beside it displacements go as r to the exponent.
 struct SingularPlace {
   SingularKind kind;
   int region;  // one that is there
@@ -17,7 +17,7 @@ struct SingularPlace {
   std::complex<double> exponent;
 };
 
-// All of them but those that are open questions of breaking: cracks in peridynamic regions.
+// All singular places, except cracks in peridynamic regions, where breaking decides.
 std::vector<SingularPlace> singular_places(const scene::Scene& scene, const Discretization& discretization);
 
 }  // namespace bempd::regions

@@ -4,7 +4,8 @@
 
 namespace bempd::regions {
 
-// Symmetric Galerkin boundary elements and lattices that reproduce linear fields: what the kinds are by themselves.
+// Scheme with symmetric Galerkin boundary elements and lattices that reproduce linear fields: the kinds of regions
+// without changes.
 std::unique_ptr<Scheme> make_symmetric_scheme();
 
 }  // namespace bempd::regions

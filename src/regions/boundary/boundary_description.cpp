@@ -11,11 +11,11 @@ namespace bempd::regions {
 
 namespace {
 
-// Of the matrices that exist at the same time while an operator is built, four unknowns an element: measured as 500 to
-// 600 with 220 and 420 elements.
+// Memory of the matrices that exist at the same time while an operator is built, per square of an element with four
+// unknowns: measured as 500 to 600 with 220 and 420 elements.
 constexpr double bytes_per_square = 500;
 
-// More elements than this in one region is a mistyped length: no machine holds the operators.
+// Largest number of elements in one region; more come of a mistyped length, since no machine holds the operators.
 constexpr double most_elements = 1e6;
 
 void require_element_length(double element_length, double longest) {
@@ -25,10 +25,10 @@ void require_element_length(double element_length, double longest) {
           longest / element_length, " elements; the limit is ", most_elements, ": choose a longer one");
 }
 
-// Shorter elements than this share of their edge lie within the rounding of what is computed on it.
+// Share of an edge below which an element's length is within the rounding of what is computed on it.
 constexpr double shortest_element = 1e-9;
 
-// Length of the shortest of graded elements over that of all of them.
+// Length of the shortest of graded elements over the length of all of them.
 double shortest_share(double count, double grading) {
   // 1 + g + g^2 + ..., from one end to the middle, is summed in closed form; both halves have the same elements.
   const double half = std::floor(0.5 * count), rest = count - 2 * half;

@@ -7,7 +7,7 @@
 
 namespace bempd::regions {
 
-// A boundary element region as described: elements along its edges, which may be curved.
+// Boundary element region as described: elements along its edges, which may be curved.
 class BoundaryDescription final : public scene::Region {
  public:
   // Throws Error (argument) for an outline or a length that cannot be used.
@@ -29,7 +29,7 @@ class BoundaryDescription final : public scene::Region {
   std::map<int, scene::EdgeMesh> own_mesh_;  // by edge number
 };
 
-// Adds one to the scene and returns its id.
+// Adds a boundary element region to the scene and returns its id.
 int add_boundary_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double element_length,
                         const std::vector<double>& bulges = {});
 int add_boundary_disc(scene::Scene& scene, int material, const Point& centre, double radius, double element_length);

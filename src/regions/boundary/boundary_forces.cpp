@@ -60,8 +60,9 @@ LinearBodyForce BoundaryRegion::particular(const BodyForce& body_force) const {
   return {elasticity(), body_force, box.center()};
 }
 
-// With u = u_p + u_0, where u_p has the body force and u_0 none, nodal forces of the surface are K u_0 + f(t_p), so
-// that in equilibrium  K u = f + K u_p - f(t_p)  (Brebbia and Dominguez, Boundary Elements, 2nd ed., section 3.9).
+// Adds the nodal forces of a body force. With u = u_p + u_0, where u_p is a solution with the body force and u_0 one
+// without, nodal forces of the surface are K u_0 + f(t_p), so that in equilibrium  K u = f + K u_p - f(t_p)  (Brebbia
+// and Dominguez, Boundary Elements, 2nd ed., section 3.9).
 void BoundaryRegion::add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const {
   if (body_force.is_zero()) return;
   scatter(trace_.transpose() * force_besides(particular(body_force)), force);
@@ -84,9 +85,11 @@ Eigen::VectorXd BoundaryRegion::force_besides(const LinearBodyForce& particular)
   return forces;
 }
 
-// By Betti's theorem for u_p and what u_0 is beside it, the force b does on any state u of the body the work
+// Work of a body force that nodal forces do not include. By Betti's theorem for u_p and the rest of u, the force b does
+// on any state u of the body the work
 //   integral of b.u dV  =  g.u + integral of b.u_p' dV - g.u_p',   g = K u_p - f(t_p) on the boundary's nodes,
-// where u_p' is the particular part of u. The first term is what nodes know of; the rest is told here.
+// where u_p' is the particular part of u. The first term is the work of the nodal forces; this function returns the
+// rest.
 double BoundaryRegion::work_within(const BodyForce& body_force, const BodyForce& other) const {
   if (body_force.is_zero() || other.is_zero()) return 0;
   const LinearBodyForce own = particular(body_force), theirs = particular(other);

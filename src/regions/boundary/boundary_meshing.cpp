@@ -17,7 +17,7 @@ using scene::Scene;
 
 namespace {
 
-// The contact that a piece of an edge belongs to, or null. Breakpoints lie at the ends of all contacts.
+// Contact that a piece of an edge belongs to, or null. Breakpoints lie at the ends of all contacts.
 const Contact* contact_at(const Arrangement& arrangement, int region, int edge, double fraction) {
   for (const Contact& contact : arrangement.contacts) {
     if (contact.region == region - 1 && contact.edge == edge - 1 && contact.from < fraction && fraction < contact.to) {
@@ -27,7 +27,7 @@ const Contact* contact_at(const Arrangement& arrangement, int region, int edge, 
   return nullptr;
 }
 
-// The neighbour at a contact, if it has points on its outline that elements follow.
+// Neighbour at a contact, if it has points on its outline that elements follow.
 OutlinedRegion* outlined_at(const Preparation& p, const Contact& contact) {
   const auto reaches = [](const std::unique_ptr<Region>& region, int wanted) { return region->id() < wanted; };
   const auto found = std::lower_bound(p.regions.begin(), p.regions.end(), contact.other_region + 1, reaches);
@@ -48,7 +48,7 @@ std::vector<double> own_breaks(const Preparation& p, int region, int edge) {
     for (const Condition& condition : *conditions) {
       if (condition.removed()) continue;
       for (double fraction : condition.place->breaks_on(p.scene, region, edge, p.tolerance)) {
-        // At a grid the elements follow its nodes.
+        // Breaks on a border with a grid are left out: there the elements follow its nodes.
         if (border_of(p, contact_at(p.arrangement, region, edge, fraction)) != Border::grid) breaks.push_back(fraction);
       }
     }
@@ -83,7 +83,8 @@ std::vector<double> all_breaks(const Preparation& p, int region, int edge, const
   return distinct;
 }
 
-// Both sides of an interface must come to the same elements: the finer wish counts, seen from the lower region number.
+// Element ends of an interface between two boundary element regions, the same for both sides: the finer mesh counts,
+// seen from the lower region number.
 std::vector<double> shared_stations(const Scene& scene, int region, int edge, const Contact& contact,
                                     const Arc& piece) {
   const int other = contact.other_region + 1;
@@ -96,7 +97,7 @@ std::vector<double> shared_stations(const Scene& scene, int region, int edge, co
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Components of the displacement that supports hold on a piece of an edge.
+// Displacement components that supports hold on a piece of an edge.
 Held held_on(const Scene& scene, int region, const PanelSource& source) {
   if (source.border != Border::free) return Held::interface;
   const double middle = 0.5 * (source.from + source.to);
@@ -107,7 +108,8 @@ Held held_on(const Scene& scene, int region, const PanelSource& source) {
   return components == 0 ? Held::nothing : components == both ? Held::both_components : Held::one_component;
 }
 
-// Of the lengths of an edge's last element: as close to a singular place its error reaches the intensities of a crack.
+// Distance from a singular place, in lengths of the edge's last element, up to which the error there affects the stress
+// intensity factors of a crack.
 constexpr double reach_of_corners = 8;
 
 bool is_near_crack(const Preparation& p, int region, const Point& x, double reach) {
@@ -121,7 +123,7 @@ bool is_near_crack(const Preparation& p, int region, const Point& x, double reac
   return false;
 }
 
-// Elements whose length the host has chosen are divided near cracks only.
+// Singular ends of a panel that are near cracks: elements whose length the host has chosen are divided there only.
 SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, SingularEnds singular) {
   const std::vector<double>& stations = panel.stations;
   const double reach = reach_of_corners * panel.arc().length();
@@ -130,7 +132,7 @@ SingularEnds near_cracks(const Preparation& p, int region, const Panel& panel, S
           singular.end && is_near_crack(p, region, panel.end, last)};
 }
 
-// Smaller elements towards singular places.
+// Makes elements smaller towards singular places.
 void grade_corners(const Preparation& p, int region, BoundaryPanels& panels) {
   const scene::Region& described = p.scene.region(region);
   std::size_t first = 0;
@@ -161,7 +163,8 @@ std::vector<double> stations_of(const Preparation& p, const MeshingRules& rules,
   return element_stations(piece.length(), mesh.element_length, mesh.grading, piece.sweep);
 }
 
-// Elements between the points on a neighbour's outline, one a chord, or of the host's choosing on a straight edge.
+// Adds elements between the points on a neighbour's outline: one for each chord, or of the host's choice on a straight
+// edge.
 void follow_outline(const Preparation& p, OutlinedRegion& other, PanelSource source, const Contact& contact,
                     const Arc& piece, const std::vector<Point>& mouths, BoundaryPanels& result) {
   const scene::Region& described = p.scene.region(contact.region + 1);

@@ -7,11 +7,11 @@
 
 namespace bempd::regions {
 
-// What a piece of an edge borders on: nothing, a region whose element ends can be negotiated, or one with nodes at
-// fixed places.
+// Neighbour of a piece of an edge: none, a region whose element ends can be negotiated, or one with nodes at fixed
+// places.
 enum class Border { free, elements, grid };
 
-// Where a panel of a boundary mesh comes from.
+// Piece of an edge that a panel of a boundary mesh comes from.
 struct PanelSource {
   int edge;         // number in its region
   double from, to;  // fractions of the edge
@@ -27,17 +27,18 @@ struct BoundaryPanels {
 };
 
 struct MeshingRules {
-  // Every node lies on a point of a bordering grid, but for the last of an odd number of spacings, and elements of the
-  // host's choosing need not be tied; else element ends do, and the displacement between them is linear.
+  // Every node lies on a point of a bordering grid, except the last of an odd number of spacings, and elements of the
+  // host's choice need not be tied. Otherwise element ends lie on its points, and the displacement between them is
+  // linear.
   bool nodes_on_grids = false;
   // Elements become smaller towards places where stress is singular.
   bool grade_corners = false;
 };
 
-// Where panels end, without mouths of cracks: corners, and ends of supports, loads and interfaces.
+// Places where panels end, without mouths of cracks: corners, and ends of supports, loads and interfaces.
 std::vector<Point> panel_ends(const Preparation& preparation, int region);
 
-// Panels end at `mouths`, where cracks reach the boundary.
+// Meshes the edges of a region; panels also end at `mouths`, where cracks reach the boundary.
 BoundaryPanels mesh_edges(const Preparation& preparation, const MeshingRules& rules, int region,
                           const std::vector<Point>& mouths = {});
 

@@ -8,7 +8,7 @@ namespace bempd::regions {
 
 namespace {
 
-// If distances are equal up to rounding, the first one counts.
+// Factor between distances that differ by more than rounding; of equal ones the first counts.
 constexpr double clearly_farther = 1 + 1e-6;
 
 }  // namespace
@@ -29,7 +29,8 @@ std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
     }
   std::vector<coupling::BodyPiece> pieces(static_cast<std::size_t>(piece_count()));
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    // Where faces meet their own displacements decide, not those of nodes that springs may hold.
+    // Springs hold nodes away from crack faces where possible, because contact depends on the displacements of the
+    // faces.
     std::vector<std::size_t> own, beside_faces;
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
       if (node_of_mesh_node_[i] < 0 || piece_of[i] != static_cast<int>(p)) continue;
@@ -53,7 +54,7 @@ std::vector<coupling::BodyPiece> BoundaryRegion::pieces() const {
 
 std::vector<int> BoundaryRegion::nodes_of_entries() const {
   std::vector<int> nodes = node_of_mesh_node_;
-  // Middles that are none of the scene go with the start of their element.
+  // Middle nodes that are no nodes of the scene have the entry of the start of their element.
   for (const BoundaryElement& element : mesh_.elements)
     if (nodes[element.nodes[1]] < 0) nodes[element.nodes[1]] = nodes[element.nodes[0]];
   return nodes;

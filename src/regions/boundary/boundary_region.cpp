@@ -9,8 +9,8 @@
 
 namespace bempd::regions {
 
-// Nodes that other regions may have too, and nodes whose displacement follows from that of others: mid nodes have the
-// mean of the element's ends.
+// Nodes that other regions may share, and nodes whose displacement follows from that of others: mid nodes have the mean
+// of the element's ends.
 struct BoundaryRegion::NodeRoles {
   std::vector<char> shared, slaved;
   std::vector<std::vector<std::pair<int, double>>> masters;  // with weights; they may be slaved themselves
@@ -53,7 +53,7 @@ void BoundaryRegion::mesh(const Preparation& preparation) {
   mesh_ = make_mesh(panels.loops);
   if (!cracks_) return;
   cracks_->mesh(mesh_);
-  // Faces belong to no edge.
+  // Panels of crack faces belong to no edge.
   if (!mesh_.elements.empty())
     panels_.resize(static_cast<std::size_t>(mesh_.elements.back().panel) + 1, {0, 0, 1, Border::free, 0, false});
   cracks_->require_memory(mesh_, preparation.options);
@@ -84,8 +84,9 @@ BoundaryRegion::NodeRoles BoundaryRegion::roles() const {
   return roles;
 }
 
-// Where a crack goes on among bonds its mouth lies between two material points: each side of it is where the two points
-// beside it lead straight on to, or free where there is one point only.
+// Sets the displacements at the mouths of cracks that go on in a lattice. Such a mouth lies between two material
+// points: each side of it follows the straight line through the two points beside it, or is free where there is one
+// point only.
 void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
   const auto lead_to = [&](int mouth, std::size_t element, int step) {
     const BoundaryElement& own = mesh_.elements[element];
@@ -142,7 +143,7 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(contributions.registry);
   if (cracks_) cracks_->tell_of_gap(mesh_, contributions.warnings);
-  // The operator of a region before that differs by a translation only.
+  // The operator of a region before that differs by a translation only is taken over.
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;
     const Region& before = *other;
@@ -157,7 +158,7 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
     operator_ = make_operator(preparation, {preparation.options.number("bem.quadrature_tolerance"),
                                             preparation.options.whole_number("threads")});
   }
-  // Which nodes have interfaces is a matter of the region, not of its shape.
+  // The stiffness depends on interfaces, so regions of one shape may differ in it.
   stiffness_ = own_stiffness(preparation);
   if (cracks_ && preparation.options.text_value("bem.contact") == "faces")
     closing_ = std::make_unique<const bem::NormalOpenings>(cracked());
@@ -207,7 +208,7 @@ std::optional<coupling::DenseOperator> BoundaryRegion::dense_operator(std::span<
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() const {
-  // Without mid nodes that follow their ends the region's nodes are the mesh's, in their order.
+  // The region's nodes are the mesh's, in their order, unless mid nodes follow their ends.
   const bool all_nodes = trace_.rows() == trace_.cols();
   if (all_nodes && stiffness_.size() == 0) return {operator_, &operator_->stiffness()};
   if (all_nodes) return std::make_shared<const Eigen::MatrixXd>(stiffness_);
@@ -216,7 +217,7 @@ std::shared_ptr<const Eigen::MatrixXd> BoundaryRegion::stiffness_of_nodes() cons
 }
 
 std::optional<Eigen::VectorXd> BoundaryRegion::outflow(Eigen::Index dof_count) const {
-  // An open crack makes room.
+  // An open crack can take up a change of volume.
   if (!elasticity().incompressible() || cracks_) return std::nullopt;
   Eigen::VectorXd on_mesh = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.nodes.size()));
   bem::add_normal_integrals(mesh_, on_mesh);

@@ -18,9 +18,9 @@ namespace bempd::regions {
 
 class RegionCracks;
 
-// A boundary element region on its nodes, those of its mesh. Mid nodes of elements that follow a grid are not nodes of
+// Boundary element region on its nodes, those of its mesh. Mid nodes of elements that follow a grid are not nodes of
 // the scene: there the displacement is linear between the grid's points, so that a constant traction gives them their
-// exact forces. What other schemes do differently are the protected virtual functions.
+// exact forces. Other schemes override the protected virtual functions.
 class BoundaryRegion : public Region {
  public:
   BoundaryRegion(int id, const BoundaryDescription& described, const scene::Material& material);
@@ -28,7 +28,7 @@ class BoundaryRegion : public Region {
 
   const BoundaryMesh& boundary_mesh() const { return mesh_; }
   const bem::BoundaryOperator* boundary_operator() const { return operator_.get(); }
-  // Into which cracks cut it (boundary_pieces.cpp).
+  // Number of pieces into which cracks cut the region (boundary_pieces.cpp).
   int piece_count() const;
   bool is_cut() const override { return piece_count() > 1; }
   bool has_inner_crack(int crack) const override;
@@ -46,7 +46,7 @@ class BoundaryRegion : public Region {
                     Eigen::Ref<Eigen::VectorXd> force) const override;
   std::vector<Point> forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                     const FieldsOfRegion& fields) const override;
-  // By a state of stress that has the body force everywhere: what is left to the boundary is free of it.
+  // Adds the forces of a body force by a state of stress that has it everywhere: the remaining state has no body force.
   void add_body_force(const BodyForce& body_force, Eigen::Ref<Eigen::VectorXd> force) const override;
 
   Eigen::Matrix2d work_within(const std::array<BodyForce, 2>& body_force,
@@ -55,12 +55,12 @@ class BoundaryRegion : public Region {
   coupling::Affine face_offsets(const std::array<BodyForce, 2>& body_force,
                                 const std::vector<CrackLoad>& crack_loads) const override;
 
-  // Elements on the boundary know of strains that are linear, which the inside follows freely.
+  // Takes a swelling strain, which has to be linear, so that the inside follows freely.
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   const coupling::Affine* rest_of_operator() const override { return rest_.rows() > 0 ? &rest_ : nullptr; }
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
 
-  // crack_results.cpp
+  // Results of cracks (crack_results.cpp).
   bool has_crack_elements() const override { return true; }
   void add_crack_load(const CrackLoad& load, int part, Eigen::Ref<Eigen::VectorXd> force) const override;
   std::vector<TipValues> tips(const Solution& solution, TipDetail detail) const override;
@@ -87,12 +87,12 @@ class BoundaryRegion : public Region {
  protected:
   virtual MeshingRules meshing_rules(const Preparation& preparation) const;
   virtual BoundaryMesh make_mesh(const std::vector<std::vector<Panel>>& loops) const { return mesh_boundary(loops); }
-  // The method that solves systems with the region's stiffness in them.
+  // Method that solves systems with the region's stiffness in them.
   virtual const coupling::SolutionMethod& solution_method() const { return coupling::symmetric_solution(); }
   virtual std::shared_ptr<const bem::BoundaryOperator> make_operator(const Preparation& preparation,
                                                                      const bem::AssemblyOptions& assembly) const;
-  // A stiffness on the mesh's nodes in place of the operator's own, for forces that depend on what the edges border on;
-  // empty for none.
+  // Stiffness on the mesh's nodes that replaces the operator's own, if forces depend on the neighbours of edges; empty
+  // for none.
   virtual Eigen::MatrixXd own_stiffness(const Preparation& /*preparation*/) const { return {}; }
 
   const std::vector<PanelSource>& panels() const { return panels_; }
@@ -108,12 +108,12 @@ class BoundaryRegion : public Region {
   bool has_operator_of(const BoundaryRegion& other) const;
   std::vector<coupling::BodyPiece> pieces() const;
   LinearBodyForce particular(const BodyForce& body_force) const;
-  // Of the particular solution: the displacements of the mesh's nodes, and the nodal forces that are left for the rest.
+  // Displacements of the mesh's nodes in the particular solution; then the nodal forces that remain for the rest.
   Eigen::VectorXd displacement_of(const LinearBodyForce& particular) const;
   Eigen::VectorXd force_besides(const LinearBodyForce& particular) const;
   double work_within(const BodyForce& body_force, const BodyForce& other) const;
-  // Of tractions on the faces of cracks: those that a particular solution has there, those of loads, and what all of
-  // these do to each other's displacements.
+  // Tractions on crack faces: forces of those of a particular solution; then of loads, and the work of all of them on
+  // each other's displacements.
   Eigen::VectorXd face_forces_of(const LinearBodyForce& particular) const;
   Eigen::MatrixX2d forces_on_cracks(const std::vector<CrackLoad>& loads) const;
   struct Particulars {
@@ -125,17 +125,17 @@ class BoundaryRegion : public Region {
   std::shared_ptr<const coupling::FaceOpenings> face_openings() const;
   // Displacements of the mesh's nodes without those of swelling.
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double constant, double proportional) const;
-  // And without those of the particular solution.
+  // Displacements of the mesh's nodes without those of swelling and of the particular solution.
   Eigen::VectorXd displacement_without(const LinearBodyForce& particular, const Solution& solution) const;
   bem::InteriorEvaluator interior_without(const LinearBodyForce& particular, const Solution& solution) const;
-  // The same, by the pieces into which cracks cut the region.
+  // Evaluators of the inside under such displacements, for each piece into which cracks cut the region.
   InteriorOfPieces inside_without(const LinearBodyForce& particular, const Solution& solution) const;
-  // Of a region with cracks: its operator, and its state under displacements of the scene and loads on faces.
+  // Operator of a region with cracks, and its state under displacements of the scene and loads on faces.
   const bem::CrackedOperator& cracked() const;
   bem::CrackedState cracked_state(const Eigen::VectorXd& displacement, const Solution& solution, double constant,
                                   double proportional) const;
   bem::CrackedState cracked_state(const Solution& solution) const;
-  // Of the boundary, whose displacements they belong to.
+  // Tractions on the boundary that belong to displacements of its nodes.
   Eigen::VectorXd tractions_under(const Eigen::VectorXd& displacement, const Solution& solution) const;
   FieldValues element_tractions(const Solution& solution) const;
   FieldValues element_stress(const Solution& solution) const;

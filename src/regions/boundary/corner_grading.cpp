@@ -7,14 +7,14 @@ namespace bempd::regions {
 
 namespace {
 
-// Each of `levels` elements is `ratio` times as far from the end as the one before. The error of displacements, which
-// falls like the size of the last element (crack tips) to its square (weak corners), drops to 2e-3 and less of what it
-// was.
+// Number of divisions; each element is `ratio` times as far from the end as the one before. The error of displacements,
+// which falls like the size of the last element (crack tips) to its square (weak corners), drops to 2e-3 and less of
+// its value.
 constexpr int levels = 5;
 constexpr double ratio = 0.3;
 
-// Angle up to which stress stays finite, by what meets there. A support that holds one component is taken for a plane
-// of symmetry, in which the other side is reflected.
+// Angle up to which stress is finite, by the conditions that meet there. A support that holds one component counts as a
+// plane of symmetry, in which the other side is reflected.
 double largest_regular_angle(Held a, Held b) {
   constexpr double pi = std::numbers::pi;
   if (a == b && a != Held::one_component) return pi;
@@ -44,7 +44,7 @@ std::vector<SingularEnds> singular_ends(const std::vector<BoundaryPiece>& loop) 
 
 std::vector<double> refined_towards(const SingularEnds& singular, const std::vector<double>& stations) {
   std::vector<double> all = stations;
-  // An only element is halved first, so that it can be divided towards both ends.
+  // A single element is halved first, so that it can be divided towards both ends.
   if (singular.start && singular.end && all.size() == 2) all = {0, 0.5, 1};
   const double first = all[1], last = 1 - all[all.size() - 2];
   std::vector<double> refined;

@@ -11,8 +11,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Levels differ by more than the finer one is off (measured: 4 to 30 times that, less where the elements at tips count
-// most, which both levels have).
+// Estimated error of the finer level over the difference of both levels (measured: the difference is 4 to 30 times the
+// error, less where the error comes mostly from elements at tips, which both levels share).
 constexpr double error_of_difference = 1.0 / 3;
 
 Point traction_of(const LinearBodyForce& particular, const Point& x, const Point& normal) {
@@ -47,7 +47,7 @@ const bem::CrackedOperator& BoundaryRegion::cracked() const {
   return static_cast<const bem::CrackedOperator&>(*operator_);
 }
 
-// Of what is left without a force per volume, whose particular solution has tractions on faces too.
+// State of the cracked body without the particular solution of a force per volume, which has tractions on faces, too.
 bem::CrackedState BoundaryRegion::cracked_state(const Eigen::VectorXd& displacement, const Solution& solution,
                                                 double constant, double proportional) const {
   bem::CrackedState state;
@@ -91,7 +91,7 @@ void BoundaryRegion::add_crack_load(const CrackLoad& load, int part, Eigen::Ref<
   scatter(trace_.transpose() * on_boundary, force);
 }
 
-// Constant and proportional ones, on all openings.
+// Forces on all openings: constant and proportional ones.
 Eigen::MatrixX2d BoundaryRegion::forces_on_cracks(const std::vector<CrackLoad>& loads) const {
   const Eigen::Index size = 2 * static_cast<Eigen::Index>(cracks_->elements().nodes.size());
   Eigen::MatrixX2d forces = Eigen::MatrixX2d::Zero(size, 2);
@@ -137,10 +137,10 @@ BoundaryRegion::Particulars BoundaryRegion::particulars(const std::array<BodyFor
   return all;
 }
 
-// With K of boundary and openings, openings are  w = K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodes know
-// the part that depends on u. Where forces per volume have the particular solution u_p with forces f_p on faces, u and
-// f are without these, and by Betti's theorem such a force does the work -v.f beside what the boundary knows of, with
-// v = K_ww^-1 (f_p - K_wu u_p).
+// Work of loads inside the body that nodal forces do not include. With K of boundary and openings, openings are  w =
+// K_ww^-1 (f - K_wu u): f does the work f.w, of which the nodal forces have the part that depends on u. Where forces
+// per volume have the particular solution u_p with forces f_p on faces, u and f are without these, and by Betti's
+// theorem such a force does the work -v.f beside that of the boundary, with v = K_ww^-1 (f_p - K_wu u_p).
 Eigen::Matrix2d BoundaryRegion::work_within_cracks(const std::array<BodyForce, 2>& body_force,
                                                    const std::vector<CrackLoad>& loads) const {
   const Eigen::MatrixX2d forces = forces_on_cracks(loads);

@@ -4,8 +4,8 @@
 
 #include "regions/boundary/boundary_meshing.hpp"
 
-// Elements on interfaces whose other side has points at fixed places. Pieces of them end at such points or at mouths of
-// cracks, which lie half way between two.
+// Elements on interfaces whose other side has points at fixed places. Pieces of such interfaces end at these points, or
+// at mouths of cracks, which lie half way between two of them.
 namespace bempd::regions {
 
 class OutlinedRegion;

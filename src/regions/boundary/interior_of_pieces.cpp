@@ -31,7 +31,7 @@ std::int64_t InteriorOfPieces::kernel_evaluations() const {
   return sum;
 }
 
-// Beside all of them, as rounding has it on the boundary, in the nearest one.
+// Piece at a place; if rounding puts the place on the boundary outside all of them, the nearest piece.
 std::size_t InteriorOfPieces::piece_at(const Point& x) const {
   if (interiors_.size() == 1) return 0;
   for (const Cut& cut : cuts_)

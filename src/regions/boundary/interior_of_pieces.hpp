@@ -8,18 +8,18 @@
 
 namespace bempd::regions {
 
-// Displacement and stress inside a region, in that piece of it where a place lies.
+// Displacement and stress inside a region, from the piece of it in which a place lies.
 class InteriorOfPieces {
  public:
-  // A region of one piece.
+  // Inside of a region of one piece.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
-  // One for every piece.
+  // Inside of a region of several pieces, with an evaluator for each.
   InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
                    const bem::CrackMesh& cracks, double tolerance);
 
   bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
   Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
-  // On a crack, also on one between pieces.
+  // Chooses the right face of cracks, also of those between pieces.
   void look_from_right(bool right);
   std::int64_t kernel_evaluations() const;
 

@@ -12,11 +12,12 @@ namespace bempd::regions {
 
 namespace {
 
-// Of the matrices that exist at the same time while an operator with cracks is built: measured with 400 to 900
-// elements.
+// Memory of the matrices that exist at the same time while an operator with cracks is built, per square of an element:
+// measured with 400 to 900 elements.
 constexpr double bytes_per_square_with_cracks = 600;
 
-// From here on preparing takes seconds. Gaps below this share of a crack's length are then the reason.
+// Number of elements from which on preparing takes seconds, and gap over a crack's length below which the gap is the
+// reason.
 constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
 
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
@@ -54,7 +55,7 @@ std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
   return mouths;
 }
 
-// Values of the element's functions at a part of its length.
+// Values of the element's functions at a fraction of its length.
 std::array<double, 3> shape_at(bem::TipEnd tip, double part) {
   if (tip == bem::TipEnd::none) return bem::ElementGeometry{}.shape(2 * part - 1);
   bem::ElementGeometry geometry{};
@@ -243,7 +244,7 @@ std::optional<Overlap> RegionCracks::overlap(const bem::CrackedState& state) con
       if (depth > worst.depth) worst = {paths_[lines_.lines[e.line].crack].id, e.places[k], depth};
     }
   }
-  // Faces that slide on each other part by rounding.
+  // An overlap within rounding is none: it comes of faces that slide on each other.
   if (worst.depth <= 1e-9 * largest) return std::nullopt;
   return worst;
 }

@@ -11,23 +11,23 @@
 
 namespace bempd::regions {
 
-// Where a piece of a crack belongs on it: all ways along the crack [m].
+// Extent of a piece of a crack, as distances along the crack [m].
 struct CrackExtent {
   double start, length;             // of the piece's start; of all of the crack
   double given_from, given_length;  // of what it was before it grew
 };
 
-// The cracks of one boundary element region: where they part, elements on them, and the tractions on their faces.
+// Cracks of one boundary element region: their parts, elements on them, and the tractions on their faces.
 class RegionCracks {
  public:
-  // Throws Error (argument) for cracks that cannot be.
+  // Prepares the cracks. Throws Error (argument) for cracks that the region cannot have.
   RegionCracks(const Preparation& preparation, int region);
   RegionCracks(const RegionCracks&) = delete;
   RegionCracks& operator=(const RegionCracks&) = delete;
 
   // Places on the boundary where cracks start or end.
   std::vector<Point> mouths() const;
-  // Whether the crack of a mouth goes on among bonds there.
+  // Whether the crack of a mouth goes on in a lattice there.
   bool is_on_row(const Point& mouth) const;
   const bem::CrackSizes& sizes() const { return sizes_; }
 
@@ -40,14 +40,14 @@ class RegionCracks {
 
   // Throws Error (argument) if the operator on the boundary and the cracks needs more memory than there is.
   void require_memory(const BoundaryMesh& boundary, const scene::Options& options) const;
-  // Adds a sentence if a narrow gap makes so many elements that it takes long to prepare them.
+  // Adds a warning if a narrow gap needs so many elements that preparing takes long.
   void tell_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const;
 
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
-  // Nothing if there are no loads; of the loads' constant part, their proportional part, or both at a load factor.
+  // Traction of loads, of their constant part, their proportional part, or both at a load factor; empty without loads.
   bem::FaceTraction traction(const std::vector<CrackLoad>& loads, double constant, double proportional) const;
-  // The opening at a part of the length of a crack, along it and normal to it.
+  // Opening at a fraction of the length of a crack, along it and normal to it.
   Point opening_at(int crack, double fraction, const bem::CrackedState& state) const;
   std::vector<CrackPicture> pictures(const bem::CrackedState& state) const;
   std::optional<Overlap> overlap(const bem::CrackedState& state) const;
@@ -55,7 +55,7 @@ class RegionCracks {
   bool has_inside(int crack) const;
 
  private:
-  // An element, be it inside a piece or between two.
+  // Element on a crack, inside a piece or between two.
   struct Opened {
     int line;
     double from, to;  // ways along its line
@@ -65,7 +65,7 @@ class RegionCracks {
   std::vector<Opened> opened(const bem::CrackedState& state) const;
   static std::array<Point, 3> openings_on(const bem::CrackElement& element, const bem::CrackedState& state);
   static std::array<Point, 3> openings_on(const bem::CutElement& element, const bem::CrackedState& state);
-  // Part of the crack as it was given: loads stay where they are when it grows, and go on beyond its ends.
+  // Fraction of the crack as it was given: loads stay where they are when it grows, and go on beyond its ends.
   double fraction_at(int line, const Point& x) const;
   std::string gap_sentence(const bem::NarrowGap& gap) const;
 
@@ -81,11 +81,11 @@ class RegionCracks {
   std::vector<std::array<Point, 3>> cut_places_;  // of its elements between pieces
 };
 
-// The cracks that a region is to have elements on; null if there are none.
+// Cracks on which a region has elements; null if there are none.
 std::unique_ptr<RegionCracks> cracks_of(const Preparation& preparation, int region);
 
-// Divides elements around cracks, also those whose length the host has chosen: that one is the longest. At interfaces
-// with other boundary elements also around the other side's cracks, so that both sides come to the same.
+// Divides elements near cracks, also those whose length the host has chosen: that is then the longest. At interfaces
+// with other boundary elements the cracks of both sides count, so that both sides get the same elements.
 void refine_at_cracks(const Preparation& preparation, const RegionCracks* own, BoundaryPanels& panels);
 
 }  // namespace bempd::regions

@@ -59,7 +59,7 @@ void BondedRegion::add_own_bonds(const Preparation& preparation, const Contribut
   }
 }
 
-// The edge's part of the force that the stress at the node makes on all of it.
+// Share of the edge in the force that the stress at a node makes on all of its surface.
 std::vector<Point> BondedRegion::forces_on_edge(const EdgeSpan& span, const std::vector<int>& nodes_of_scene,
                                                 const FieldsOfRegion& fields) const {
   const std::vector<double>& stress = fields(Field::stress).values;
@@ -148,7 +148,7 @@ void BondedRegion::add_statistics(RegionStatistics& statistics) const {
 void BondedRegion::tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
                               coupling::NodeTies& ties) const {
   const Point &start = leading.places.front(), &end = leading.places.back();
-  // Half a spacing before the first and behind the last point where a crack has its mouth.
+  // The interface begins and ends half a spacing beyond its outer points where a crack has its mouth.
   const bool from_point = (position(points.front()) - start).norm() < 0.25 * apart;
   const bool to_point = (position(points.back()) - end).norm() < 0.25 * apart;
   std::vector<double> stations;

@@ -9,8 +9,8 @@
 
 namespace bempd::regions {
 
-// The bonds at the points of a region. Its row of the scene's bonds comes first: those between two of its points,
-// unless a region before that it acts as one with has both ends too.
+// Bonds at the points of a region. Its row of the scene's bonds comes first: those between two of its points, unless a
+// region before that acts as one with it has both ends, too.
 struct RegionBonds {
   std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
   std::size_t first = 0, listed = 0;           // where its row begins, and how long it is
@@ -18,13 +18,12 @@ struct RegionBonds {
   // Points of other regions where bonds end, numbered after its own.
   std::vector<int> far_nodes;     // of the scene
   std::vector<Point> far_points;  // in grid coordinates
-  // Per point of a grid: the first of the squares of the cell whose lower left corner it is, a term of the scene; -1
-  // without a cell. With points on the outline: the first of each patch of cells. Empty where bonds alone make the
-  // material.
+  // First square of the cell whose lower left corner is a point of the grid, per point: a term of the scene, -1 without
+  // a cell. With points on the outline: first square of each patch of cells. Empty where bonds alone make the material.
   std::vector<int> squares;
 };
 
-// A peridynamic region as material points and bonds between them, wherever they lie.
+// Peridynamic region as material points and bonds between them, wherever they lie.
 class BondedRegion : public Region {
  public:
   BondedRegion(int id, const scene::Material& material, double spacing, int horizon_ratio)
@@ -49,11 +48,11 @@ class BondedRegion : public Region {
   std::size_t first_bond() const override { return bonds_.first; }
   std::vector<int> terms() const override;
 
-  // lattice_swelling.cpp
+  // Swelling (lattice_swelling.cpp).
   void swell(const Swelling& strain, LatticeSwelling& lattices) override;
   void set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const override;
   std::optional<Eigen::Matrix2d> free_displacement(const Point& place) const override;
-  // Whether bonds cross to the other one where both touch.
+  // Whether bonds cross to the other region where both touch.
   virtual bool shares_bonds_with(const BondedRegion& other) const { return this == &other; }
 
   FieldSize field_size(Field field) const override;
@@ -78,23 +77,24 @@ class BondedRegion : public Region {
   std::vector<Point> on_grid(const scene::Crack& crack) const;
   virtual bool cracks_may_meet_points() const { return false; }
 
-  // Stresses of points where more than bonds is gone.
+  // Corrects stresses of points where more than bonds is broken.
   virtual void correct_at_losses(const Solution& /*solution*/, const std::vector<Eigen::Vector3d>& /*strains*/,
                                  const pd::BondStates& /*states*/, std::vector<Eigen::Vector3d>& /*stresses*/) const {}
-  // Strains that the region wants at its points, then at the far ones: constant and proportional part.
+  // Swelling strains at the region's points, then at the far ones: constant and proportional part.
   std::vector<Eigen::RowVector2d> strains_of_points(const LatticeSwelling& lattices) const;
 
   // Adds the bonds of its network to the scene's, as a row.
   void add_own_bonds(const Preparation& preparation, const Contributions& contributions);
 
-  // Ties points of a straight interface, in order and so far apart, to the elements of the region that leads there.
+  // Ties points of a straight interface, in order and at a distance `apart`, to the elements of the region that leads
+  // there.
   void tie_points(const LeadingElements& leading, int leader, const std::vector<int>& points, double apart,
                   coupling::NodeTies& ties) const;
 
   int point_count() const { return static_cast<int>(points_.size()); }
   int horizon_ratio() const { return horizon_ratio_; }
   double critical_stretch(const scene::Options& options) const;
-  // One entry a bond at its points, nonzero where it is broken or cut.
+  // One entry for each bond at its points, nonzero where it is broken or cut.
   std::vector<std::uint8_t> broken_bonds(const std::vector<char>& intact) const;
   Point position(int point) const { return from_grid(points_[static_cast<std::size_t>(point)]); }
   std::vector<Point> positions() const;
@@ -110,7 +110,7 @@ class BondedRegion : public Region {
     return bonds_.of_scene.empty() ? bonds_.first + bond : static_cast<std::size_t>(bonds_.of_scene[bond]);
   }
   pd::BondStates bond_states(const Solution& solution) const;
-  // Of its own points, then of the far ones, in grid coordinates.
+  // Ends of bonds in grid coordinates: its own points, then the far ones.
   std::vector<Point> bond_ends() const;
   FieldValues stress(const Solution& solution) const;
   FieldValues bond_stretch(const Solution& solution) const;

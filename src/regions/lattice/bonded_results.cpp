@@ -115,7 +115,7 @@ std::vector<Point> BondedRegion::positions() const {
   return all;
 }
 
-// Split along the bonds between neighbours that are gone.
+// Picture of the region, split along broken bonds between neighbours.
 RegionPicture BondedRegion::picture(const Solution& solution) const {
   const std::vector<std::uint8_t> broken = broken_bonds(solution.intact);
   std::vector<std::array<int, 2>> parted;

@@ -13,12 +13,12 @@ namespace bempd::regions {
 
 namespace {
 
-// Bonds are numbered by int.
+// Largest number of bonds, which are numbered by int.
 constexpr double most_bonds = std::numeric_limits<int>::max();
 
-// Of the lists of bonds that exist at the same time: measured as 142 to 150 with 1.4 and 5.9 million bonds.
+// Memory of the lists of bonds that exist at the same time: measured as 142 to 150 with 1.4 and 5.9 million bonds.
 constexpr double bytes_per_bond = 140;
-// Likewise of the lists that a square of a cell is in.
+// Memory of the lists with an entry for a square of a cell.
 constexpr double bytes_per_square = 320;
 
 double cells_of(const Outline& outline, double spacing) { return area(outline) / (spacing * spacing); }
@@ -27,8 +27,8 @@ double bonds_of(const Outline& outline, double spacing, int horizon_ratio) {
   return cells_of(outline, spacing) * static_cast<double>(pd::bond_family(horizon_ratio).size());
 }
 
-// Below, bonds get soft beside the squares of cells and cracks start early; above, hydrostatic tension hardly stretches
-// bonds (docs/materials.md).
+// Range of Poisson's ratio. Below it bonds get soft beside the squares of cells, and cracks start early; above it
+// hydrostatic tension hardly stretches bonds (docs/materials.md).
 constexpr double least_ratio = -0.2, largest_ratio = 0.49;
 
 std::string list_of(const std::vector<double>& values) {

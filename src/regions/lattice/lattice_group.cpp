@@ -13,12 +13,12 @@ namespace {
 
 constexpr int nobody = -1;
 
-// A material point as a member numbers it.
+// Material point as a member numbers it.
 struct Holder {
   int member, point;
 };
 
-// All cells of the members, in grid coordinates of the first one, and whose its points are.
+// All cells of the members, in grid coordinates of the first one, and the members that hold each point.
 class Union {
  public:
   explicit Union(const std::vector<LatticeRegion*>& members)
@@ -41,26 +41,26 @@ class Union {
     });
   }
 
-  // One node a place, and no two cells that only share a corner.
+  // Whether there is one node at each place, and no two cells share only a corner.
   bool is_sound() const { return sound_; }
   const pd::CellLattice& cells() const { return cells_; }
   int node(int point) const { return nodes_[point]; }
 
-  // The number that a member gives a point, or nobody.
+  // Number that a member gives a point, or nobody.
   int number_in(int member, int point) const {
     for (int h : holders_at_.of(point)) {
       if (holders_[h].member == member) return holders_[h].point;
     }
     return nobody;
   }
-  // The first member that has both ends of a bond, or nobody.
+  // First member that has both ends of a bond, or nobody.
   int owner(const pd::Bond& bond) const {
     for (int h : holders_at_.of(bond.first)) {
       if (number_in(holders_[h].member, bond.second) != nobody) return holders_[h].member;
     }
     return nobody;
   }
-  // Whether one member has both ends and all others neither.
+  // Whether one member has both ends and no other member has any.
   bool is_within_one(const pd::Bond& bond) const {
     const auto first = holders_at_.of(bond.first), second = holders_at_.of(bond.second);
     return first.size() == 1 && second.size() == 1 && holders_[first[0]].member == holders_[second[0]].member;
@@ -74,7 +74,7 @@ class Union {
     return found;
   }
 
-  // Values at the points of all cells, at those points of a member whose cell it has.
+  // Values at a member's points, from those at the points of all cells; only at points whose cell the member has.
   std::vector<int> of_member(const pd::CellLattice& grid, const Eigen::Vector2i& shift,
                              const std::vector<int>& values) const {
     std::vector<int> own(static_cast<std::size_t>(grid.point_count()), -1);
@@ -104,7 +104,7 @@ class Union {
   bool sound_ = true;
 };
 
-// The bonds of one member as they are found.
+// Bonds of one member, collected one by one.
 class MemberBonds {
  public:
   MemberBonds(const Union& all, const pd::Network& network, int member, const Eigen::Vector2i& shift, int own_points)
@@ -149,7 +149,7 @@ class MemberBonds {
   std::unordered_map<int, int> far_;  // numbers of points that other members have
 };
 
-// Bonds by the members that list them, those of nobody last.
+// Bonds by the members that list them; bonds that nobody lists come last.
 std::vector<std::vector<std::size_t>> bonds_by_owner(const Union& all, const pd::Network& network, std::size_t count) {
   std::vector<std::vector<std::size_t>> rows(count + 1);
   for (std::size_t b = 0; b < network.bonds.size(); ++b) {

@@ -12,8 +12,8 @@ namespace bempd::regions {
 
 class LatticeGroup;
 
-// A peridynamic region on its material points, the corners of its cells. What other lattices do differently are the
-// protected virtual functions.
+// Peridynamic region on its material points, the corners of its cells. Other lattices override the protected virtual
+// functions.
 class LatticeRegion : public BondedRegion {
  public:
   LatticeRegion(int id, const LatticeDescription& described, const scene::Material& material);
@@ -39,7 +39,7 @@ class LatticeRegion : public BondedRegion {
 
   // --- For the group of regions that it acts as one with
 
-  // Whether both act as one where they touch along an edge: one material, spacing and horizon.
+  // Whether two regions act as one where they touch along an edge: one material, spacing and horizon.
   virtual bool acts_as_one_with(const LatticeRegion& other) const;
   virtual pd::Network make_network(const pd::CellLattice& cells, int threads) const;
   const pd::CellLattice& grid() const { return *grid_; }
@@ -48,24 +48,24 @@ class LatticeRegion : public BondedRegion {
   bool shares_bonds_with(const BondedRegion& other) const override;
 
  protected:
-  // Where supports and loads on an edge act.
+  // Point where supports and loads on an edge act.
   struct EdgePoint {
     int point;
     double fraction;  // of the edge
   };
 
-  // Puts points where the edges of neighbours ask for them; those of the grid are there.
+  // Adds points where the edges of neighbours ask for them; the points of the grid exist already.
   virtual void place_points(const Preparation& /*preparation*/) {}
-  // Material points that are nodes of other regions too: all on interfaces that match, the ends of others.
+  // Material points that are nodes of other regions, too: all on interfaces that match, the ends of others.
   virtual std::vector<char> shared_points(const Preparation& preparation) const;
   // Whether another region, of the same class, has the same network.
   virtual bool is_alike(const LatticeRegion& other) const;
   virtual std::vector<EdgePoint> edge_points(int edge) const;
-  // Adds forces at the points of a traction on a straight piece of boundary, all in coordinates of the cells.
+  // Adds the forces at points of a traction on a straight piece of boundary, all in coordinates of the cells.
   virtual void add_edge_forces(const Point& a, const Point& b, const std::function<Point(const Point&)>& traction,
                                Eigen::Ref<Eigen::VectorXd> forces) const;
   std::vector<double> cell_shares() const override;
-  // How far beyond the grid's cells values are asked for, in spacings.
+  // Distance beyond the grid's cells up to which values are asked for, in spacings.
   virtual double reach_beyond_cells() const { return 0; }
 
   void use_grid(pd::CellLattice grid, const Point& origin);
@@ -77,7 +77,8 @@ class LatticeRegion : public BondedRegion {
  private:
   class LatticeEvaluator;
 
-  // Where bonds or squares of cells are gone: stresses of what is left of both, the mean over the cells at a point.
+  // Replaces the stresses where bonds or squares of cells are broken by those of the remaining ones, the mean over the
+  // cells at a point.
   void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                          const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
   Eigen::Vector3d stress_of_squares(const Solution& solution, int first_square) const;

@@ -5,18 +5,18 @@
 
 namespace bempd::regions {
 
-// What a host may choose of the material points of a region.
+// Host's choice of the material points of a region.
 struct PointChoice {
   bool on_outline = false;  // points on the outline even where it is one of lattice rows
   double angle = 0;         // of the lattice's rows [rad]
-  // What bonds near an outline with points on it are made for.
+  // Goal of the bonds near an outline with points on it.
   pd::OutlineBalance balance = pd::OutlineBalance::constant_stress;
 
   bool is_plain() const { return !on_outline && angle == 0; }
 };
 
-// A peridynamic region as described, with any outline: on the rows of a lattice where all edges are parallel to the
-// axes, else with points on its outline.
+// Peridynamic region as described, with any outline: on the rows of a lattice where all edges are parallel to the axes,
+// else with points on its outline.
 class OutlinedDescription final : public LatticeDescription {
  public:
   OutlinedDescription(int material_id, const scene::Material& material, const Outline& outline, double spacing,
@@ -39,7 +39,7 @@ class OutlinedDescription final : public LatticeDescription {
   bool on_rows_;
 };
 
-// Adds one to the scene and returns its id.
+// Adds a peridynamic region to the scene and returns its id.
 int add_peridynamic_region(scene::Scene& scene, int material, const std::vector<Point>& vertices, double spacing,
                            int horizon_ratio, const PointChoice& choice = {}, const std::vector<double>& bulges = {});
 

@@ -15,10 +15,10 @@ namespace {
 constexpr double abscissa[4] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263};
 constexpr double weight[4] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269};
 
-// A piece between places that are asked for has at least this length, in spacings.
+// Least length of a piece between required places, in spacings.
 constexpr double shortest_piece = 0.75;
 
-// Between a segment and the points of a lattice beside it, along the axis that it is steeper to.
+// Distance of a segment from the points of a lattice beside it, along the axis across its steeper direction.
 double distance_from_points(const Segment& segment, const Point& shift) {
   const Point along = segment.direction();
   const int axis = std::abs(along.x()) >= std::abs(along.y()) ? 0 : 1;
@@ -62,7 +62,7 @@ std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, 
       wanted.insert(wanted.end(), breaks.begin(), breaks.end());
     }
   }
-  // A crack opens at the middle of a chord.
+  // The outline has a chord whose middle is the mouth of a crack.
   for (const scene::Crack& crack : preparation.scene.cracks()) {
     for (const Point& p : crack.points) {
       if (distance(edge, p) > 8 * preparation.tolerance) continue;
@@ -102,12 +102,13 @@ void OutlinedRegion::divide_outline(const Preparation& preparation) {
   }
   body_.chords = pd::make_chords(loops_);
   shared_points(preparation);
-  // Points that others rely on leave too few that can balance the rest.
+  // Chords of different lengths are tried where the points that neighbours rely on leave too few points to balance the
+  // rest.
   if (pd::imbalance(body_.chords, pd::balancing_factors(body_.chords)) > 1e-13)
     body_.chords = pd::make_chords(loops_, pieces_that_may_vary(preparation));
 }
 
-// Its lower left corner is one of the lattice's points, unless the lattice keeps farther from the cracks elsewhere.
+// Position of the lattice. Its lower left corner is a lattice point, unless another position keeps farther from cracks.
 pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation) const {
   constexpr int steps = 8;
   const Eigen::Matrix2d turn(Eigen::Rotation2Dd(choice_.angle));
@@ -182,8 +183,8 @@ std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
   return LatticeGrid{from_grid(body_.place.origin), spacing(), horizon_ratio() * spacing(), choice_.angle};
 }
 
-// A crack that begins at a corner, or where two pieces of a round edge meet, has a point there: it passes by on the
-// right.
+// Cuts bonds. A crack that begins at a corner, or where two pieces of a round edge meet, meets a point there: it passes
+// on the right of it.
 void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                          std::vector<std::string>& warnings) const {
   constexpr double on_point = 1e-8, aside = 1e-3;  // in spacings
@@ -230,10 +231,10 @@ std::vector<PlacedNode> OutlinedRegion::nodes_on(const EdgeSpan& span, double to
   return found;
 }
 
-// f_i = (1 + a_i) integral of phi_i t ds, a_i being what balances the chords of the outline. phi_i are linear hats
-// along straight edges. Along a round one constant stress has a traction that turns with the normal, and its integral
-// over an arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of second order
-// too.
+// Nodal forces f_i = (1 + a_i) integral of phi_i t ds, where a_i balances the chords of the outline. phi_i are linear
+// hats along straight edges. Along a round edge the traction of a constant stress turns with the normal, and its
+// integral over an arc is that over the chord: halves for both ends of a whole chord pass it on exactly, and are of
+// second order, too.
 void OutlinedRegion::add_traction(const EdgeSpan& span, const std::function<Point(const Point&)>& traction,
                                   Eigen::Ref<Eigen::VectorXd> force) const {
   Eigen::VectorXd nodal = Eigen::VectorXd::Zero(2 * point_count());

@@ -10,8 +10,8 @@
 
 namespace bempd::regions {
 
-// A peridynamic region with any outline: material points on equal chords along its edges and, inside, those of a
-// lattice. Its stresses are balanced on the chords, which are the edges where these are straight.
+// Peridynamic region with any outline: material points on equal chords along its edges and, inside, those of a lattice.
+// Its stresses are balanced on the chords, which are the edges where these are straight.
 class OutlinedRegion final : public BondedRegion {
  public:
   OutlinedRegion(int id, const OutlinedDescription& described, const scene::Material& material);
@@ -52,20 +52,20 @@ class OutlinedRegion final : public BondedRegion {
     Arc arc;  // in grid coordinates
   };
 
-  // outlined_squares.cpp
+  // Squares of cells (outlined_squares.cpp).
   void add_squares(const Contributions& contributions);
   void correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                          const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const override;
-  // Mean in a patch of cells [Pa].
+  // Mean stress in a patch of cells [Pa].
   Eigen::Vector3d stress_of_squares(const Solution& solution, std::size_t patch) const;
 
   void require_common_points(const Preparation& preparation, const Contact& contact) const;
   void divide_outline(const Preparation& preparation);
   std::vector<char> pieces_that_may_vary(const Preparation& preparation) const;
-  // Marks the points that are nodes of other regions too: all on interfaces that match, the ends of others; and keeps
-  // the surface vectors of all of them.
+  // Marks the points that are nodes of other regions, too: all on interfaces that match, the ends of others. It also
+  // keeps the surface vectors of all of them.
   std::vector<char> shared_points(const Preparation& preparation);
-  // Fractions of an edge where pieces end: at the ends of interfaces, and at what else is asked for as far as it leaves
+  // Fractions of an edge where pieces end: at the ends of interfaces, and at other required places as far as they leave
   // room for chords.
   std::vector<double> stations_on(const Preparation& preparation, int edge) const;
   pd::LatticePlace place_of_lattice(const Preparation& preparation) const;

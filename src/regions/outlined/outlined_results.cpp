@@ -18,7 +18,7 @@ std::array<double, 4> weights_in(const std::vector<Point>& points, const std::ar
   return {(1 - x) * (1 - y), x * (1 - y), x * y, (1 - x) * y};
 }
 
-// How far outside of the cell a place lies, in spacings or so; not positive inside.
+// Distance of a place outside of the cell, in spacings or so; not positive inside.
 double excess(const std::vector<Point>& points, const std::array<int, 4>& cell, const Point& place) {
   double most = -std::numeric_limits<double>::infinity();
   const int count = pd::is_triangle(cell) ? 3 : 4;
@@ -37,8 +37,8 @@ Cells OutlinedRegion::cells() const {
   return cells;
 }
 
-// Bilinear in cells of the lattice and linear in the triangles around them; between a round edge and its chord as in
-// the triangle at the chord.
+// Evaluates bilinearly in cells of the lattice and linearly in the triangles around them; between a round edge and its
+// chord as in the triangle at the chord.
 class OutlinedRegion::CellEvaluator final : public Evaluator {
  public:
   CellEvaluator(const OutlinedRegion& region, const FieldsOfRegion& fields, bool with_stress)

@@ -54,8 +54,8 @@ Eigen::Vector3d OutlinedRegion::stress_of_squares(const Solution& solution, std:
   return stress;
 }
 
-// Where bonds or squares of cells are gone: stresses of what is left of both, the mean over the cells at a point by
-// their shares of its area.
+// Replaces the stresses where bonds or squares of cells are broken by those of the remaining ones: the mean over the
+// cells at a point by their shares of its area.
 void OutlinedRegion::correct_at_losses(const Solution& solution, const std::vector<Eigen::Vector3d>& strains,
                                        const pd::BondStates& states, std::vector<Eigen::Vector3d>& stresses) const {
   if (stencils_.empty()) return;
@@ -81,8 +81,8 @@ void OutlinedRegion::correct_at_losses(const Solution& solution, const std::vect
   }
 }
 
-// As long as it is in the body that follows the strain freely, if that is linear: e = e0 + a x + b y is that of the
-// displacement (e0 x + a (x^2 - y^2) / 2 + b x y, e0 y + a x y + b (y^2 - x^2) / 2).
+// Sets rest elongations to those of the body that follows the strain freely, if that is linear: e = e0 + a x + b y is
+// the strain of the displacement (e0 x + a (x^2 - y^2) / 2 + b x y, e0 y + a x y + b (y^2 - x^2) / 2).
 void OutlinedRegion::set_rests(const LatticeSwelling& lattices, coupling::Terms& terms) const {
   BondedRegion::set_rests(lattices, terms);
   const std::vector<Eigen::RowVector2d> strains =

@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// Both faces of a crack, loaded by a pressure (component x of a condition) that pushes them apart and by a shear
+// Two faces of a crack, loaded by a pressure (component x of a condition) that pushes them apart and by a shear
 // (component y) that drives the left face, seen along the crack, forward and the right one back [Pa].
 class CrackFaces : public OffEdges {
  public:
@@ -24,7 +24,7 @@ class CrackFaces : public OffEdges {
 
  protected:
   int crack() const { return crack_; }
-  // On those parts of the crack that have elements.
+  // Adds the load on those parts of the crack that have elements.
   void add_to_elements(const scene::Scene& scene, const Discretization& discretization, int load,
                        DofConditions& conditions) const;
 

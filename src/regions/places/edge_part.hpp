@@ -18,7 +18,7 @@ class EdgePart : public scene::Place {
     hash.add(region_), hash.add(edge_), hash.add(from_), hash.add(to_);
   }
   std::vector<double> breaks_on(const scene::Scene& scene, int region, int edge, double tolerance) const override;
-  // Nodes of the scene on it, in order from its start.
+  // Nodes of the scene on the part, in order from its start.
   std::vector<PlacedNode> nodes(const scene::Scene& scene, const Discretization& discretization) const;
   bool covers(int region, int edge, double fraction) const override;
   std::vector<PlacedNode> held_nodes(const scene::Scene& scene, const Discretization& discretization,
@@ -27,10 +27,10 @@ class EdgePart : public scene::Place {
                 DofConditions& conditions) const override;
 
  protected:
-  // The traction that values of a load mean at a fraction of the edge.
+  // Traction that values of a load stand for at a fraction of the edge.
   virtual Point traction(const Edge& /*edge*/, double /*fraction*/, const Point& value) const { return value; }
 
-  // Throws Error (argument) if it is an interface.
+  // Throws Error (argument) if the part is an interface.
   void require_free_edge(const scene::Scene& scene, const Discretization& discretization, int load) const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// The nodes of a part of a free edge; loads on it are a force on each of them [N].
+// Nodes of a part of a free edge; loads on it are a force on each of them [N].
 class ForcedNodes final : public EdgePart {
  public:
   using EdgePart::EdgePart;

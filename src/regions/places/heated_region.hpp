@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// All of a region; loads on it are changes of its temperature [K]: the x of their values.
+// Whole region; loads on it are changes of its temperature [K]: the x of their values.
 class HeatedRegion final : public OffEdges {
  public:
   explicit HeatedRegion(int region) : region_(region) {}

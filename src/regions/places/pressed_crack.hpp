@@ -4,8 +4,8 @@
 
 namespace bempd::regions {
 
-// Both faces of a crack and of all that it has grown by, in either kind of region, pushed apart by a uniform pressure
-// (component x of a condition) [Pa].
+// Two faces of a crack and of all its growth, in either kind of region, pushed apart by a uniform pressure (component
+// x of a condition) [Pa].
 class PressedCrack final : public CrackFaces {
  public:
   using CrackFaces::CrackFaces;

@@ -4,7 +4,7 @@
 
 namespace bempd::regions {
 
-// All of a region that turns about an axis: loads on it are the force per volume that drives it outwards, per distance
+// Whole region that turns about an axis: loads on it are the force per volume that drives it outwards, per distance
 // from the axis (component x of a condition), its density times the square of the angular velocity [N/m^4].
 class TurningRegion final : public WholeRegion {
  public:

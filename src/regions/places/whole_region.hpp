@@ -5,7 +5,7 @@
 
 namespace bempd::regions {
 
-// All of a region; loads on it are forces per volume [N/m^3], the same everywhere.
+// Whole region; loads on it are forces per volume [N/m^3], the same everywhere.
 class WholeRegion : public OffEdges {
  public:
   explicit WholeRegion(int region) : region_(region) {}
@@ -22,7 +22,7 @@ class WholeRegion : public OffEdges {
                 DofConditions& conditions) const override;
 
  protected:
-  // The force per volume that values of a load mean.
+  // Force per volume that values of a load stand for.
   virtual BodyForce force(const Point& value) const { return value; }
 
  private:
