@@ -13,6 +13,7 @@ Any consistent set of units; comments show SI. Build a Model, step, ask:
 50 N
 """
 
+from . import outline
 from ._library import build_info, library_path, version
 from ._results import read_history
 from ._scene import rectangle
@@ -64,5 +65,5 @@ __all__ = [
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
-    "build_info", "describe_options", "library_path", "progress_bar", "read_history", "rectangle", "version",
+    "build_info", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "version",
 ]

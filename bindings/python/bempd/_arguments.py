@@ -132,6 +132,16 @@ def place(name: str, point: Sequence[float]) -> tuple[float, float]:
     return float(array[0]), float(array[1])
 
 
+def interval(name: str, value: Any) -> tuple[float, float]:
+    """A coordinate as an interval of one value, or the two ends of an interval."""
+    array = real_array(name, value)
+    if array.shape == () and np.isfinite(array):
+        return float(array), float(array)
+    if array.shape != (2,) or not array[0] <= array[1]:
+        raise ArgumentError(f"{name} is {value!r}; give a number, or a pair (low, high)")
+    return float(array[0]), float(array[1])
+
+
 def fraction_pair(name: str, part: Sequence[float]) -> tuple[float, float]:
     """Start and end of a part of an edge."""
     array = real_array(name, part)

@@ -11,6 +11,7 @@ from . import _arguments as arguments
 from ._arguments import FloatArray
 from ._handle import Handle
 from ._library import ffi
+from ._names import Edge
 from ._sketch import Mark, Sketch
 from .reports import EdgeNodes, EdgePlaces
 
@@ -35,8 +36,9 @@ class Edges:
     def _open(self) -> Handle:
         raise NotImplementedError
 
-    def add_edge_forces(self, region: int, edge: int, *, part: Sequence[float] = (0.0, 1.0)) -> int:
+    def add_edge_forces(self, region: int, edge: Edge, *, part: Sequence[float] = (0.0, 1.0)) -> int:
         """Add forces [N] on the nodes of an edge or a part of it: 0 until set_load_nodal_values() gives each its own."""
+        edge = self._sketch.edge("add_edge_forces", region, edge)
         added = ffi.new("int32_t *")
         self._open().call("bempd_add_edge_forces", region, edge, *arguments.fraction_pair("add_edge_forces: part", part),
                           added)
@@ -68,32 +70,36 @@ class Edges:
         places, count, *values = arguments.values_at("set_load_values_at", fractions, constant, proportional)
         self._open().call("bempd_set_load_values_at", load, count, places, *values, changes=True)
 
-    def fractions_on_edge(self, region: int, edge: int, points: npt.ArrayLike) -> EdgePlaces:
+    def fractions_on_edge(self, region: int, edge: Edge, points: npt.ArrayLike) -> EdgePlaces:
         """The nearest places on an edge, such as for the nodes of another program's mesh."""
+        edge = self._sketch.edge("fractions_on_edge", region, edge)
         places = arguments.point_array("fractions_on_edge: points", points)
         found = EdgePlaces(np.empty(len(places)), np.empty(len(places)))
         self._open().call("bempd_fractions_on_edge", region, edge, len(places), arguments.doubles(places),
                           *map(arguments.doubles, found))
         return found
 
-    def edge_nodes(self, region: int, edge: int) -> EdgeNodes:
+    def edge_nodes(self, region: int, edge: Edge) -> EdgeNodes:
         """Nodes on an edge from its start to its end, with their weights; prepares the model."""
+        edge = self._sketch.edge("edge_nodes", region, edge)
         count = self._edge_size(region, edge)[0]
         found = EdgeNodes(np.empty(count, dtype=np.int32), np.empty(count), np.empty(count))
         self._open().call("bempd_copy_edge_nodes", region, edge, count, ffi.from_buffer("int32_t[]", found.nodes),
                           arguments.doubles(found.fractions), arguments.doubles(found.weights))
         return found
 
-    def edge_elements(self, region: int, edge: int) -> npt.NDArray[np.int32]:
+    def edge_elements(self, region: int, edge: Edge) -> npt.NDArray[np.int32]:
         """Elements or lattice cells with a side on an edge, from its start to its end: rows of elements()."""
+        edge = self._sketch.edge("edge_elements", region, edge)
         count = self._edge_size(region, edge)[1]
         found = np.empty(count, dtype=np.int32)
         self._open().call("bempd_copy_edge_elements", region, edge, count, ffi.from_buffer("int32_t[]", found))
         return found
 
-    def edge_forces(self, region: int, edge: int) -> FloatArray:
+    def edge_forces(self, region: int, edge: Edge) -> FloatArray:
         """Forces [N] that supports and neighbours exert on a region at the nodes of an edge: they do the work that is
         booked, and sum to the reaction to rounding. Shape (n, 2), as edge_nodes() has the nodes."""
+        edge = self._sketch.edge("edge_forces", region, edge)
         count = self._edge_size(region, edge)[0]
         forces = np.empty((count, 2))
         self._open().call("bempd_copy_edge_forces", region, edge, count, arguments.doubles(forces))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import threading
-from typing import Any
+from typing import Any, Callable
 
 from ._library import call, check, ffi, invoke, lib
 from ._words import name_of
 from .callbacks import Interrupts
-from .errors import OrderError
+from .errors import Error, OrderError
 
 
 class Handle:
@@ -28,6 +28,7 @@ class Handle:
         self.log: Any = None
         self.raised: list[BaseException] = []  # by callbacks during the present call
         self.interrupts = Interrupts(self.raised, self.pointer)
+        self.with_names: Callable[[str], str] = str  # a sentence with the names that the host gave to what it speaks of
         self._lock = threading.Lock()
         self._views: set[object] = set()
 
@@ -46,7 +47,11 @@ class Handle:
             status = invoke(name, self.pointer, *arguments)
             if self.raised:
                 raise self.raised.pop(0)
-            check(status, self.pointer)
+            try:
+                check(status, self.pointer)
+            except Error as error:
+                error.args = (self.with_names(str(error)),)
+                raise
         finally:
             self._lock.release()
 

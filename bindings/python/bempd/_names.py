@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, Union
 
 Component = Literal["x", "y"]
 Components = Literal["x", "y", "both"]
@@ -14,3 +14,5 @@ Until = Literal["values", "event", "separated"]
 FieldName = Literal["position", "displacement", "stress", "damage", "traction", "bond_stretch", "element_stress", "stress_order"]
 Quantity = Literal["outline", "lattice", "damage", "displacement", "displacement x", "displacement y", "stress xx", "stress yy",
                    "stress xy", "stress principal", "stress shear"]
+#: An edge by its number, from 1, or by its name, which must be that of one edge.
+Edge = Union[int, str]

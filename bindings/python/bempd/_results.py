@@ -10,9 +10,11 @@ import numpy.typing as npt
 
 from . import _arguments as arguments
 from ._arguments import FloatArray
+from ._edge_picture import write_edges
 from ._handle import Handle
-from ._names import Face, FieldName
+from ._names import Edge, Face, FieldName
 from ._library import call, ffi, lib, new_struct
+from ._sketch import Sketch
 from .errors import ArgumentError
 from .reports import (
     Bonds,
@@ -67,6 +69,7 @@ class Results:
     """
 
     _handle: Optional[Handle]
+    _sketch: Sketch
     _fields: dict[tuple[int, int], FloatArray]
     _fields_generation: int
 
@@ -175,8 +178,9 @@ class Results:
         return float(self._number("bempd_reaction_moment", "double", support,
                                   *arguments.place("reaction_moment: about", about)))
 
-    def edge_reaction(self, region: int, edge: int, about: Sequence[float] = (0.0, 0.0)) -> EdgeReaction:
+    def edge_reaction(self, region: int, edge: Edge, about: Sequence[float] = (0.0, 0.0)) -> EdgeReaction:
         """Force and moment about a place that supports exert through one edge; corners are shared among edges."""
+        edge = self._sketch.edge("edge_reaction", region, edge)
         force, moment = np.empty(2), ffi.new("double *")
         self._open().call("bempd_edge_reaction", region, edge, *arguments.place("edge_reaction: about", about),
                           ffi.from_buffer("double[]", force), moment)
@@ -404,9 +408,11 @@ class Results:
         """Write the present state for ParaView, which opens PREFIX.pvd, the series of all snapshots.
 
         The folder must exist. Files of another run with this prefix raise FileError, unless the option
-        "snapshots.existing" is "continue" or "replace".
+        "snapshots.existing" is "continue" or "replace". If edges have names, PREFIX_edges.vtp has the edges as lines with
+        them.
         """
         self._open().call("bempd_write_snapshot", arguments.file_name("write_snapshot: prefix", prefix))
+        write_edges(self._sketch, prefix)
 
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Write history() and support_history() of all supports as comma-separated values."""

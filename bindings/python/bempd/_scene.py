@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Optional, Sequence
+from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy.typing as npt
 
 from . import _arguments as arguments
 from ._handle import Handle
 from ._library import ffi, lib, new_struct
-from ._names import Component, Components, FaceComponent, Plane, Turn
+from ._loops import Loop, Outline
+from ._names import Component, Components, Edge, FaceComponent, Plane, Turn
 from ._sketch import Arc, Mark, Region, Sketch, arc_through
 from .callbacks import BoundaryFunction, boundary_callback
 from .errors import ArgumentError, OrderError
@@ -21,6 +22,7 @@ TURNS = {"counter-clockwise": lib.BEMPD_COUNTER_CLOCKWISE, "clockwise": lib.BEMP
 FACE_COMPONENTS = {"pressure": lib.BEMPD_PRESSURE, "shear": lib.BEMPD_SHEAR}
 PLANES = {"stress": lib.BEMPD_PLANE_STRESS, "strain": lib.BEMPD_PLANE_STRAIN}
 WHOLE_EDGE = (0.0, 1.0)
+Where = Union[float, Sequence[float]]  # a coordinate, or two between which it lies
 
 
 class Scene:
@@ -68,14 +70,18 @@ class Scene:
         self._sketch.materials += 1
         return number
 
-    def add_bem_region(self, material: int, vertices: npt.ArrayLike, element_length: float, *,
+    def add_bem_region(self, material: int, vertices: Union[npt.ArrayLike, Outline], element_length: float, *,
                        bulges: Optional[npt.ArrayLike] = None) -> int:
         """Add a polygon treated by boundary elements; returns its id.
 
         `vertices` run counter-clockwise; edge k (1, 2, ...) goes from vertex k to the next. Edges that coincide with
         edges of other regions are bonded. `bulges`, one for each edge, make arcs: the tangent of a quarter of the angle
         that the edge turns, 0 for a straight one, 1 for half a circle that bulges out of the body (as in DXF files).
+        In place of vertices an Outline can be given, such as bempd.outline.from_dxf() reads: its holes and names come with it.
         """
+        if isinstance(vertices, Outline):
+            return self._outlined("add_bem_region", vertices, bulges, lambda loop: self.add_bem_region(
+                material, loop.vertices, element_length, bulges=loop.bulges))
         points = arguments.point_array("add_bem_region: vertices", vertices)
         bends = arguments.bulge_array("add_bem_region: bulges", bulges, len(points))
         region = self._added("bempd_add_bem_region_with_arcs", material, len(points), arguments.doubles(points),
@@ -91,15 +97,18 @@ class Scene:
         self._sketch.add_circle(region, place, radius, hole=False)
         return region
 
-    def add_pd_region(self, material: int, vertices: npt.ArrayLike, spacing: float, horizon_ratio: int = 0, *,
+    def add_pd_region(self, material: int, vertices: Union[npt.ArrayLike, Outline], spacing: float, horizon_ratio: int = 0, *,
                       bulges: Optional[npt.ArrayLike] = None) -> int:
         """Add a polygon treated by peridynamics; returns its id.
 
         With edges parallel to the axes material points lie on the corners of square cells of size `spacing`, also on the
         boundary; with others they lie on the edges, about `spacing` apart, and on a lattice inside. `horizon_ratio` is
         the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio. `bulges` make arcs of edges as in
-        add_bem_region().
+        add_bem_region(), and an Outline can be given in place of vertices.
         """
+        if isinstance(vertices, Outline):
+            return self._outlined("add_pd_region", vertices, bulges, lambda loop: self.add_pd_region(
+                material, loop.vertices, spacing, horizon_ratio, bulges=loop.bulges))
         points = arguments.point_array("add_pd_region: vertices", vertices)
         bends = arguments.bulge_array("add_pd_region: bulges", bulges, len(points))
         region = self._added("bempd_add_pd_region_with_arcs", material, len(points), arguments.doubles(points),
@@ -107,6 +116,124 @@ class Scene:
         self._sketch.regions[region] = Region("PD", arguments.pairs(points))
         self._sketch.regions[region].bend(1, bends)
         return region
+
+    def _outlined(self, caller: str, outline: Outline, bulges: Optional[npt.ArrayLike], add: Callable[[Loop], int]) -> int:
+        """Add a region with the holes and the names of an outline; it is taken back if a hole is refused."""
+        if bulges is not None:
+            raise ArgumentError(f"{caller}: bulges are given beside an Outline, which has its own; leave them out")
+        region = add(outline.outer)
+        try:
+            for hole in outline.holes:
+                self.add_hole(region, hole.vertices, bulges=hole.bulges)
+        except Exception:
+            self.remove_region(region)
+            raise
+        self._sketch.regions[region].name(1, outline.names)
+        return region
+
+    def name_edge(self, region: int, edge: Edge, name: str) -> None:
+        """Name an edge; every method that takes an edge then takes the name. Several edges may have one name.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> model.name_edge(plate, model.edge_at(plate, (0, 0.5)), "clamp")
+        >>> model.fix_edge(plate, "clamp")
+        1
+        """
+        if not isinstance(name, str) or not name:
+            raise ArgumentError(f"name_edge: name is {name!r}; it must be a word")
+        number = arguments.whole("name_edge: edge", self._sketch.edge("name_edge", region, edge))
+        self._edge_exists("name_edge", region, number)
+        self._sketch.regions[region].names[number] = name
+
+    def edge_named(self, region: int, name: str) -> int:
+        """The number of the edge with a name; an error if there is none, or several."""
+        if not isinstance(name, str):
+            raise ArgumentError(f"edge_named: name is {name!r}; it must be a word")
+        self._edge_exists("edge_named", region, 1)
+        return self._sketch.edge("edge_named", region, name)
+
+    def edges_named(self, region: int, name: str) -> list[int]:
+        """The numbers of all edges with a name; an error if there is none."""
+        self._edge_exists("edges_named", region, 1)
+        found = self._sketch.regions[region].named(name)
+        return found or [self.edge_named(region, name)]
+
+    def edge_names(self, region: int) -> dict[int, str]:
+        """Names of the edges that have one, by number."""
+        self._edge_exists("edge_names", region, 1)
+        return dict(sorted(self._sketch.regions[region].names.items()))
+
+    def edge_at(self, region: int, point: Sequence[float], *, tolerance: Optional[float] = None) -> int:
+        """The number of the edge on which a place lies, to a tolerance [m]: 1e-6 of the region's size if not given.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> plate = model.add_bem_region(glass, bempd.rectangle(0, 0, 2, 1), element_length=0.25)
+        >>> model.edge_at(plate, (2, 0.5))
+        2
+        """
+        x, y = arguments.place("edge_at: point", point)
+        self._edge_exists("edge_at", region, 1)
+        sketched = self._sketch.regions[region]
+        close = 1e-6 * sketched.size() if tolerance is None else arguments.real("edge_at: tolerance", tolerance)
+        distance, place = ffi.new("double *"), ffi.new("double[]", [x, y])
+        found = []
+        for edge in range(1, sketched.edge_count + 1):
+            self._open().call("bempd_fractions_on_edge", region, edge, 1, place, ffi.NULL, distance)
+            found.append((float(distance[0]), edge))
+        here = [edge for away, edge in found if away <= close]
+        if not here:
+            away, edge = min(found)
+            raise ArgumentError(self._sketch.with_names(
+                f"edge_at: no edge of region {region} passes through ({x:g}, {y:g}); the nearest, edge {edge} of region {region}, is "
+                f"{away:.3g} away; give a place on the edge, or a larger tolerance"))
+        if len(here) > 1:
+            raise ArgumentError(f"edge_at: edges {' and '.join(map(str, here))} of region {region} meet at ({x:g}, {y:g}); give a place "
+                                "inside one of them")
+        return here[0]
+
+    def edges_where(self, region: int, *, x: Optional[Where] = None, y: Optional[Where] = None,
+                    tolerance: Optional[float] = None) -> list[int]:
+        """The numbers of the edges that lie wholly at a coordinate, or between two: `x=0`, `y=(0.1, 0.2)`, or both.
+
+        The tolerance [m] is 1e-6 of the region's size if not given. An error tells if there is no such edge. Edges of
+        set_edges_smooth() count with their ends only.
+
+        >>> import bempd
+        >>> model = bempd.Model()
+        >>> glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3)
+        >>> bracket = model.add_bem_region(glass, [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], element_length=0.25)
+        >>> model.edges_where(bracket, x=0), model.edges_where(bracket, y=(1, 2))
+        ([6], [3, 4, 5])
+        """
+        self._edge_exists("edges_where", region, 1)
+        if x is None and y is None:
+            raise ArgumentError("edges_where: neither x nor y is given; give a number, or a pair (low, high)")
+        sketched = self._sketch.regions[region]
+        close = 1e-6 * sketched.size() if tolerance is None else arguments.real("edges_where: tolerance", tolerance)
+        asked = [(axis, *arguments.interval(f"edges_where: {'xy'[axis]}", where))
+                 for axis, where in enumerate((x, y)) if where is not None]
+        found = [edge for edge in range(1, sketched.edge_count + 1)
+                 if all(low - close <= place[axis] <= high + close for axis, low, high in asked for place in sketched.way(edge))]
+        if not found:
+            (left, bottom), (right, top) = sketched.box()
+            wanted = " and ".join(f"{'xy'[axis]} = {low:g}" if low == high else f"{'xy'[axis]} from {low:g} to {high:g}"
+                                  for axis, low, high in asked)
+            raise ArgumentError(f"edges_where: no edge of region {region} lies at {wanted}; the region goes from x = {left:g} to {right:g} "
+                                f"and y = {bottom:g} to {top:g}")
+        return found
+
+    def _edge_exists(self, caller: str, region: int, edge: int) -> None:
+        """An error if a region or its edge is not there."""
+        known = self._sketch.regions.get(arguments.whole(f"{caller}: region", region))
+        if known is None:
+            raise ArgumentError(f"{caller}: region {region} does not exist")
+        if not 1 <= edge <= known.edge_count:
+            raise ArgumentError(f"{caller}: edge {edge} does not exist; region {region} has edges 1 .. {known.edge_count}")
 
     def add_hole(self, region: int, vertices: npt.ArrayLike, *, bulges: Optional[npt.ArrayLike] = None) -> int:
         """Cut a hole into a region, its vertices clockwise; returns the number of the hole's first edge.
@@ -128,8 +255,9 @@ class Scene:
         self._sketch.add_circle(region, place, radius, hole=True)
         return edge
 
-    def set_edge_arc(self, region: int, edge: int, point: Sequence[float]) -> None:
+    def set_edge_arc(self, region: int, edge: Edge, point: Sequence[float]) -> None:
         """Make an edge the circular arc through a point between its ends."""
+        edge = self._sketch.edge("set_edge_arc", region, edge)
         place = arguments.place("set_edge_arc: point", point)
         self._open().call("bempd_set_edge_arc", region, edge, *place)
         ends = self._sketch.regions[region].ends(edge)
@@ -137,7 +265,7 @@ class Scene:
         if arc:
             self._sketch.regions[region].arcs[edge] = arc
 
-    def set_edge_arc_about(self, region: int, edge: int, centre: Sequence[float], radius: float, turn: Turn) -> None:
+    def set_edge_arc_about(self, region: int, edge: Edge, centre: Sequence[float], radius: float, turn: Turn) -> None:
         """Make an edge the arc about a centre: "clockwise" or "counter-clockwise" from its first vertex.
 
         >>> import bempd
@@ -149,18 +277,21 @@ class Scene:
         >>> round(float(model.field(plate, "position")[:, 1].max()), 12)
         1.5
         """
+        edge = self._sketch.edge("set_edge_arc_about", region, edge)
         self._open().call("bempd_set_edge_arc_about", region, edge,
                           *arguments.place("set_edge_arc_about: centre", centre), radius,
                           arguments.choice("set_edge_arc_about: turn", turn, TURNS))
         self._sketch.regions[region].arcs[edge] = Arc(arguments.place("set_edge_arc_about: centre", centre),
                                                       turn == "counter-clockwise")
 
-    def set_edges_smooth(self, region: int, first_edge: int, last_edge: int) -> None:
+    def set_edges_smooth(self, region: int, first_edge: Edge, last_edge: Edge) -> None:
         """Make a row of edges a smooth curve through their vertices."""
-        self._open().call("bempd_set_edges_smooth", region, first_edge, last_edge)
+        first, last = (self._sketch.edge("set_edges_smooth", region, edge) for edge in (first_edge, last_edge))
+        self._open().call("bempd_set_edges_smooth", region, first, last)
 
-    def set_edge_mesh(self, region: int, edge: int, element_length: float, grading: float = 1.0) -> None:
+    def set_edge_mesh(self, region: int, edge: Edge, element_length: float, grading: float = 1.0) -> None:
         """Choose the elements of an edge of a BEM region; `grading` is the ratio of neighbours' lengths, 1 to 4."""
+        edge = self._sketch.edge("set_edge_mesh", region, edge)
         self._open().call("bempd_set_edge_mesh", region, edge, element_length, grading)
 
     def add_crack(self, points: npt.ArrayLike) -> int:
@@ -210,8 +341,9 @@ class Scene:
         """Number of edges of a region with its holes."""
         return self._added("bempd_edge_count", region)
 
-    def fix_edge(self, region: int, edge: int, component: Components = "both") -> int:
+    def fix_edge(self, region: int, edge: Edge, component: Components = "both") -> int:
         """Fix a whole edge; returns the id of the support."""
+        edge = self._sketch.edge("fix_edge", region, edge)
         chosen = arguments.choice("fix_edge: component", component, COMPONENTS)
         return self._support(self._added("bempd_fix_edge", region, edge, chosen), Mark(region, edge))
 
@@ -221,21 +353,23 @@ class Scene:
         chosen = arguments.choice("fix_point: component", component, COMPONENTS)
         return self._support(self._added("bempd_fix_point", *place, chosen), Mark(point=place))
 
-    def prescribe_edge(self, region: int, edge: int, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
+    def prescribe_edge(self, region: int, edge: Edge, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
                        constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Prescribe the displacement [m] of an edge, or of the `part` between two fractions of it; returns the id of
         the support."""
+        edge = self._sketch.edge("prescribe_edge", region, edge)
         count, *values = arguments.samples("prescribe_edge", constant, proportional)
         support = self._added("bempd_prescribe_edge", region, edge, *arguments.fraction_pair("prescribe_edge: part", part),
                               arguments.choice("prescribe_edge: component", component, ONE_COMPONENT), count, *values)
         return self._support(support, Mark(region, edge, component=component, proportional=arguments.one_number(proportional)))
 
-    def prescribe_edge_function(self, region: int, edge: int, function: BoundaryFunction, component: Components = "both", *,
+    def prescribe_edge_function(self, region: int, edge: Edge, function: BoundaryFunction, component: Components = "both", *,
                                 part: Sequence[float] = WHOLE_EDGE) -> int:
         """Prescribe the displacement of a part of an edge by a function f(x, y), asked once for each node.
 
         It returns (ux, uy) [m], multiplied by the load factor, or the two pairs constant and proportional.
         """
+        edge = self._sketch.edge("prescribe_edge_function", region, edge)
         ends = arguments.fraction_pair("prescribe_edge_function: part", part)
         chosen = arguments.choice("prescribe_edge_function: component", component, COMPONENTS)
         support = self._added("bempd_prescribe_edge_function", region, edge, *ends, chosen, self._kept(function), ffi.NULL)
@@ -250,22 +384,24 @@ class Scene:
                               proportional)
         return self._support(support, Mark(point=place, component=component, proportional=arguments.one_number(proportional)))
 
-    def add_traction(self, region: int, edge: int, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
+    def add_traction(self, region: int, edge: Edge, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Add a traction [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
+        edge = self._sketch.edge("add_traction", region, edge)
         count, *values = arguments.samples("add_traction", constant, proportional)
         load = self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
                            arguments.choice("add_traction: component", component, ONE_COMPONENT), count, *values)
         return self._load(load, Mark(region, edge))
 
-    def add_pressure(self, region: int, edge: int, proportional: Optional[npt.ArrayLike] = None, *,
+    def add_pressure(self, region: int, edge: Edge, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
         """Press [Pa] on an edge that is not an interface, or on a part of it; returns the id of the load."""
+        edge = self._sketch.edge("add_pressure", region, edge)
         count, *values = arguments.samples("add_pressure", constant, proportional)
         ends = arguments.fraction_pair("add_pressure: part", part)
         return self._load(self._added("bempd_add_pressure", region, edge, *ends, count, *values), Mark(region, edge))
 
-    def add_traction_function(self, region: int, edge: int, function: BoundaryFunction, *,
+    def add_traction_function(self, region: int, edge: Edge, function: BoundaryFunction, *,
                               part: Sequence[float] = WHOLE_EDGE) -> int:
         """Add a traction given by a function f(x, y), as prescribe_edge_function() has it; returns the id of the load.
 
@@ -277,6 +413,7 @@ class Scene:
         >>> model.add_traction_function(plate, 2, lambda x, y: (0, 6e6 * y * (1 - y)))
         1
         """
+        edge = self._sketch.edge("add_traction_function", region, edge)
         ends = arguments.fraction_pair("add_traction_function: part", part)
         load = self._added("bempd_add_traction_function", region, edge, *ends, self._kept(function), ffi.NULL)
         return self._load(load, Mark(region, edge))

@@ -5,7 +5,10 @@ from __future__ import annotations
 import dataclasses
 import html
 import math
-from typing import Iterable, Optional, Sequence
+import re
+from typing import Iterable, Optional, Sequence, Union
+
+from .errors import ArgumentError
 
 Place = tuple[float, float]
 FACES = {"BEM": "#e3e5e8", "PD": "#fff1c9"}
@@ -56,6 +59,30 @@ class Region:
         self.kind = kind
         self.loops = [list(loop)]
         self.arcs: dict[int, Arc] = {}
+        self.names: dict[int, str] = {}  # of edges
+
+    @property
+    def edge_count(self) -> int:
+        """Number of edges of all loops."""
+        return sum(map(len, self.loops))
+
+    def name(self, first: int, names: Iterable[str]) -> None:
+        """Name edges in a row; an empty name leaves an edge without."""
+        self.names.update({edge: name for edge, name in enumerate(names, first) if name})
+
+    def named(self, name: str) -> list[int]:
+        """Edges of a name, in their order."""
+        return sorted(edge for edge, word in self.names.items() if word == name)
+
+    def box(self) -> tuple[Place, Place]:
+        """Lower left and upper right corner of the box around the region."""
+        xs, ys = zip(*(place for loop in self.outlines() for place in loop))
+        return (min(xs), min(ys)), (max(xs), max(ys))
+
+    def size(self) -> float:
+        """Larger side of the box around the region."""
+        low, high = self.box()
+        return max(high[0] - low[0], high[1] - low[1])
 
     def ends(self, edge: int) -> Optional[tuple[Place, Place]]:
         """Start and end of an edge; none if there is no such edge."""
@@ -110,6 +137,32 @@ class Sketch:
         self.cracks: dict[int, list[Place]] = {}
         self.supports: dict[int, Mark] = {}
         self.loads: dict[int, Mark] = {}
+
+    def edge(self, caller: str, region: int, edge: Union[int, str]) -> int:
+        """The number of an edge that is given by its number or its name."""
+        if not isinstance(edge, str):
+            return edge
+        found = self.regions[region].named(edge) if region in self.regions else []
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise ArgumentError(f"{caller}: {edge!r} is the name of {len(found)} edges of region {region}: "
+                                f"{', '.join(map(str, found))}; call it for each of edges_named({region}, {edge!r})")
+        names = sorted(set(self.regions[region].names.values())) if region in self.regions else []
+        known = f"its edges are named {', '.join(map(repr, names))}" if names else "its edges have no names; name_edge() gives one"
+        raise ArgumentError(f"{caller}: no edge of region {region} has the name {edge!r}; {known}")
+
+    def with_names(self, sentence: str) -> str:
+        """A sentence of the library with the names of the edges in it."""
+        lone = set(re.findall(r"\bregion (\d+)", sentence))
+
+        def named(found: re.Match[str]) -> str:
+            number = found[2] or (next(iter(lone)) if len(lone) == 1 else "0")
+            region = self.regions.get(int(number))
+            name = region.names.get(int(found[1])) if region is not None else None
+            return f'edge {found[1]} ("{name}")' + (f" of region {found[2]}" if found[2] else "") if name else found[0]
+
+        return re.sub(r"\bedge (\d+)\b(?: of region (\d+))?", named, sentence)
 
     def add_circle(self, region: int, centre: Place, radius: float, *, hole: bool) -> None:
         """Four quarter circles, as a hole of a region or as a region of its own."""

@@ -52,6 +52,7 @@ class Model(Scene, Edges, Results):
                  log: Optional[Log] = None) -> None:
         self._handle: Optional[Handle] = Handle()
         self._sketch = Sketch()
+        self._handle.with_names = self._sketch.with_names
         self._fields = {}
         self._fields_generation = 0
         self._progress: Optional[Progress] = None
@@ -145,7 +146,7 @@ class Model(Scene, Edges, Results):
         if log is not None:
             if not isinstance(log, logging.Logger):
                 callable_or_none("log", log)
-            callback = log_callback(handle.raised, handle.pointer, log)
+            callback = log_callback(handle.raised, handle.pointer, log, handle.with_names)
         handle.call("bempd_set_log", callback, ffi.NULL)
         handle.log, self._log = callback, log
 
