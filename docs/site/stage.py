@@ -35,7 +35,7 @@ def copy(source: pathlib.Path, target: pathlib.Path) -> None:
 
 
 CHAPTERS = {
-    "Learn": ["docs/tutorial", "docs/theory", "docs/import", "docs/coupling", "docs/checkpoints", "docs/paraview", "docs/troubleshooting"],
+    "Learn": ["docs/tutorial", "docs/theory", "docs/import", "docs/converge", "docs/coupling", "docs/checkpoints", "docs/paraview", "docs/troubleshooting"],
     "Look up": ["docs/reference/index", "docs/options", "bindings/fortran/README", "bindings/python/README",
                 "docs/python_reference", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
@@ -59,6 +59,8 @@ All of it can be imported from `bempd` itself, but for the pictures, which are i
 .. automodule:: bempd.reports
 
 .. automodule:: bempd.errors
+
+.. automodule:: bempd.convergence
 
 .. automodule:: bempd.outline
 

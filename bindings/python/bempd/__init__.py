@@ -18,6 +18,7 @@ from ._library import build_info, library_path, version
 from ._results import read_history
 from ._scene import rectangle
 from .callbacks import ProgressBar, progress_bar
+from .convergence import Convergence, ConvergenceTable, converge
 from .errors import (
     ArgumentError,
     CancelledError,
@@ -61,9 +62,9 @@ from .state import State
 __version__ = version()
 
 __all__ = [
-    "ArgumentError", "BondState", "Bonds", "CancelledError", "ConvergenceError", "CrackExtension", "CrackOpening",
+    "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
     "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
     "StepReport", "StopReason", "SupportHistory", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
-    "build_info", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "version",
+    "build_info", "converge", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "version",
 ]
