@@ -1,7 +1,7 @@
 """Joins the summaries of the paper's six examples into one Markdown table, or checks that a document shows it.
 
 usage: /usr/bin/python3 examples/paper_tables.py [OUT]
-       /usr/bin/python3 examples/paper_tables.py [OUT] --check docs/paper.md
+       /usr/bin/python3 examples/paper_tables.py [OUT] --check docs/research/paper.md
 
 OUT/<example>/summary.csv is written by the example; OUT is "out" without it. Rows that say how a run went are left out:
 rounding changes them. The last three columns are seconds, which the check leaves out, like a scheme that

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Numbers that the documents claim: tests/claims.json says which test holds each of them, and to which bound.
 
-    tests/claims.py --check              fails with the difference when README.md's tables are not those of the claims,
+    tests/claims.py --check              fails with the difference when the tables of the pages are not those of the claims,
                                          when a sentence does not state its number, or when no test reads a bound
-    tests/claims.py --write              writes the tables into README.md
+    tests/claims.py --write              writes the tables into the pages
     tests/claims.py --summaries OUT EXAMPLE...
                                          holds the numbers in OUT/<example>/summary.csv to their bounds, without those of
                                          the scheme that --without-scheme names
@@ -30,7 +30,7 @@ LARGEST_FACTOR = 2
 
 
 class Claims:
-    """What tests/claims.json says; `root` is the folder with README.md."""
+    """What tests/claims.json says; `root` is the folder of the repository."""
 
     def __init__(self, root):
         self.root = root
@@ -46,15 +46,19 @@ class Claims:
 
         return line(table["columns"]) + "|---" * len(table["columns"]) + "|\n" + "".join(map(line, table["rows"]))
 
-    def readme(self):
-        """README.md with the first table under each heading replaced by that of the claims."""
-        text = (self.root / "README.md").read_text(encoding="utf-8")
-        for table in self.tables:
+    def page(self, file):
+        """A page with the first table under each heading replaced by that of the claims."""
+        text = (self.root / file).read_text(encoding="utf-8")
+        for table in (table for table in self.tables if table["file"] == file):
             pattern = rf"(^{re.escape(table['heading'])}\n(?:(?!\||#).*\n)*)((?:\|.*\n)+)"
             text, count = re.subn(pattern, lambda match, new=self.table(table): match[1] + new, text, flags=re.MULTILINE)
             if count != 1:
-                raise SystemExit(f"README.md needs one heading '{table['heading']}' with a table under it; it has {count}")
+                raise SystemExit(f"{file} needs one heading '{table['heading']}' with a table under it; it has {count}")
         return text
+
+    def pages(self):
+        """Every page that has a table, by its path, as the claims have it."""
+        return {file: self.page(file) for file in dict.fromkeys(table["file"] for table in self.tables)}
 
 
 def words(text):
@@ -101,11 +105,11 @@ def check(claims):
     complaints = [*wrong_bounds(claims), *unstated(claims)]
     if not complaints:
         complaints = [*wrong_sentences(claims), *unheld(claims)]
-        present, wanted = (claims.root / "README.md").read_text(encoding="utf-8"), claims.readme()
-        complaints += difflib.unified_diff(present.splitlines(), wanted.splitlines(), "README.md", "README.md of the claims",
-                                           lineterm="")
-        if present != wanted:
-            complaints.append("run tests/claims.py --write and commit what it writes")
+        for file, wanted in claims.pages().items():
+            present = (claims.root / file).read_text(encoding="utf-8")
+            complaints += difflib.unified_diff(present.splitlines(), wanted.splitlines(), file, f"{file} of the claims", lineterm="")
+            if present != wanted:
+                complaints.append("run tests/claims.py --write and commit what it writes")
     if complaints:
         raise SystemExit("\n".join(complaints))
     print(f"{len(claims.claims)} claims are stated and held by tests")
@@ -143,7 +147,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     action = parser.add_mutually_exclusive_group(required=True)
     action.add_argument("--check", action="store_true", help="write nothing; fail when something would change")
-    action.add_argument("--write", action="store_true", help="write the tables into README.md")
+    action.add_argument("--write", action="store_true", help="write the tables into the pages")
     action.add_argument("--summaries", nargs="+", metavar="OUT EXAMPLE", help="hold what examples wrote to its bounds")
     parser.add_argument("--without-scheme", metavar="NAME", help="a scheme that the library was built without")
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="another root of the documents and tests")
@@ -153,7 +157,8 @@ def main():
         sys.exit(check_summaries(claims, pathlib.Path(options.summaries[0]), options.summaries[1:],
                                  options.without_scheme))
     if options.write:
-        (claims.root / "README.md").write_text(claims.readme(), encoding="utf-8")
+        for file, text in claims.pages().items():
+            (claims.root / file).write_text(text, encoding="utf-8")
     else:
         check(claims)
 

@@ -1,4 +1,4 @@
-"""Draws docs/accuracy_cost.png anew from the tables of docs/accuracy.md, without measuring again.
+"""Draws docs/accuracy_cost.png anew from the tables of docs/research/accuracy.md, without measuring again.
 
     /usr/bin/python3 benchmarks/accuracy_cost/redraw.py
 """
@@ -34,7 +34,7 @@ def percent(text: str) -> float:
 
 
 def main() -> None:
-    sections = dict(re.findall(r"^## (.*?)\n(.*?)(?=^## |\Z)", (DOCS / "accuracy.md").read_text(), re.DOTALL | re.MULTILINE))
+    sections = dict(re.findall(r"^## (.*?)\n(.*?)(?=^## |\Z)", (DOCS / "research/accuracy.md").read_text(), re.DOTALL | re.MULTILINE))
     trials: list[Row] = [{"scene": row["scene"], "error": float(row["error"]), "seconds": float(row["time [ms]"]) / 1e3,
                           "megabytes": float(row["memory [MB]"])} for row in rows(sections["Every knob"])]
     # Other knobs make another body, which has no error.

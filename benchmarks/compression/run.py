@@ -1,5 +1,5 @@
 """What criteria for the break of a bond make of bodies that are pulled and pressed, and what the library's own cost: the
-tables of docs/materials.md. Run it with benchmarks/run.sh compression."""
+tables of docs/research/materials.md. Run it with benchmarks/run.sh compression."""
 
 import os
 import subprocess
@@ -43,7 +43,7 @@ def costs() -> str:
 
 
 def main() -> None:
-    document = Path(__file__).resolve().parents[2] / "docs" / "materials.md"
+    document = Path(__file__).resolve().parents[2] / "docs" / "research" / "materials.md"
     for mark, table in (("compression", by_criteria()), ("compression cost", costs())):
         print(table)
         begin, end = f"<!-- {mark} -->", f"<!-- end {mark} -->"

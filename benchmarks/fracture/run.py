@@ -1,5 +1,5 @@
 """Stress intensity factors of cracks in boundary elements against closed forms and published values, with the error that
-the library tells and the time: the tables of docs/verification.md. Run it with benchmarks/run.sh fracture."""
+the library tells and the time: the tables of docs/research/verification.md. Run it with benchmarks/run.sh fracture."""
 
 from __future__ import annotations
 
@@ -276,7 +276,7 @@ def main() -> None:
     sections.append(f"## Contours around tips in lattices\n\n{CONTOURS}\n\n{contours.section()}\n")
     text = "\n".join(sections)
     (folder / "tables.md").write_text(text)
-    document = Path(__file__).resolve().parents[2] / "docs/verification.md"
+    document = Path(__file__).resolve().parents[2] / "docs/research/verification.md"
     head = document.read_text().split("<!-- tables -->")[0] if document.exists() else ""
     document.write_text(f"{head}<!-- tables -->\n\n{text}")
     print(f"\n{failures} differences beyond their limits; the tables are in {document}")

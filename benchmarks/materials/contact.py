@@ -1,4 +1,4 @@
-"""What closed cracks do: the table of contact in docs/materials.md."""
+"""What closed cracks do: the table of contact in docs/research/materials.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; the tables of docs/materials.md.
+"""Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; the tables of docs/research/materials.md.
 Run it with benchmarks/run.sh materials, those of contact alone with benchmarks/run.sh materials contact,
 what contact costs with benchmarks/run.sh materials contact-cost, and what runs take with benchmarks/run.sh materials costs."""
 
@@ -344,7 +344,7 @@ def updates_per_bond(plane: str, ratio: float, m: int) -> float:
 
 
 def write(tables: dict[str, str]) -> None:
-    document = Path(__file__).resolve().parents[2] / "docs" / "materials.md"
+    document = Path(__file__).resolve().parents[2] / "docs" / "research" / "materials.md"
     text = document.read_text()
     for mark, value in tables.items():
         begin, end = f"<!-- {mark} -->", f"<!-- end {mark} -->"

@@ -1,6 +1,6 @@
 """What peridynamic regions with slanted and round edges are good for, as tables.
 
-usage: benchmarks/run.sh outlines [--only TABLE,...] [--write]      --write: into docs/outlines.md
+usage: benchmarks/run.sh outlines [--only TABLE,...] [--write]      --write: into docs/research/outlines.md
 """
 
 from __future__ import annotations
@@ -256,7 +256,7 @@ def main() -> None:
     for name, table in tables.items():
         print(f"{name}\n{table}\n")
     if "--write" in sys.argv:
-        path = ROOT / "docs" / "outlines.md"
+        path = ROOT / "docs" / "research" / "outlines.md"
         text = path.read_text(encoding="utf-8")
         for name, table in tables.items():
             text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)", lambda m: f"{m[1]}\n{table}\n\n{m[2]}", text,

@@ -1,4 +1,4 @@
-"""Where torn plates end: by the last bond, and by what they bear. Writes docs/separation.md's tables.
+"""Where torn plates end: by the last bond, and by what they bear. Writes docs/research/separation.md's tables.
 
     benchmarks/run.sh separation
 """
@@ -11,7 +11,7 @@ from typing import Callable
 import numpy as np
 from bempd import Model, rectangle
 
-PAGE = pathlib.Path(__file__).parents[2] / "docs" / "separation.md"
+PAGE = pathlib.Path(__file__).parents[2] / "docs" / "research" / "separation.md"
 LAST_BOND, SHARE = 0.0, 0.02  # of the option stepping.separation_share
 BONDS = {"pd.crack_rule": "bond"}
 

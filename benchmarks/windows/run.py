@@ -1,6 +1,6 @@
 """What each number in src/fracture/window/window_settings.hpp is worth: processor seconds of whole crack runs with the
 number halved and doubled, over those of the same runs as it is, taken in turns, and whether the same bonds broke. Writes the table into
-docs/windows.md.
+docs/research/windows.md.
 
     benchmarks/run.sh windows [--only NAME,...] [--write]
 
@@ -24,11 +24,11 @@ ROOT = HERE.parents[1]
 HEADER = "fracture/window/window_settings.hpp"
 BUILD = ROOT / "build" / "windows"
 OUT = pathlib.Path(os.environ["BEMPD_OUTPUT"])
-DOCUMENT = ROOT / "docs" / "windows.md"
+DOCUMENT = ROOT / "docs" / "research" / "windows.md"
 
 # Sizes of types, and a list: they are varied by compiling again.
 COMPILED = ("states_swept_at_once", "classes", "hot_shares")
-# Bounds on rounding are no trade of time: docs/reliability.md has the scenes behind them.
+# Bounds on rounding are no trade of time: docs/research/reliability.md has the scenes behind them.
 ROUNDING = ("smallest_pivot", "most_growth", "certificate_margin", "energy_rounding", "doubtful_energy",
             "acceptable_residual", "negligible_residual", "least_class_width", "surely_driven")
 
@@ -195,7 +195,7 @@ def write(name: str, lines: list[str], into_document: bool) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--only", help="settings, with commas between")
-    parser.add_argument("--write", action="store_true", help="put the table into docs/windows.md")
+    parser.add_argument("--write", action="store_true", help="put the table into docs/research/windows.md")
     arguments = parser.parse_args()
     OUT.mkdir(parents=True, exist_ok=True)
     chosen = [s for s in settings() if s.name not in ROUNDING]

@@ -12,7 +12,7 @@ import shutil
 import sys
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s#]+)(#[^)\s]*)?\)")
-PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "examples/*/README.md", "benchmarks/*/README.md",
+PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "docs/research/*.md", "examples/*/README.md", "benchmarks/*/README.md",
          "bindings/*/README.md"]
 BUILDS = ["docs/site", "bindings/python/bempd", "CMakeLists.txt"]
 MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
@@ -35,13 +35,15 @@ def copy(source: pathlib.Path, target: pathlib.Path) -> None:
 
 
 CHAPTERS = {
-    "Learn": ["docs/tutorial", "docs/theory", "docs/import", "docs/converge", "docs/coupling", "docs/checkpoints", "docs/paraview", "docs/troubleshooting"],
-    "Look up": ["docs/reference/index", "docs/options", "bindings/fortran/README", "bindings/python/README",
-                "docs/python_reference", "bindings/rust/README"],
+    "Learn": ["README", "docs/tutorial", "docs/cracks", "docs/mixed_cracks", "docs/import", "docs/converge", "docs/coupling",
+              "docs/checkpoints", "docs/paraview", "docs/theory"],
+    "Look up": ["docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking",
+                "docs/languages", "docs/reference/index", "docs/python_reference", "bindings/python/README",
+                "bindings/fortran/README", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
-    "What is measured": ["docs/accuracy", "docs/verification", "docs/paper", "docs/directions", "docs/scaling", "docs/windows",
-                         "docs/reliability", "benchmarks/*/README"],
-    "The project": ["README", "docs/architecture", "CONTRIBUTING", "CHANGELOG", "docs/citing"],
+    "What is measured": ["docs/measured", "docs/accuracy", "docs/verification", "docs/directions", "docs/materials",
+                         "docs/outlines", "docs/separation", "docs/paper", "docs/scaling", "docs/reliability"],
+    "The project": ["CHANGELOG", "docs/citing", "CONTRIBUTING", "docs/architecture", "benchmarks/*/README", "docs/research/*"],
 }
 PYTHON = """# Python reference
 

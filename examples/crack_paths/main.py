@@ -141,7 +141,7 @@ def main() -> None:
 
         folder = pathlib.Path(options.folder)
         folder.mkdir(parents=True, exist_ok=True)
-        print(f"wrote {picture.draw(drawn, folder)}")
+        print(f"wrote {picture.draw(drawn, folder)} and {picture.draw_experiment(drawn, folder)}")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import pathlib
 
 import cases
@@ -68,4 +69,24 @@ def draw(drawn, folder: pathlib.Path) -> pathlib.Path:
     figure.tight_layout()
     path = folder / "crack_paths.png"
     figure.savefig(path, dpi=110)
+    return path
+
+
+def draw_experiment(drawn, folder: pathlib.Path) -> pathlib.Path:
+    """The crack path of the pressed plate beside the photographs of the experiment, alone in a small picture."""
+    figure, ax = plt.subplots(figsize=(5.6, 2.9))
+    body(ax, (0, 0), (140, 70), (((95, 35), 15),))
+    x, y = drawn["compressed_plate"]["measured"][0]
+    mouth = math.dist((x, y), (95, 35))
+    ax.plot([x, 95 + 15 / mouth * (x - 95)], [y, 35 + 15 / mouth * (y - 35)], color="black", linewidth=1.8, label="notch")
+    line(ax, drawn["compressed_plate"]["way"], "bempd")
+    dots(ax, drawn["compressed_plate"]["measured"], "experiment (Réthoré 2018)")
+    for x, y, way in ((0, 35, 12), (140, 35, -12)):
+        ax.annotate("", (x, y), (x - way, y), arrowprops={"arrowstyle": "-|>", "color": EDGE})
+    ax.set_title("Crack path in a plate of acrylic glass, 140 x 70 mm, pressed at its ends", fontsize=8)
+    ax.legend(fontsize=7, loc="lower right", frameon=False)
+    figure.tight_layout()
+    path = folder / "path_experiment.png"
+    figure.savefig(path, dpi=120)
+    plt.close(figure)
     return path

@@ -17,11 +17,11 @@ CLAIMS = {
         "bar": {"claimed": "1e-3", "bound": 2e-3, "test": "example.bar", "quantity": "error", "summary": SUMMARY},
         "line": {"claimed": "in two", "exactly": True, "test": "example.bar", "quantity": "what it prints"},
     },
-    "tables": [{"heading": "## Measured", "columns": ["claim", "value"],
+    "tables": [{"file": "page.md", "heading": "## Measured", "columns": ["claim", "value"],
                 "rows": [["patch, {events} events", "{patch}"], ["", "{bar}"]]}],
     "sentences": [{"file": "header.h", "text": "prints `{line}` and ends"}],
 }
-README = """# Title
+PAGE = """# Title
 
 ## Measured
 
@@ -49,7 +49,7 @@ class Claims(unittest.TestCase):
         (self.root / "tests/physics").mkdir(parents=True)
         self.out = self.root / "out"
         (self.out / "bar").mkdir(parents=True)
-        self.write("README.md", README)
+        self.write("page.md", PAGE)
         self.write("header.h", HEADER)
         self.write("tests/physics/patch_test.cpp", TEST)
         self.write("tests/claims.json", json.dumps(CLAIMS))
@@ -74,13 +74,13 @@ class Claims(unittest.TestCase):
         self.assertEqual(self.run_script("--check")[0], 0, self.run_script("--check")[1])
 
     def test_refuses_another_number_in_a_table_and_writes_the_right_one(self):
-        self.write("README.md", README.replace("4e-13", "1e-13"))
+        self.write("page.md", PAGE.replace("4e-13", "1e-13"))
         self.assert_refused("+| patch, 818 events | 4e-13 |")
         self.run_script("--write")
-        self.assertEqual((self.root / "README.md").read_text(encoding="utf-8"), README)
+        self.assertEqual((self.root / "page.md").read_text(encoding="utf-8"), PAGE)
 
     def test_refuses_a_document_without_the_table(self):
-        self.write("README.md", "# Title\n\n## Measured\n\nA sentence.\n")
+        self.write("page.md", "# Title\n\n## Measured\n\nA sentence.\n")
         self.assert_refused("a table under it")
 
     def test_refuses_another_number_in_a_sentence(self):

@@ -1,4 +1,5 @@
-"""Every relative link in the pages of the repository leads to something that is there: files, pictures, headings.
+"""Every relative link in the pages of the repository leads to something that is there: files, pictures, headings. Sentences of
+pages for users are short (sentences.py).
 
     links.py ROOT
 """
@@ -8,6 +9,8 @@ from __future__ import annotations
 import pathlib
 import re
 import sys
+
+import sentences
 
 SKIPPED = {"build", "out", "target", ".git", "node_modules"}
 CODE = re.compile(r"^(```|~~~).*?^\1|`[^`\n]+`", re.DOTALL | re.MULTILINE)
@@ -46,7 +49,7 @@ def main() -> int:
              if not any(part in SKIPPED or part.startswith("build") for part in page.relative_to(root).parts)]
     found = [fault for page in pages for fault in faults(page, root)]
     print("\n".join(found) or f"all links of {len(pages)} pages lead somewhere")
-    return int(bool(found) or not pages)
+    return int(bool(found) or not pages) | sentences.main()
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""The README shows a first program in every language: each must be the file of examples/first_crack, must run as it is
-printed, and all must print the line that tests/claims.json has.
+"""README.md and docs/languages.md show a first program in every language: each must be the file of examples/first_crack, must
+run as it is printed, and all must print the line that tests/claims.json has.
 
     readme_programs.py SOURCE_FOLDER WORK_FOLDER LIBRARY C_COMPILER [--fortran COMPILER MODULES LIBRARY] [--rust CARGO]
 """
@@ -14,6 +14,7 @@ import sys
 from pathlib import Path
 
 FILES = {"c": "main.c", "fortran": "main.f90", "python": "main.py", "rust": "main.rs"}
+PAGES = {"c": "README.md", "python": "README.md", "fortran": "docs/languages.md", "rust": "docs/languages.md"}
 RUST_PACKAGE = """[package]
 name = "first"
 version = "0.0.0"
@@ -44,13 +45,13 @@ def main():
     arguments = parser.parse_args()
     source, work, libraries = arguments.source, arguments.work, arguments.library.parent
 
-    readme = (source / "README.md").read_text()
     programs = {}
     for language, file in FILES.items():
-        blocks = re.findall(rf"^```{language}\n(.*?)^```$", readme, re.MULTILINE | re.DOTALL)
+        page = (source / PAGES[language]).read_text()
+        blocks = re.findall(rf"^```{language}\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         shown = (source / "examples/first_crack" / file).read_text()
         if shown not in blocks:
-            sys.exit(f"README.md does not show examples/first_crack/{file} as it is in a block of ```{language}")
+            sys.exit(f"{PAGES[language]} does not show examples/first_crack/{file} as it is in a block of ```{language}")
         programs[language] = blocks[blocks.index(shown)]
 
     shutil.rmtree(work, ignore_errors=True)

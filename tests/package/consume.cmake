@@ -43,7 +43,7 @@ elseif(WAY STREQUAL "pkg_config")
   run("${C_COMPILER}" -std=c99 "${CONSUMER_DIR}/main.c" ${flags} -o "${consumer_build}/consumer")
   run_consumer("LD_LIBRARY_PATH=${prefix} moved/${LIBDIR}")
 elseif(WAY STREQUAL "linking_lines")
-  # The lines of README.md for a prefix of one's own, as they stand there.
+  # The lines of docs/linking.md for a prefix of one's own, as they stand there.
   run(bash "${CONSUMER_DIR}/../linking_lines.sh" "${CONSUMER_DIR}/../../.." "${prefix} moved" "${LIBDIR}"
       "${consumer_build}" "${VERSION}")
 elseif(WAY MATCHES "^fortran_")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: linking_lines.sh ROOT INSTALLED LIBDIR WORK VERSION
-# Runs the lines of README.md that compile and link with a library in a prefix of one's own, as they stand there, and the
+# Runs the lines of docs/linking.md that compile and link with a library in a prefix of one's own, as they stand there, and the
 # compile order of the Fortran sources as bindings/fortran/README.md has it.
 set -euo pipefail
 root=$1 installed=$2 libdir=$3 work=$4 version=$5
@@ -20,8 +20,8 @@ unset LD_LIBRARY_PATH
 block() { awk -v words="$2" '/^```sh/ { on = 1; text = ""; next } /^```/ { if (on && index(text, words)) printf "%s", text; on = 0 }
   on { text = text $0 "\n" }' "$1"; }
 
-lines=$(block "$root/README.md" 'rpath="-Wl' | grep -v '^cmake')
-[ "$(wc -l <<<"$lines")" -ge 4 ] || { echo "README.md has no such lines any more"; exit 1; }
+lines=$(block "$root/docs/linking.md" 'rpath="-Wl' | grep -v '^cmake')
+[ "$(wc -l <<<"$lines")" -ge 4 ] || { echo "docs/linking.md has no such lines any more"; exit 1; }
 lines=${lines//\/lib\/pkgconfig//${libdir_shown:-lib}/pkgconfig}
 eval "set -e; $lines"
 for program in ./host ./host_fortran; do

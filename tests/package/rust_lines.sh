@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: rust_lines.sh ROOT INSTALLED LIBDIR WORK VERSION CARGO
-# Does with Cargo what README.md and bindings/rust/README.md say, as it stands there: dependencies, build script, flags, and
+# Does with Cargo what docs/linking.md and bindings/rust/README.md say, as it stands there: dependencies, build script, flags, and
 # the ways in which the library is found when programs are built and when they run.
 set -euo pipefail
 root=$1 installed=$2 libdir=$3 work=$4 version=$5 cargo=$6
@@ -37,13 +37,13 @@ runs() {
   [[ $libraries == *"$folder/libbempd"* ]] || { echo "it runs with another library: $libraries"; exit 1; }
 }
 
-line=$(grep -o '`bempd = { path = "bindings/rust/bempd" }`' "$root/README.md" | tr -d '`')
-[ -n "$line" ] || { echo "README.md has no such line any more"; exit 1; }
+line=$(grep -o '`bempd = { path = "bindings/rust/bempd" }`' "$root/docs/linking.md" | tr -d '`')
+[ -n "$line" ] || { echo "docs/linking.md has no such line any more"; exit 1; }
 manifest "[dependencies]
 $line"
 path=$(grep -o '`LD_LIBRARY_PATH=/folder/of/the/library`' "$page" | tr -d '`' | filled)
 [ -n "$path" ] || { echo "bindings/rust/README.md has no LD_LIBRARY_PATH any more"; exit 1; }
-BEMPD_LIB_DIR=$folder runs "README.md, BEMPD_LIB_DIR, LD_LIBRARY_PATH" "$path"
+BEMPD_LIB_DIR=$folder runs "docs/linking.md, BEMPD_LIB_DIR, LD_LIBRARY_PATH" "$path"
 
 flags=$(grep -o '`RUSTFLAGS="[^`]*`' "$page" | tr -d '`' | filled)
 [ -n "$flags" ] || { echo "bindings/rust/README.md has no RUSTFLAGS any more"; exit 1; }

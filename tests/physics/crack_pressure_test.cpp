@@ -73,7 +73,7 @@ TEST(CrackPressure, on_a_cut_has_the_resultant_of_its_length) {
 }
 
 // Among bonds, along the rows of the lattice and across their diagonals: the crack is that much longer as its tips are
-// felt ahead of where it is cut (docs/materials.md).
+// felt ahead of where it is cut (docs/research/materials.md).
 TEST(CrackPressure, among_bonds_opens_as_in_a_plane) {
   for (const double direction : {0.0, pi / 4}) {
     const double half = direction == 0 ? 14.5 : 10.5 * std::sqrt(2), felt = direction == 0 ? 0.38 : 0.3;

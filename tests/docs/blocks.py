@@ -1,0 +1,60 @@
+"""Runs the Python blocks of README.md and of the tutorial, each page as one program: it must end, print what the page says, and
+write every picture that the page shows of it.
+
+    blocks.py ROOT WORK
+
+Needs the Python package on PYTHONPATH and the library as BEMPD_LIBRARY. A page says what is printed in `code` of its text or in a
+block of ```text, and shows a picture FILE.png that a block writes as docs/FILE.png.
+"""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+PAGES = ["README.md", "docs/tutorial.md"]
+PICTURE = re.compile(r"savefig\(\"([\w.]+)\"\)")
+
+
+def size(picture: pathlib.Path) -> tuple[int, int]:
+    """Width and height of a PNG file."""
+    head = picture.read_bytes()[:24]
+    if head[:8] != b"\x89PNG\r\n\x1a\n":
+        raise SystemExit(f"{picture} is no PNG file")
+    return int.from_bytes(head[16:20], "big"), int.from_bytes(head[20:24], "big")
+
+
+def run(root: pathlib.Path, page: str, work: pathlib.Path) -> str:
+    text = (root / page).read_text(encoding="utf-8")
+    program = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE))
+    folder = work / page.replace("/", "_")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
+                          env={**os.environ, "MPLBACKEND": "Agg"})
+    if done.returncode:
+        raise SystemExit(f"{page}: the blocks fail:\n{done.stderr}")
+    shown = " ".join(re.sub(r"^```python\n.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE).split())
+    for line in done.stdout.splitlines():
+        if " ".join(line.split()) not in shown:
+            raise SystemExit(f"{page} does not say what its blocks print: {line}")
+    for name in PICTURE.findall(program):
+        if f"{name})" not in text:
+            raise SystemExit(f"{page} does not show {name}, which its blocks draw")
+        drawn, stored = size(folder / name), size(root / "docs" / name)
+        if max(abs(a - b) for a, b in zip(drawn, stored)) > 60:
+            raise SystemExit(f"{page}: docs/{name} has {stored} pixels, its block draws {drawn}")
+    return f"{page}: {len(done.stdout.splitlines())} printed lines and {len(PICTURE.findall(program))} pictures as shown"
+
+
+def main() -> None:
+    root, work = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
+    for page in PAGES:
+        print(run(root, page, work))
+
+
+main()

@@ -1,0 +1,66 @@
+"""No sentence of README.md and of the pages for users has more than 30 words; docs/research and the pages named below are left out.
+
+    sentences.py ROOT
+"""
+
+from __future__ import annotations
+
+import pathlib
+import re
+import sys
+
+MOST_WORDS = 30
+# Pages that list facts one by one, or are written by a program from the library's own texts.
+LEFT_OUT = {"options.md", "architecture.md", "checkpoints.md", "coupling.md", "cracks.md", "directions.md", "mixed_cracks.md",
+            "paraview.md", "scaling.md", "theory.md"}
+CODE = re.compile(r"^(```|~~~).*?^\1|\$\$.*?\$\$|^    .*?$|<!--.*?-->", re.DOTALL | re.MULTILINE)
+ENDS = re.compile(r"(?<=[.!?])[)\"*]*\s+(?=[\"'(*`\[]*[A-Z0-9`])")
+
+
+def words(sentence: str) -> int:
+    """What a reader counts: `code`, a formula or a link is what it shows, a sign alone is nothing."""
+    return sum(bool(re.search(r"\w", word)) for word in sentence.split())
+
+
+def paragraphs(text: str) -> list[tuple[int, str]]:
+    """Runs of lines with the number of the first one; items of lists and cells of tables stand alone."""
+    found: list[tuple[int, str]] = []
+    fresh = True
+    for number, line in enumerate(text.splitlines(), 1):
+        bare = line.strip()
+        if not bare or bare.startswith("#") or set(bare) <= set("|-: "):
+            fresh = True
+        elif bare.startswith("|"):
+            found += [(number, cell) for cell in bare.strip("|").split(" | ")]
+            fresh = True
+        elif fresh or re.match(r"(?:[*-]|\d+\.|>)\s", bare):
+            found.append((number, re.sub(r"^(?:[*-]|\d+\.|>)\s+", "", bare)))
+            fresh = False
+        else:
+            found[-1] = (found[-1][0], f"{found[-1][1]} {bare.removeprefix('> ')}")
+    return found
+
+
+def long_sentences(text: str) -> list[tuple[int, int, str]]:
+    """Line, words and text of every sentence that is too long."""
+    text = CODE.sub(lambda match: "\n" * match[0].count("\n"), text)
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    found = []
+    for number, paragraph in paragraphs(re.sub(r"`([^`\n]+)`", lambda match: "`" + match[1].replace(" ", "_"), text)):
+        for sentence in ENDS.split(paragraph):
+            if words(sentence) > MOST_WORDS:
+                found.append((number, words(sentence), sentence.strip()))
+    return found
+
+
+def main() -> int:
+    root = pathlib.Path(sys.argv[1]).resolve()
+    pages = [root / "README.md", *(page for page in sorted((root / "docs").glob("*.md")) if page.name not in LEFT_OUT)]
+    found = [f"{page.relative_to(root)}:{number}: {count} words: {sentence}" for page in pages
+             for number, count, sentence in long_sentences(page.read_text(encoding="utf-8"))]
+    print("\n".join(found) or f"no sentence of {len(pages)} pages has more than {MOST_WORDS} words")
+    return int(bool(found) or len(pages) < 10)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
