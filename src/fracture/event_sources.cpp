@@ -79,7 +79,7 @@ void EventSources::open_window(double target, const SteppingOptions& options) {
 
 // Load factor of an event that a window could perform.
 std::optional<double> EventSources::next_in_window(double target, const SteppingOptions& options) {
-  if (!lines_) return options.control == Control::path ? body_.next_on_path(target) : body_.next_break(target);
+  if (!lines_) return body_.next_critical(body_.way_to(target, options.control));
   const Event* event = lines_->next(target, options);
   return event && lines_->tells_step() ? std::optional(event->load_factor) : std::nullopt;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fracture/balance.hpp"
 #include "fracture/free_motions.hpp"
@@ -227,16 +226,9 @@ void LoadedBody::show(Affine displacement) {
   state_.total_force = system_.internal_force(state_.total_displacement, state_.load_factor);
 }
 
-std::optional<double> LoadedBody::next_break(double target) {
+std::optional<double> LoadedBody::next_critical(const LoadWay& way) {
   const Stopwatch watch(seconds_search_);
-  const double infinity = std::numeric_limits<double>::infinity();
-  return ratios_.next_break(system_.intact(), state_.load_factor, target >= state_.load_factor ? infinity : -infinity);
-}
-
-std::optional<double> LoadedBody::next_on_path(double target) {
-  const Stopwatch watch(seconds_search_);
-  const bool upwards = target >= state_.load_factor;
-  return ratios_.admissible(system_.intact(), upwards).next(upwards);
+  return fracture::next_critical(bonds(), way);
 }
 
 double LoadedBody::stored_energy() const {

@@ -7,6 +7,7 @@
 #include "fracture/contact/crack_faces.hpp"
 #include "fracture/crack_fluid.hpp"
 #include "fracture/critical_events.hpp"
+#include "fracture/event_choice.hpp"
 #include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/freed_parts.hpp"
@@ -103,10 +104,13 @@ class LoadedBody {
   // Displacements and forces of this solution, at the present load factor, of which all sums are known.
   void show(coupling::Affine displacement);
 
-  // Load factor of the next break on the way to a target, which may be infinite.
-  std::optional<double> next_break(double target);
-  // Where the present bonds can be loaded no further in that direction; null if there is no such place.
-  std::optional<double> next_on_path(double target);
+  // The way from the present load factor to a target.
+  LoadWay way_to(double target, Control control) const {
+    return {state_.load_factor, target >= state_.load_factor, control};
+  }
+  BondList bonds() const { return {ratios_, system_.intact()}; }
+  // The load factor at which the first bond becomes critical on a way; null if none does.
+  std::optional<double> next_critical(const LoadWay& way);
   LoadInterval admissible() const { return ratios_.admissible(system_.intact()); }
 
   double stored_energy() const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fracture/balance.hpp"
 #include "fracture/free_motions.hpp"
@@ -28,21 +27,21 @@ using coupling::evaluate;
 const Event* WholeBodyEvents::next(double target, const SteppingOptions& options) {
   const std::optional<double> load_factor = next_load_factor(target, options);
   if (!load_factor) return nullptr;
-  event_ = {*load_factor, 0, *load_factor, {}};
+  event_ = {};
+  event_.load_factor = event_.critical_load_factor = *load_factor;
   const bool upwards = target >= body_.state().load_factor;
   if (upwards ? *load_factor <= target : *load_factor >= target) choose_terms(options);
   return &event_;
 }
 
 std::optional<double> WholeBodyEvents::next_load_factor(double target, const SteppingOptions& options) {
-  if (options.control == Control::path) return body_.next_on_path(target);
-  const std::optional<double> next = body_.next_break(target);
-  if (!next || options.mode == SteppingMode::events) return next;
+  const LoadWay way = body_.way_to(target, options.control);
+  const std::optional<double> next = body_.next_critical(way);
+  if (!next || way.control == Control::path || options.mode == SteppingMode::events) return next;
   const Stopwatch watch(body_.seconds_search());
   if (const std::optional<double> increment = next_increment(target, options.increment)) return increment;
   // Without a break up to the target there is one beyond it.
-  const double infinity = std::numeric_limits<double>::infinity();
-  return target >= body_.state().load_factor ? infinity : -infinity;
+  return way.end();
 }
 
 std::optional<double> WholeBodyEvents::next_increment(double target, double increment) const {
@@ -64,16 +63,11 @@ std::optional<double> WholeBodyEvents::next_increment(double target, double incr
 void WholeBodyEvents::choose_terms(const SteppingOptions& options) {
   const Stopwatch watch(body_.seconds_search());
   const double f = event_.load_factor;
-  const StretchRatios& ratios = body_.ratios();
-  const std::vector<int> chosen =
-      options.mode == SteppingMode::increments
-          ? ratios.overstretched(system_.intact(), f)
-          : ratios.most_stretched(system_.intact(), f, options.tie_band, options.max_breaks_per_solve);
-  for (int t : chosen) {
-    event_.changes.push_back(system_.after_critical(t));
-    const auto bond = static_cast<std::size_t>(t);
-    event_.reach(ratios.at(bond, f), ratios.critical_load_factor(bond, f));
-  }
+  const BondList bonds = body_.bonds();
+  const std::vector<int> chosen = options.mode == SteppingMode::increments
+                                      ? body_.ratios().overstretched(system_.intact(), f)
+                                      : most_critical(bonds, f, options.tie_band, options.max_breaks_per_solve);
+  event_ = break_of(bonds, chosen, f, system_);
   event_.changes = system_.with_followers(std::move(event_.changes));
 }
 

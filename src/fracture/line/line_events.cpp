@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fracture/event_choice.hpp"
+
 namespace bempd::fracture {
 
 namespace {
@@ -53,36 +55,25 @@ const Event* LineEvents::tell_birth(const std::vector<int>& most, const Birth& b
 
 const Event* LineEvents::tell_bonds(const std::vector<char>& intact, double load_factor,
                                     const SteppingOptions& options) {
-  event_ = {load_factor, 0, load_factor, {}};
-  for (const int t :
-       body_.ratios().most_stretched(intact, load_factor, options.tie_band, options.max_breaks_per_solve)) {
-    event_.changes.push_back(body_.system().after_critical(t));
-    const auto bond = static_cast<std::size_t>(t);
-    event_.reach(body_.ratios().at(bond, load_factor), body_.ratios().critical_load_factor(bond, load_factor));
-  }
+  const BondList bonds{body_.ratios(), intact};
+  const std::vector<int> most = most_critical(bonds, load_factor, options.tie_band, options.max_breaks_per_solve);
+  event_ = break_of(bonds, most, load_factor, body_.system());
   event_.changes = body_.system().with_followers(std::move(event_.changes));
   return &event_;
 }
 
-std::optional<double> LineEvents::next_bond(const std::vector<char>& intact, const LoadWay& way) const {
-  if (way.control == Control::path) return body_.ratios().admissible(intact, way.upwards).next(way.upwards);
-  return body_.ratios().next_break(intact, way.present, way.ahead(std::numeric_limits<double>::infinity()));
-}
-
-// Terms that break by themselves, beside these steps, the first of which comes at a load factor.
-std::vector<char> LineEvents::left_to_themselves(const std::vector<LineStep>& steps, double at,
-                                                 const LoadWay& way) const {
+// Terms that break by themselves, beside the steps that tips could take.
+std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const {
   const BodyState& state = body_.state();
   std::vector<char> intact = body_.system().intact();
-  double first = std::abs(state.load_factor);
+  double first = std::abs(state.load_factor), at = choice.load_factor;
   const auto is_driven = [&](const LineStep& step) { return LineSteps::is_driven(step, way, first); };
-  if (!std::all_of(steps.begin(), steps.end(), is_driven)) {
-    const std::optional<double> bonds = next_bond(intact, way);
+  if (!std::all_of(choice.steps.begin(), choice.steps.end(), is_driven)) {
+    const std::optional<double> bonds = next_critical({body_.ratios(), intact}, way);
     if (bonds && way.ahead(*bonds) < way.ahead(at)) at = *bonds;
     if (std::isfinite(at)) first = std::max(first, std::abs(at));
   }
-  for (const LineStep& step : steps)
-    if (is_driven(step)) steps_.spare(state.tips[step.tip], intact);
+  for (const GrowingTip& tip : LineSteps::driven(choice.steps, state.tips, way, first)) steps_.spare(tip, intact);
   return intact;
 }
 
@@ -91,33 +82,23 @@ const Event* LineEvents::next(double target, const SteppingOptions& options) {
   birth_.reset();
   ties_ = 0;
   const BodyState& state = body_.state();
-  const LoadWay way{state.load_factor, target >= state.load_factor, options.control};
-  const std::vector<LineStep> steps = steps_.all(state.tips, state.displacement, way);
-  double at = way.ahead(std::numeric_limits<double>::infinity());
-  if (const auto [first, ties] = LineSteps::first_of(steps, state.tips, way); first) {
-    step_ = *first, ties_ = ties;
-    at = way.place_of(step_->load_factor);
-  }
+  const LoadWay way = body_.way_to(target, options.control);
+  const LineSteps::Choice choice = steps_.choose(state.tips, state.displacement, way);
   std::vector<char> intact;
   std::optional<double> bonds;
   if (laws().more_begin) {
-    intact = left_to_themselves(steps, at, way);
-    bonds = next_bond(intact, way);
+    intact = left_to_themselves(choice, way);
+    bonds = next_critical({body_.ratios(), intact}, way);
   }
-  if (bonds && way.is_before(*bonds, at)) {
-    step_.reset();
-    ties_ = 0;
-    const std::vector<int> most = body_.ratios().most_stretched(intact, *bonds, 0, 0);  // alike but for rounding
+  if (bonds && way.is_before(*bonds, choice.load_factor)) {
+    const std::vector<int> most = most_critical({body_.ratios(), intact}, *bonds, 0, 0);  // alike but for rounding
     const std::optional<Birth> birth = most.empty() ? std::nullopt : birth_at(most.front(), *bonds);
     const Event* born = birth ? tell_birth(most, *birth, *bonds) : nullptr;
     return born ? born : tell_bonds(intact, *bonds, options);
   }
-  return step_ ? tell_step(at) : nullptr;
-}
-
-const Event* LineEvents::tell_step(double at) {
-  event_ = {at, step_->ratio_at(at), step_->load_factor, {}};
-  for (const int bond : step_->way.bonds) event_.changes.push_back(body_.system().terms().breaking(bond));
+  if (!choice.first) return nullptr;
+  step_ = choice.first, ties_ = choice.ties;
+  event_ = steps_.event_of(*step_, choice.load_factor);
   event_.changes = body_.system().with_followers(std::move(event_.changes));
   return &event_;
 }
@@ -128,9 +109,8 @@ Outcome LineEvents::perform() {
   if (birth_) begin_crack(outcome);
   if (step_) {
     BodyState& state = body_.state();
-    steps_.move(*step_, state.tips);
-    outcome.extensions = {steps_.remember(*step_, event_.ratio, outcome.released_energy, state.displacement,
-                                          state.load_factor, state.tips)};
+    const auto displacement = [&](const auto&) -> const coupling::Affine& { return state.displacement; };
+    outcome.extensions = {steps_.take(*step_, event_, outcome.released_energy, displacement, state.tips)};
   }
   return outcome;
 }

@@ -35,9 +35,7 @@ class LineEvents final : public EventSource {
   const pd::TipLaws& laws() const { return steps_.laws(); }
   std::optional<Birth> birth_at(int bond, double load_factor) const;
   const Event* tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor);
-  std::optional<double> next_bond(const std::vector<char>& intact, const LoadWay& way) const;
-  std::vector<char> left_to_themselves(const std::vector<LineStep>& steps, double at, const LoadWay& way) const;
-  const Event* tell_step(double at);
+  std::vector<char> left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const;
   void begin_crack(Outcome& outcome);
   const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 

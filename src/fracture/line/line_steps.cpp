@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "crack/order.hpp"
 #include "elasticity/kinked_tip.hpp"
-#include "fracture/event_source.hpp"
 #include "fracture/line/on_limits.hpp"
 #include "geometry/turning.hpp"
 
@@ -128,6 +128,30 @@ bool LineSteps::is_driven(const LineStep& step, const LoadWay& way, double load_
   return way.ahead(step.load_factor) <= farthest_load * std::abs(load_factor);
 }
 
+LineSteps::Choice LineSteps::choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
+                                    const LoadWay& way) const {
+  Choice choice{all(tips, displacement, way), std::nullopt, way.end()};
+  const First first = first_of(choice.steps, tips, way);
+  if (!first.step) return choice;
+  choice.first = *first.step, choice.ties = first.ties;
+  choice.load_factor = way.place_of(first.step->load_factor);
+  return choice;
+}
+
+Event LineSteps::event_of(const LineStep& step, double load_factor) const {
+  Event event{load_factor, step.ratio_at(load_factor), step.load_factor, {}};
+  for (const int bond : step.way.bonds) event.changes.push_back(system_.terms().breaking(bond));
+  return event;
+}
+
+std::vector<GrowingTip> LineSteps::driven(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
+                                          const LoadWay& way, double load_factor) {
+  std::vector<GrowingTip> found;
+  for (const LineStep& step : steps)
+    if (is_driven(step, way, load_factor)) found.push_back(tips[step.tip]);
+  return found;
+}
+
 // In another region than the one of the step: as much as makes up the energy release rate there.
 double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                               double load_factor) const {
@@ -158,6 +182,12 @@ int LineSteps::law_ahead_of(const GrowingTip& tip) const {
     nearest = way.norm(), found = number;
   }
   return found;
+}
+
+CrackExtension LineSteps::take(const LineStep& step, const Event& event, double released_energy,
+                               const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const {
+  move(step, tips);
+  return remember(step, event.ratio, released_energy, displacement_at(tips), event.load_factor, tips);
 }
 
 CrackExtension LineSteps::remember(const LineStep& step, double ratio, double released_energy,

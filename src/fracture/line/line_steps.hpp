@@ -1,38 +1,19 @@
 #pragma once
 
-#include <cmath>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "crack/factors.hpp"
-#include "crack/order.hpp"
+#include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/line/line_load.hpp"
 #include "fracture/line/line_way.hpp"
 #include "fracture/line/tip_stress.hpp"
+#include "fracture/load_way.hpp"
 #include "fracture/loaded_body.hpp"
-#include "fracture/stepping_options.hpp"
 
 namespace bempd::fracture {
-
-// Which way the load factor goes, from where, and what is held on it.
-struct LoadWay {
-  double present;
-  bool upwards = true;
-  Control control = Control::load;
-
-  double sense() const { return upwards ? 1 : -1; }
-  double ahead(double load_factor) const { return sense() * load_factor; }  // grows on the way
-  // Where what is critical at a load factor happens: here, if that lies behind and the load factor is held.
-  double place_of(double critical) const {
-    return control == Control::load && ahead(critical) < ahead(present) ? present : critical;
-  }
-  // Whether one load factor comes before another one on the way, by more than rounding.
-  bool is_before(double one, double other) const {
-    if (std::isinf(other)) return ahead(one) < ahead(other);
-    return ahead(one) < ahead(other) - crack::tie_share * std::abs(other);
-  }
-};
 
 // What a tip does next.
 struct LineStep {
@@ -61,24 +42,30 @@ class LineSteps {
   // One for each tip whose way meets bonds and that something drives.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way) const;
-  // The one that is taken first (crack/order.hpp); null if there is none.
-  struct First {
-    const LineStep* step = nullptr;
-    int ties = 0;
+  // Which tip grows first on a way (crack/order.hpp), and where: in the whole body and in windows.
+  struct Choice {
+    std::vector<LineStep> steps;    // of all tips that could grow
+    std::optional<LineStep> first;  // null if no tip grows
+    double load_factor;             // of its event; without one the end of the way
+    int ties = 0;                   // other tips that would have grown as soon
   };
-  static First first_of(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips, const LoadWay& way);
+  Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way) const;
+  // The event at which a step is taken, but for what follows the bonds that it breaks.
+  Event event_of(const LineStep& step, double load_factor) const;
   // Whether what drives the tip is more than rounding, where something happens at this load factor.
   static bool is_driven(const LineStep& step, const LoadWay& way, double load_factor);
+  // The tips of the steps that are driven: beside these no bond breaks by itself.
+  static std::vector<GrowingTip> driven(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
+                                        const LoadWay& way, double load_factor);
 
   // By how much a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
-  // The tip moves. Then, of an event with this ratio that released this energy and has led to these displacements:
-  // the tip remembers it, or ends.
-  void move(const LineStep& step, std::vector<GrowingTip>& tips) const;
-  CrackExtension remember(const LineStep& step, double ratio, double released_energy,
-                          const coupling::Affine& displacement, double load_factor,
-                          std::vector<GrowingTip>& tips) const;
+  // After the event of a step, which has released an energy, its tip moves and remembers what was released, or ends.
+  // `displacement_at` tells the displacements after the event where moved tips ask for them.
+  using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
+  CrackExtension take(const LineStep& step, const Event& event, double released_energy,
+                      const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
 
   // The first thing known of what a tip has done.
   static CrackExtension extension_from(const Point& from, const GrowingTip& tip, double length);
@@ -99,6 +86,15 @@ class LineSteps {
   const TipStress& stress() const { return stress_; }
 
  private:
+  struct First {
+    const LineStep* step = nullptr;
+    int ties = 0;
+  };
+  static First first_of(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips, const LoadWay& way);
+  void move(const LineStep& step, std::vector<GrowingTip>& tips) const;
+  CrackExtension remember(const LineStep& step, double ratio, double released_energy,
+                          const coupling::Affine& displacement, double load_factor,
+                          std::vector<GrowingTip>& tips) const;
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
                                const coupling::Affine& displacement, const LoadWay& way) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "cancellation.hpp"
 #include "fracture/balance.hpp"
+#include "fracture/event_choice.hpp"
 #include "fracture/loaded_body.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
@@ -169,37 +169,14 @@ bool Lookahead::foresee_events(const BodyState& start) {
   return is_balanced();
 }
 
-std::vector<int> Lookahead::choose(double f) const {
-  const AffineRatios& ratios = window_->ratios();
-  const double band = options_.tie_band;
-  const int limit = options_.max_breaks_per_solve;
-  return proportional_ ? ratios.most_stretched(window_->intact(), f, band, limit, f * ratios.steepest())
-                       : ratios.most_stretched(window_->intact(), f, band, limit);
-}
-
-// On the way up.
-std::optional<double> Lookahead::next_load_factor(double from) const {
-  const AffineRatios& ratios = window_->ratios();
-  const double infinity = std::numeric_limits<double>::infinity();
-  if (options_.control == Control::load) {
-    return proportional_ ? ratios.next_proportional_break(from) : ratios.next_break(window_->intact(), from, infinity);
-  }
-  if (proportional_) return ratios.next_proportional_break(0);
-  return ratios.admissible(window_->intact()).next(true);
-}
-
 bool Lookahead::choose_breaks(double from, ForeseenEvent& foreseen) const {
-  const AffineRatios& ratios = window_->ratios();
-  const std::optional<double> next = next_load_factor(from);
+  const BondList bonds{window_->ratios(), window_->intact(), &window_->bonds(), proportional_};
+  const std::optional<double> next = next_critical(bonds, {from, true, options_.control});
   if (!next) return false;
-  foreseen.event.load_factor = *next;
-  for (int place : choose(*next)) {
-    if (!window_->ratio_is_known(place)) return false;
-    const int term = window_->bonds()[place];
-    foreseen.event.changes.push_back(system_.after_critical(term));
-    const auto bond = static_cast<std::size_t>(place);
-    foreseen.event.reach(ratios.at(bond, *next), ratios.critical_load_factor(bond, *next));
-  }
+  const std::vector<int> chosen = most_critical(bonds, *next, options_.tie_band, options_.max_breaks_per_solve);
+  const auto is_known = [&](int place) { return window_->ratio_is_known(place); };
+  if (!std::all_of(chosen.begin(), chosen.end(), is_known)) return false;
+  foreseen.event = break_of(bonds, chosen, *next, system_);
   return true;
 }
 

@@ -106,9 +106,7 @@ class Lookahead {
   void narrow(double load_factor);
   int steps_as_foreseen() const;
   coupling::Affine whole_in(int state) const;
-  std::optional<double> next_load_factor(double from) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
-  std::vector<int> choose(double load_factor) const;
   bool perform_in_window(ForeseenEvent& foreseen);
   bool presses_on_held_parts() const;
   bool settle_faces(ForeseenEvent& foreseen);

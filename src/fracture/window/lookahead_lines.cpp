@@ -39,30 +39,23 @@ Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
 std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
   const LoadWay way{from, true, options_.control};
-  const std::vector<LineStep> steps = lines_->all(tips, near_tips_, way);
-  const auto [first, ties] = LineSteps::first_of(steps, tips, way);
-  if (!first) return std::nullopt;
-  const double at = way.place_of(first->load_factor);
-  if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*first, way, WindowSettings::surely_driven * from)))
+  LineSteps::Choice choice = lines_->choose(tips, near_tips_, way);
+  if (!choice.first) return std::nullopt;
+  const double at = choice.load_factor;
+  if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*choice.first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;
-  foreseen.event = {at, first->ratio_at(at), first->load_factor, {}};
-  foreseen.ties = ties;
-  for (const int bond : first->way.bonds) foreseen.event.changes.push_back(system_.terms().breaking(bond));
+  foreseen.event = lines_->event_of(*choice.first, at);
+  foreseen.ties = choice.ties;
   // Another bond may come before all steps: where that might count, none is spared.
-  for (const LineStep& step : steps)
-    if (LineSteps::is_driven(step, way, WindowSettings::surely_driven * std::max(at, from)))
-      foreseen.growing.push_back(tips[step.tip]);
-  return *first;
+  foreseen.growing = LineSteps::driven(choice.steps, tips, way, WindowSettings::surely_driven * std::max(at, from));
+  return std::move(choice.first);
 }
 
 // After its event in the window.
 void Lookahead::take_step(const LineStep& step, ForeseenEvent& foreseen) {
-  const Event& event = foreseen.event;
   foreseen.tips = last_tips();
-  lines_->move(step, foreseen.tips);
-  near_tips_ = displacement_near(foreseen.tips);
-  foreseen.extensions = {
-      lines_->remember(step, event.ratio, foreseen.released, near_tips_, event.load_factor, foreseen.tips)};
+  const auto displacement = [&](const auto& tips) -> const Affine& { return near_tips_ = displacement_near(tips); };
+  foreseen.extensions = {lines_->take(step, foreseen.event, foreseen.released, displacement, foreseen.tips)};
 }
 
 void Lookahead::narrow(double load_factor) {

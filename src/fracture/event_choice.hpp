@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "coupling/equilibrium_system.hpp"
+#include "fracture/critical_events.hpp"
+#include "fracture/event_source.hpp"
+#include "fracture/load_way.hpp"
+
+namespace bempd::fracture {
+
+// Bonds among which the next break is chosen: all bonds of the body, or those that a window watches. A bond is named by
+// its place in this list.
+struct BondList {
+  const AffineRatios& ratios;
+  const std::vector<char>& intact;
+  const std::vector<int>* numbers = nullptr;  // of the bonds in the system; null: the list has all of them
+  // All constant parts are 0, and the ratios of broken bonds too; ways lead up, from load factors that are not
+  // negative.
+  bool is_proportional = false;
+};
+
+// The load factor at which the first of the bonds becomes critical on a way; null if none does.
+std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
+
+// The most stretched bonds at a load factor, those within a relative band of the largest ratio; at most `limit`, 0:
+// all.
+std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
+
+// The event at which these bonds go into their next stage. What follows them is left to add
+// (EquilibriumSystem::with_followers).
+Event break_of(const BondList& bonds, std::span<const int> chosen, double load_factor,
+               const coupling::EquilibriumSystem& system);
+
+}  // namespace bempd::fracture
