@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fracture/balance.hpp"
+#include "fracture/contact/gap_rule.hpp"
 #include "fracture/free_motions.hpp"
 #include "stopwatch.hpp"
 
@@ -125,8 +126,7 @@ double WholeBodyEvents::released_by_contacts(const Eigen::VectorXd& before) cons
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const bool was_closed = i < closed_before_.size() && closed_before_[i] != 0;
     if (was_closed == contacts.is_closed(i)) continue;
-    const double lost = (was_closed ? 1 : -1) * contacts[i].stiffness;
-    sum += 0.5 * lost * contacts[i].gap(before.data()) * contacts[i].gap(after);
+    sum += released_by_switch(contacts[i], was_closed, contacts[i].gap(before.data()), contacts[i].gap(after));
   }
   return sum;
 }

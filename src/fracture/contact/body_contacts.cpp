@@ -1,11 +1,10 @@
 // Which faces of a body's cracks press on each other at its load factor.
 #include <algorithm>
-#include <limits>
-#include <set>
 #include <utility>
 
 #include "cancellation.hpp"
 #include "error.hpp"
+#include "fracture/contact/newton_rounds.hpp"
 #include "fracture/free_motions.hpp"
 #include "fracture/loaded_body.hpp"
 
@@ -23,31 +22,6 @@ constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 // way: by this share of the load factor at first, and ten times as far each time that this does not end either.
 constexpr std::int64_t rounds_at_rounding = 256;
 constexpr double farther_at_first = 1e-8, farthest = 1e-6;
-
-// Which places a round of Newton's method switches: all that are wrong, until it comes back to the same places; from
-// then on one at a time, by the least number, until fewer are wrong than ever before, and all again for some rounds.
-// One by one alone ends (Murty 1974), but after very many rounds; so both do after few (Judice and Pires 1994).
-class Rounds {
- public:
-  using Places = std::pair<std::vector<char>, std::vector<char>>;
-
-  bool takes_all(std::size_t wrong, Places closed) {
-    comes_back_ = comes_back_ || !met_.insert(std::move(closed)).second;
-    if (wrong < fewest_) {
-      fewest_ = wrong, left_ = rounds_of_all;
-    } else if (comes_back_ && left_ > 0) {
-      --left_;
-    }
-    return !comes_back_ || left_ > 0;
-  }
-
- private:
-  static constexpr int rounds_of_all = 10;
-  std::set<Places> met_;
-  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-  bool comes_back_ = false;
-  int left_ = 0;
-};
 
 // A node that a held motion takes along by less than this share of its largest displacement stays where it is.
 constexpr double taken_along = 1e-6;
@@ -149,14 +123,14 @@ double LoadedBody::settled_until(double direction) const {
 LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
   // Newton's method, as the energy is convex and once differentiable.
   Settled result;
-  Rounds rounds;
+  NewtonRounds rounds;
   double farther = 0;
   const std::size_t places = system_.contacts().size() + system_.face_count();
   const std::int64_t most = newton_rounds + rounds_per_place * static_cast<std::int64_t>(places);
   for (std::int64_t round = 0;; ++round) {
     if (round > 0 && round % rounds_at_rounding == 0 && farther < farthest) {
       farther = farther == 0 ? farther_at_first : 10 * farther;
-      rounds = Rounds();
+      rounds = NewtonRounds();
     }
     const double at = farther_on(farther, direction);
     bar_contacts_of_held_parts();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fracture/contact/crack_faces.hpp"
+#include "fracture/contact/gap_rule.hpp"
 
 namespace bempd::fracture {
 
@@ -32,7 +33,7 @@ struct GapLine {
   double way(double direction) const { return std::abs(rate) <= rounding * largest_rate ? 0 : direction * rate; }
   double faster() const { return std::max(1.0, std::abs(rate) / largest_rate); }
   bool is_wrong(bool closed, double direction) const {
-    const double passed = closed ? gap : -gap, passes = closed ? way(direction) : -way(direction);
+    const double passed = passed_zero(closed, gap), passes = passed_zero(closed, way(direction));
     if (std::abs(gap) <= rounding * largest_displacement) return passes > 0;
     return passed > (passes < 0 ? rounding_of_passed_gaps * largest_displacement * faster() : 0);
   }

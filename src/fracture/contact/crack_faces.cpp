@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/contact/gap_rule.hpp"
 #include "linalg/symmetric_modes.hpp"
 
 namespace bempd::fracture {
@@ -122,8 +123,8 @@ std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) con
 
 void CrackFaces::note_broken(std::span<const int> terms, FaceState& state) {
   if (are_none()) return;
-  gone_.emplace_back(terms.begin(), terms.end());
-  state.pending.push_back(gone_.back());
+  pending_.emplace_back(terms.begin(), terms.end());
+  state.pending.push_back(pending_.back());
 }
 
 std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
@@ -136,29 +137,41 @@ std::vector<int> CrackFaces::fresh(std::span<const int> terms) const {
   return found;
 }
 
-void CrackFaces::add(int term, FaceState& state) {
-  const Point normal = normal_at(term, near(term));
-  std::optional<Contact> contact = contact_at(term, normal);
-  if (!contact) return;
-  grown_[term] = state.grown.size();
-  state.grown.push_back({term, normal.x(), normal.y()});
-  state.closed.push_back(0);
-  system_.add_contact(std::move(*contact));
-}
+// The places of the body, at a displacement of it.
+class CrackFaces::PresentPlaces final : public FacePlaces {
+ public:
+  PresentPlaces(CrackFaces& faces, const Eigen::VectorXd& displacement, FaceState& state)
+      : faces_(faces), displacement_(displacement), state_(state) {}
 
-void CrackFaces::renew(int term, const Eigen::VectorXd& displacement, FaceState& state) {
-  const std::size_t number = grown_.at(term), place = initial_count_ + number;
-  if (places().is_closed(place)) return;
-  const Point normal = normal_at(term, near(term));
-  GrownFace& face = state.grown[number];
-  if (normal == Point(face.normal_x, face.normal_y)) return;
-  std::optional<Contact> contact = contact_at(term, normal);
-  if (!contact || contact->gap(displacement.data()) < -gap_rounding(displacement.lpNorm<Eigen::Infinity>())) return;
-  face.normal_x = normal.x(), face.normal_y = normal.y();
-  system_.replace_open_contact(place, std::move(*contact));
-}
+  std::optional<std::size_t> place_of(int term) const override {
+    const auto found = faces_.grown_.find(term);
+    return found == faces_.grown_.end() ? std::nullopt : std::optional(faces_.initial_count_ + found->second);
+  }
+  bool is_closed(std::size_t place) const override { return faces_.places().is_closed(place); }
 
-// What has a place, or may have one now, beside terms that are gone, and these.
+  void add(const GrownFace& face, Contact contact) override {
+    faces_.grown_[face.term] = state_.grown.size();
+    state_.grown.push_back(face);
+    state_.closed.push_back(0);
+    faces_.system_.add_contact(std::move(contact));
+  }
+
+  void renew(std::size_t place, const GrownFace& face, Contact contact) override {
+    GrownFace& known = state_.grown[place - faces_.initial_count_];
+    if (face.normal_x == known.normal_x && face.normal_y == known.normal_y) return;
+    const double zero = gap_rounding(displacement_.lpNorm<Eigen::Infinity>());
+    if (passed_zero(false, contact.gap(displacement_.data())) > zero) return;
+    known = face;
+    faces_.system_.replace_open_contact(place, std::move(contact));
+  }
+
+ private:
+  CrackFaces& faces_;
+  const Eigen::VectorXd& displacement_;
+  FaceState& state_;
+};
+
+// Broken terms, and those near them: all that have a place or may have one now.
 std::vector<int> CrackFaces::around(std::span<const int> terms) const {
   if (plan_.rule == ContactRule::rough) return {terms.begin(), terms.end()};
   std::vector<int> found;
@@ -173,21 +186,33 @@ std::vector<int> CrackFaces::around(std::span<const int> terms) const {
 }
 
 void CrackFaces::update(const Eigen::VectorXd& displacement, FaceState& state) {
-  for (const std::vector<int>& terms : gone_) follow(terms, displacement, state);
-  gone_.clear();
+  PresentPlaces places(*this, displacement, state);
+  for (const std::vector<int>& terms : pending_) follow(terms, places);
+  pending_.clear();
   state.pending.clear();
 }
 
-void CrackFaces::follow(std::span<const int> gone, const Eigen::VectorXd& displacement, FaceState& state) {
-  const std::vector<int> terms = fresh(gone);
+std::vector<int> CrackFaces::follow(std::span<const int> broken, FacePlaces& places) {
+  std::vector<int> terms = fresh(broken);
   for (const int term : terms) enter(term);
   for (const int term : around(terms)) {
-    if (grown_.contains(term)) {
-      renew(term, displacement, state);
+    const std::optional<std::size_t> place = places.place_of(term);
+    if (place && places.is_closed(*place)) continue;
+    const Point normal = normal_at(term, near(term));
+    std::optional<Contact> contact = contact_at(term, normal);
+    if (!contact) continue;
+    const GrownFace face{term, normal.x(), normal.y()};
+    if (place) {
+      places.renew(*place, face, std::move(*contact));
     } else {
-      add(term, state);
+      places.add(face, std::move(*contact));
     }
   }
+  return terms;
+}
+
+void CrackFaces::forget_terms(std::span<const int> terms) {
+  for (const int term : terms) leave(term);
 }
 
 Contacts CrackFaces::contacts_of(const FaceState& state) const {
@@ -224,9 +249,9 @@ void CrackFaces::enter(const FaceState& state) {
     grown_[state.grown[i].term] = i;
     enter(state.grown[i].term);
   }
-  gone_ = state.pending;
+  pending_ = state.pending;
   std::unordered_set<int> pending;
-  for (const std::vector<int>& terms : gone_) pending.insert(terms.begin(), terms.end());
+  for (const std::vector<int>& terms : pending_) pending.insert(terms.begin(), terms.end());
   for (std::size_t t = 0; t < system_.terms().size(); ++t) {
     const int term = static_cast<int>(t);
     if (!system_.intact()[t] && !pending.contains(term) && can_be_a_place(term)) enter(term);

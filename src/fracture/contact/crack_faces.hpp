@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
+#include "fracture/contact/face_places.hpp"
 #include "fracture/contact/face_state.hpp"
 #include "pd/face_places.hpp"
 
@@ -41,8 +42,15 @@ class CrackFaces {
 
   // Notes terms that have broken; their places follow with the next update().
   void note_broken(std::span<const int> terms, FaceState& state);
-  // New places, and normals of open ones near them where they do not overlap for it at this displacement.
+  // Terms that have broken, together those of one event, whose places have not been looked at yet.
+  const std::vector<std::vector<int>>& pending() const { return pending_; }
+  // New places of these terms, and normals of open ones near them where they do not overlap for it at this
+  // displacement.
   void update(const Eigen::VectorXd& displacement, FaceState& state);
+  // The rule of both updates and forecasts: places of terms that have broken together, and normals of open ones near
+  // them. Returns the terms that tell normals from now on; forget_terms() takes them back.
+  std::vector<int> follow(std::span<const int> broken, FacePlaces& places);
+  void forget_terms(std::span<const int> terms);
   // Makes the system's places those of a state, whose stages it has; what is pending there stays so.
   void restore(const FaceState& state);
   // The same where the factor of another matrix is at work.
@@ -50,16 +58,13 @@ class CrackFaces {
   coupling::Contacts contacts_of(const FaceState& state) const;
 
  private:
-  friend class FacesAhead;
+  class PresentPlaces;
   void enter(const FaceState& state);
   bool can_be_a_place(int term) const;
   std::vector<int> fresh(std::span<const int> terms) const;
   void enter(int term);
   void leave(int term);
   std::vector<int> around(std::span<const int> terms) const;
-  void follow(std::span<const int> gone, const Eigen::VectorXd& displacement, FaceState& state);
-  void renew(int term, const Eigen::VectorXd& displacement, FaceState& state);
-  void add(int term, FaceState& state);
   Point middle(int term) const;
   double spacing(int term) const;
   // The parted neighbours around a place.
@@ -76,7 +81,7 @@ class CrackFaces {
   std::unordered_map<std::uint64_t, std::vector<int>> parted_;  // neighbours, by where their middles are
   std::unordered_set<int> entered_;                             // the same as a set
   std::unordered_map<int, std::size_t> grown_;                  // term -> its place among the grown ones
-  std::vector<std::vector<int>> gone_;                          // since the last update, together what went together
+  std::vector<std::vector<int>> pending_;
 };
 
 // Places that are not as their gaps ask for at a load factor. Where a gap is zero the next one in a direction counts: 1

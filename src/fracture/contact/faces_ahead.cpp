@@ -19,41 +19,38 @@ FacesAhead::FacesAhead(CrackFaces& faces, const FaceState& state) : faces_(faces
     latest_.push_back(i);
     places_.push_back({present[i], present.is_closed(i), true, 0, present.is_barred(i) ? 0 : for_good, i, 0});
   }
-  for (const auto& [term, grown] : faces.grown_) number_of_[term] = faces.initial_count() + grown;
-  for (const std::vector<int>& terms : faces.gone_) follow(terms, 0);
+  for (std::size_t k = 0; k < grown_.size(); ++k) number_of_[grown_[k].term] = faces.initial_count() + k;
+  for (const std::vector<int>& terms : faces.pending()) follow(terms, 0);
 }
 
-FacesAhead::~FacesAhead() {
-  for (const int term : entered_) faces_.leave(term);
-}
+FacesAhead::~FacesAhead() { faces_.forget_terms(entered_); }
 
-void FacesAhead::follow(std::span<const int> gone, int state) {
-  const std::vector<int> terms = faces_.fresh(gone);
-  for (const int term : terms) faces_.enter(term);
+void FacesAhead::follow(std::span<const int> broken, int state) {
+  state_ = state;
+  const std::vector<int> terms = faces_.follow(broken, *this);
   entered_.insert(entered_.end(), terms.begin(), terms.end());
-  for (const int term : faces_.around(terms)) {
-    const auto known = number_of_.find(term);
-    if (known != number_of_.end() && places_[latest_[known->second]].closed) continue;
-    const Point normal = faces_.normal_at(term, faces_.near(term));
-    std::optional<coupling::Contact> contact = faces_.contact_at(term, normal);
-    if (!contact) continue;
-    const GrownFace face{term, normal.x(), normal.y()};
-    if (known == number_of_.end()) {
-      number_of_[term] = latest_.size();
-      grown_.push_back(face);
-      latest_.push_back(places_.size());
-      places_.push_back({std::move(*contact), false, false, state, for_good, latest_.size() - 1, state});
-      continue;
-    }
-    const std::size_t number = known->second;
-    WatchedPlace& before = places_[latest_[number]];
-    if (before.until == 0) continue;  // barred
-    before.until = state;
-    grown_[number - faces_.initial_count()] = face;
-    latest_[number] = places_.size();
-    // A new normal counts only if the place does not overlap for it before the break.
-    places_.push_back({std::move(*contact), false, false, std::max(state - 1, 0), for_good, number, state});
-  }
+}
+
+std::optional<std::size_t> FacesAhead::place_of(int term) const {
+  const auto known = number_of_.find(term);
+  return known == number_of_.end() ? std::nullopt : std::optional(known->second);
+}
+
+void FacesAhead::add(const GrownFace& face, coupling::Contact contact) {
+  number_of_[face.term] = latest_.size();
+  grown_.push_back(face);
+  latest_.push_back(places_.size());
+  places_.push_back({std::move(contact), false, false, state_, for_good, latest_.size() - 1, state_});
+}
+
+void FacesAhead::renew(std::size_t place, const GrownFace& face, coupling::Contact contact) {
+  WatchedPlace& before = places_[latest_[place]];
+  if (before.until == 0) return;  // barred
+  before.until = state_;
+  grown_[place - faces_.initial_count()] = face;
+  latest_[place] = places_.size();
+  // A new normal counts only if the place does not overlap for it before the break.
+  places_.push_back({std::move(contact), false, false, std::max(state_ - 1, 0), for_good, place, state_});
 }
 
 void FacesAhead::switch_place(std::size_t place, int state) {

@@ -19,16 +19,15 @@ struct WatchedPlace {
   int event;           // that made it as it is
 };
 
-// The places of faces in states to come, 0 being the present one: what CrackFaces::update() would do, without doing it.
-class FacesAhead {
+// The places of faces in states to come, 0 being the present one, by the rule of CrackFaces::follow(); the body's
+// places stay as they are.
+class FacesAhead final : public FacePlaces {
  public:
   FacesAhead(CrackFaces& faces, const FaceState& state);
-  FacesAhead(const FacesAhead&) = delete;
-  FacesAhead& operator=(const FacesAhead&) = delete;
-  ~FacesAhead();
+  ~FacesAhead() override;
 
-  // Terms that the event before a state takes away, which are gone: places come, and open ones have other normals.
-  void follow(std::span<const int> gone, int state);
+  // Terms that the event before a state breaks: places come, and open ones get other normals.
+  void follow(std::span<const int> broken, int state);
   void switch_place(std::size_t place, int state);
   void forget_after(int state);  // and no more is asked but places()
 
@@ -38,6 +37,11 @@ class FacesAhead {
   std::vector<std::size_t> last() const;
   FaceState last_state() const;
 
+  std::optional<std::size_t> place_of(int term) const override;
+  bool is_closed(std::size_t place) const override { return places_[latest_[place]].closed; }
+  void add(const GrownFace& face, coupling::Contact contact) override;
+  void renew(std::size_t place, const GrownFace& face, coupling::Contact contact) override;
+
  private:
   CrackFaces& faces_;
   std::vector<WatchedPlace> places_;
@@ -45,6 +49,7 @@ class FacesAhead {
   std::vector<GrownFace> grown_;
   std::unordered_map<int, std::size_t> number_of_;  // of terms that have a place
   std::vector<int> entered_;
+  int state_ = 0;  // that is being followed
 };
 
 }  // namespace bempd::fracture

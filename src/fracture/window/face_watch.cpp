@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fracture/contact/gap_rule.hpp"
 #include "fracture/window/lookahead.hpp"
 #include "fracture/window/window_settings.hpp"
 
@@ -25,7 +26,7 @@ bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double r
   for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
     const double zero = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
     const double here = gap + load_factor * rate;
-    if (place.closed ? here > zero : here < -zero) return false;
+    if (passed_zero(place.closed, here) > zero) return false;
   }
   return true;
 }
@@ -33,7 +34,8 @@ bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double r
 bool FaceWatch::overlaps(int state, double gap, double rate, const std::array<double, 2>& largest) const {
   const std::array<double, 2>& at = load_factors_[static_cast<std::size_t>(state)];
   return std::any_of(at.begin(), at.end(), [&](double load_factor) {
-    return gap + load_factor * rate < -face_rounding(largest[0] + std::abs(load_factor) * largest[1]);
+    const double zero = face_rounding(largest[0] + std::abs(load_factor) * largest[1]);
+    return passed_zero(false, gap + load_factor * rate) > zero;
   });
 }
 

@@ -1,7 +1,8 @@
 // Faces of cracks that close or open at the events of a window.
 #include <algorithm>
-#include <set>
 
+#include "fracture/contact/gap_rule.hpp"
+#include "fracture/contact/newton_rounds.hpp"
 #include "fracture/window/lookahead.hpp"
 
 namespace bempd::fracture {
@@ -13,7 +14,7 @@ std::vector<std::size_t> Lookahead::wrong_places(double f) const {
     const WatchedPlace& place = ahead_->places()[i];
     if (!window_->follows(place.contact)) continue;
     const double gap = window_->gap(place.contact, f);
-    if (place.closed ? gap > zero : gap < -zero) wrong.push_back(i);
+    if (passed_zero(place.closed, gap) > zero) wrong.push_back(i);
   }
   return wrong;
 }
@@ -39,11 +40,12 @@ bool Lookahead::settle_faces(ForeseenEvent& foreseen) {
   ahead_->follow(coupling::terms_of(foreseen.event.changes), state);
   if (!system_.springs().empty()) return !presses_on_held_parts();  // which may bar places
   const std::vector<std::size_t> before = ahead_->last();
-  std::set<std::vector<char>> met;
+  NewtonRounds rounds;
   for (;;) {
     const std::vector<std::size_t> wrong = wrong_places(f);
     if (wrong.empty()) break;
-    if (!met.insert(ahead_->last_state().closed).second) return false;
+    rounds.takes_all(wrong.size(), {ahead_->last_state().closed, {}});
+    if (rounds.comes_back()) return false;
     std::vector<ActiveWindow::FaceSwitch> switches;
     for (const std::size_t i : wrong) switches.push_back({ahead_->places()[i].contact, !ahead_->places()[i].closed});
     if (!window_->switch_faces(switches)) return false;
@@ -62,8 +64,8 @@ double Lookahead::released_by_faces(const std::vector<std::size_t>& before, doub
   for (std::size_t k = 0; k < after.size(); ++k) {
     const WatchedPlace &was = ahead_->places()[before[k]], &is = ahead_->places()[after[k]];
     if (was.closed == is.closed) continue;
-    const double lost = (was.closed ? 1 : -1) * is.contact.stiffness;
-    sum += 0.5 * lost * window_->gap(is.contact, f, foreseen_.back().displacement) * window_->gap(is.contact, f);
+    const double gap_before = window_->gap(is.contact, f, foreseen_.back().displacement);
+    sum += released_by_switch(is.contact, was.closed, gap_before, window_->gap(is.contact, f));
   }
   return sum;
 }

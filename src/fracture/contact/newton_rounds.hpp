@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace bempd::fracture {
+
+// Which places a round of Newton's method switches: all that are wrong, until it comes back to the same places; from
+// then on one at a time, by the least number, until fewer are wrong than ever before, and all again for some rounds.
+// One by one alone ends (Murty 1974), but after very many rounds; so both do after few (Judice and Pires 1994).
+class NewtonRounds {
+ public:
+  // The places of contact and those inside operators, which are closed.
+  using Places = std::pair<std::vector<char>, std::vector<char>>;
+
+  bool takes_all(std::size_t wrong, Places closed) {
+    comes_back_ = comes_back_ || !met_.insert(std::move(closed)).second;
+    if (wrong < fewest_) {
+      fewest_ = wrong, left_ = rounds_of_all;
+    } else if (comes_back_ && left_ > 0) {
+      --left_;
+    }
+    return !comes_back_ || left_ > 0;
+  }
+
+  // Whether some round began with the same closed places as one before it.
+  bool comes_back() const { return comes_back_; }
+
+ private:
+  static constexpr int rounds_of_all = 10;
+  std::set<Places> met_;
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  bool comes_back_ = false;
+  int left_ = 0;
+};
+
+}  // namespace bempd::fracture
