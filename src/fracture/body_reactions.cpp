@@ -52,10 +52,10 @@ std::vector<double> LoadedBody::support_displacements() const {
   return result;
 }
 
-double LoadedBody::resistance(const std::vector<double>& reactions) const {
+double LoadedBody::resistance(const std::vector<double>& reactions, double load_factor) const {
   double sum = 0;
   for (std::size_t i = 0; i < reactions.size(); i += 2) sum += std::hypot(reactions[i], reactions[i + 1]);
-  const Eigen::Vector2d at(1, state_.load_factor);
+  const Eigen::Vector2d at(1, load_factor);
   for (int node : loaded_nodes_) sum += (system_.force().middleRows<2>(2 * node) * at).norm();
   return 0.5 * sum;
 }

@@ -125,8 +125,9 @@ class LoadedBody {
   // How far supports move the body at the present load factor, x and y of each: the mean over its nodes, NaN where it
   // does not say.
   std::vector<double> support_displacements() const;
-  // Half of the sum of the magnitudes of these reactions and of the nodal loads at the present load factor.
-  double resistance(const std::vector<double>& reactions) const;
+  // Half of the sum of the magnitudes of these reactions and of the nodal loads at a load factor.
+  double resistance(const std::vector<double>& reactions, double load_factor) const;
+  double resistance(const std::vector<double>& reactions) const { return resistance(reactions, state_.load_factor); }
   // What loads at the present load factor leave over among themselves, for supports to bear: their sum, or their moment
   // over the radius of gyration of where they act, over half of the sum of their magnitudes. 0: they balance.
   double unbalanced_share() const;

@@ -7,7 +7,7 @@
 #include "cancellation.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/event_choice.hpp"
-#include "fracture/loaded_body.hpp"
+#include "fracture/window/window_body.hpp"
 #include "fracture/window/window_settings.hpp"
 #include "phase.hpp"
 
@@ -16,16 +16,12 @@ namespace bempd::fracture {
 using coupling::Affine;
 using coupling::evaluate;
 
-Lookahead::Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts,
-                     const StretchRatios& ratios, const std::vector<Point>& positions,
-                     const std::vector<std::vector<int>>& reaction_dofs, CrackFaces& faces)
-    : system_(system),
-      freed_parts_(freed_parts),
-      faces_(faces),
-      whole_ratios_(ratios),
-      place_(system, ratios, positions),
-      functions_(system, reaction_dofs),
-      narrowing_(system, place_, positions),
+Lookahead::Lookahead(LoadedBody& body)
+    : body_(body),
+      system_(body.system()),
+      place_(body.system(), body.ratios(), body.positions()),
+      functions_(body.system(), body.reaction_dofs()),
+      narrowing_(body.system(), place_, body.positions()),
       most_events_(WindowSettings::first_events) {}
 
 bool Lookahead::open(const BodyState& state, double load_factor, const Options& options) {
@@ -68,12 +64,13 @@ void Lookahead::build_window(const BodyState& state) {
   check_cancelled();
   phase.reach(1);
   window_ =
-      std::make_unique<ActiveWindow>(system_, *condensation_, whole_ratios_, state.displacement, functions_.list());
+      std::make_unique<ActiveWindow>(system_, *condensation_, body_.ratios(), state.displacement, functions_.list());
   check_cancelled();
   phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
   if (!lines_)
-    certificate_ = std::make_unique<WindowCertificate>(system_, *condensation_, *window_, whole_ratios_, proportional_);
+    certificate_ =
+        std::make_unique<WindowCertificate>(system_, *condensation_, *window_, body_.ratios(), proportional_);
   tips_ = state.tips;
   outside_gaps_ = OutsideGaps(system_, *condensation_);
   whole_ = state.displacement;
@@ -140,7 +137,7 @@ void Lookahead::compute(const BodyState& state) {
   unbalanced_ = 0;
   foreseen_ = {window_->state()};
   std::optional<FacesAhead> ahead;
-  if (!faces_.are_none()) ahead.emplace(faces_, state.faces);
+  if (!body_.faces().are_none()) ahead.emplace(body_.faces(), state.faces);
   ahead_ = ahead ? &*ahead : nullptr;
   const bool keeps_balance = foresee_events(state);
   most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
@@ -183,8 +180,8 @@ bool Lookahead::choose_breaks(double from, ForeseenEvent& foreseen) const {
 bool Lookahead::foresee(double from, const BodyState& start) {
   narrow(from);
   ForeseenEvent foreseen;
-  const std::optional<LineStep> step = lines_ ? choose_step(from, foreseen) : std::nullopt;
-  if (lines_ ? !step.has_value() : !choose_breaks(from, foreseen)) return false;
+  const std::optional<LineSteps::Choice> line = lines_ ? choose_step(from, foreseen) : std::nullopt;
+  if (lines_ ? !line.has_value() : !choose_breaks(from, foreseen)) return false;
   if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.event.changes = system_.with_followers(std::move(foreseen.event.changes));
   for (const coupling::StageChange& c : foreseen.event.changes) {
@@ -197,15 +194,15 @@ bool Lookahead::foresee(double from, const BodyState& start) {
     needs_whole_body_ = true;
     return false;
   }
-  const double unit_energy = foreseen.after.unit();
+  const double unit_energy = foreseen.outcome.unit_energy;
   has_ended_ = is_separated(system_, unit_energy, start.first_unit_energy);
   if (!has_ended_ && unit_energy < WindowSettings::doubtful_energy * start.first_unit_energy) {
     system_.set_stages(foreseen.back);
     needs_whole_body_ = true;
     return false;
   }
-  if (step) {
-    take_step(*step, foreseen);
+  if (line) {
+    take_step(*line, foreseen);
   } else {
     add_checks(from, foreseen.event);
   }
@@ -239,31 +236,13 @@ double Lookahead::largest_force_before(double load_factor, const BodyState& star
 }
 
 bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
-  const double f = foreseen.event.load_factor;
-  std::vector<coupling::StageChange> here;  // by places in the window
-  std::vector<double> elongation, lost;
-  for (const coupling::StageChange& c : foreseen.event.changes) {
-    here.push_back({window_->place_of(c.term), c.stage});
-    elongation.push_back(window_->elongation(here.back().term, f));
-    lost.push_back(window_->stiffness_lost(here.back()));
-  }
-  system_.set_stages(foreseen.event.changes);
-  const std::vector<int> broken = system_.terms().broken_by(foreseen.event.changes);
-  const auto before = window_->function_values();
-  if (!freed_parts_.frees_nothing(broken, any_displacement_) || !window_->change(here) || !settle_faces(foreseen)) {
-    system_.set_stages(foreseen.back);
-    return false;
-  }
-  const auto after = window_->function_values();
-  foreseen.before = WindowFunctions::energy(before);
-  foreseen.after = WindowFunctions::energy(after);
-  foreseen.broken = system_.count_broken(foreseen.event.changes);
-  foreseen.work = WindowFunctions::work(before, after, f);
-  foreseen.reactions_before = functions_.reactions(before, f);
-  foreseen.reactions = functions_.reactions(after, f);
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    foreseen.released += 0.5 * lost[i] * elongation[i] * window_->elongation(here[i].term, f);
-  }
+  const int state = static_cast<int>(events_.size()) + 1;
+  WindowBody body(body_, *window_, functions_, ahead_, state, any_displacement_);
+  foreseen.before = body.energy();
+  std::optional<Outcome> outcome = perform_event(foreseen.event, system_, body);
+  if (!outcome) return false;
+  foreseen.outcome = std::move(*outcome);
+  foreseen.faces = body.switched_faces();
   return true;
 }
 

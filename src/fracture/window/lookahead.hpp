@@ -7,8 +7,8 @@
 #include "fracture/contact/faces_ahead.hpp"
 #include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
-#include "fracture/freed_parts.hpp"
 #include "fracture/line/line_steps.hpp"
+#include "fracture/loaded_body.hpp"
 #include "fracture/window/active_window.hpp"
 #include "fracture/window/away_from_tips.hpp"
 #include "fracture/window/narrowing.hpp"
@@ -19,21 +19,16 @@
 
 namespace bempd::fracture {
 
-// What an event will do once it happens.
+// An event computed ahead, and what it will do once it happens.
 struct ForeseenEvent {
   Event event;
+  Outcome outcome;                          // but for the work before it and the residual
   std::vector<coupling::StageChange> back;  // undoes its changes
-  std::int64_t broken = 0;                  // terms that are gone
-  EnergyForm before, after;
-  double work = 0, released = 0;                    // of the break itself
-  double largest_force = 0;                         // internal nodal force that is known to be reached until then
-  std::vector<double> reactions_before, reactions;  // after it
-  std::int64_t switches = 0;                        // places of faces that close or open
-  std::optional<FaceState> faces;                   // after it, where there are such
-  std::vector<GrowingTip> tips;                     // after it, where cracks grow as lines
-  std::vector<GrowingTip> growing;                  // before it, those that have a way
-  std::vector<CrackExtension> extensions;           // by it, likewise
-  int ties = 0;                                     // likewise
+  EnergyForm before;                        // stored energy before it
+  double largest_force = 0;                 // internal nodal force that is known to be reached until then
+  std::optional<FaceState> faces;           // after it, where some close or open
+  std::vector<GrowingTip> tips;             // after it, where cracks grow as lines
+  std::vector<GrowingTip> growing;          // before it, those that have a way
 };
 
 // Computes events ahead of time: a window around the hot bonds runs through them on condensed equations, and only those
@@ -44,8 +39,7 @@ class Lookahead {
  public:
   using Options = WindowOptions;
 
-  Lookahead(coupling::EquilibriumSystem& system, const FreedPartFinder& freed_parts, const StretchRatios& ratios,
-            const std::vector<Point>& positions, const std::vector<std::vector<int>>& reaction_dofs, CrackFaces& faces);
+  explicit Lookahead(LoadedBody& body);
 
   // Before the first factorization: windows are expected at the ends of initial cracks, given by the bonds they cut.
   void expect_cracks(const std::vector<int>& cut) { place_.expect_cracks(cut); }
@@ -99,8 +93,8 @@ class Lookahead {
   bool choose_place(const BodyState& state, double load_factor);
   bool choose_place_of_lines(const BodyState& state, double load_factor);
   void begin_steps(const BodyState& state);
-  std::optional<LineStep> choose_step(double from, ForeseenEvent& foreseen) const;
-  void take_step(const LineStep& step, ForeseenEvent& foreseen);
+  std::optional<LineSteps::Choice> choose_step(double from, ForeseenEvent& foreseen) const;
+  void take_step(const LineSteps::Choice& line, ForeseenEvent& foreseen);
   coupling::Affine displacement_near(const std::vector<GrowingTip>& tips) const;
   const std::vector<GrowingTip>& last_tips() const { return events_.empty() ? tips_ : events_.back().tips; }
   void narrow(double load_factor);
@@ -108,10 +102,6 @@ class Lookahead {
   coupling::Affine whole_in(int state) const;
   double largest_force_before(double load_factor, const BodyState& start) const;
   bool perform_in_window(ForeseenEvent& foreseen);
-  bool presses_on_held_parts() const;
-  bool settle_faces(ForeseenEvent& foreseen);
-  std::vector<std::size_t> wrong_places(double load_factor) const;
-  double released_by_faces(const std::vector<std::size_t>& before, double load_factor) const;
   Eigen::VectorXd internal_force_after_all(double load_factor);
   void take_back(int count);  // of the events computed all but the first ones, from the system
   bool foresee_events(const BodyState& start);
@@ -121,11 +111,9 @@ class Lookahead {
   void check_whole_body();
   void keep_first(int count);  // of the events computed
 
+  LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
-  const FreedPartFinder& freed_parts_;
-  CrackFaces& faces_;
   FacesAhead* ahead_ = nullptr;  // while events are computed, where faces can meet
-  const StretchRatios& whole_ratios_;
   WindowPlace place_;
   WindowFunctions functions_;
   Narrowing narrowing_;

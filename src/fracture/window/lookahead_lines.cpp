@@ -29,14 +29,14 @@ bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor
 void Lookahead::begin_steps(const BodyState& state) {
   tips_ = state.tips;
   near_tips_ = displacement_near(tips_);
-  away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, whole_ratios_, *lines_);
+  away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, body_.ratios(), *lines_);
 }
 
 Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
   return condensation_->displacement_at(lines_->nodes_asked(tips), window_->displacement());
 }
 
-std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
+std::optional<LineSteps::Choice> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
   const LoadWay way{from, true, options_.control};
   LineSteps::Choice choice = lines_->choose(tips, near_tips_, way);
@@ -45,17 +45,18 @@ std::optional<LineStep> Lookahead::choose_step(double from, ForeseenEvent& fores
   if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*choice.first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;
   foreseen.event = lines_->event_of(*choice.first, at);
-  foreseen.ties = choice.ties;
   // Another bond may come before all steps: where that might count, none is spared.
   foreseen.growing = LineSteps::driven(choice.steps, tips, way, WindowSettings::surely_driven * std::max(at, from));
-  return std::move(choice.first);
+  return choice;
 }
 
 // After its event in the window.
-void Lookahead::take_step(const LineStep& step, ForeseenEvent& foreseen) {
+void Lookahead::take_step(const LineSteps::Choice& line, ForeseenEvent& foreseen) {
   foreseen.tips = last_tips();
+  foreseen.outcome.ties = line.ties;
   const auto displacement = [&](const auto& tips) -> const Affine& { return near_tips_ = displacement_near(tips); };
-  foreseen.extensions = {lines_->take(step, foreseen.event, foreseen.released, displacement, foreseen.tips)};
+  foreseen.outcome.extensions = {
+      lines_->take(*line.first, foreseen.event, foreseen.outcome.released_energy, displacement, foreseen.tips)};
 }
 
 void Lookahead::narrow(double load_factor) {

@@ -63,7 +63,7 @@ Eigen::VectorXd Lookahead::internal_force_after_all(double load_factor) {
   const auto last = std::find_if(events_.rbegin(), events_.rend(), [](const ForeseenEvent& e) { return e.faces; });
   if (last == events_.rend()) return system_.internal_force(evaluate(whole_, load_factor));
   coupling::Contacts present = system_.contacts();
-  system_.put_contacts(faces_.contacts_of(*last->faces));
+  system_.put_contacts(body_.faces().contacts_of(*last->faces));
   Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
   system_.put_contacts(std::move(present));
   return force;

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "error.hpp"
-#include "fracture/balance.hpp"
 #include "stopwatch.hpp"
 
 namespace bempd::fracture {
@@ -44,10 +43,7 @@ WindowOptions options_of(const SteppingOptions& options) {
 }  // namespace
 
 WindowEvents::WindowEvents(LoadedBody& body, std::function<void()> before_forgetting)
-    : lookahead_(body.system(), body.freed_parts(), body.ratios(), body.positions(), body.reaction_dofs(),
-                 body.faces()),
-      body_(body),
-      before_forgetting_(std::move(before_forgetting)) {}
+    : lookahead_(body), body_(body), before_forgetting_(std::move(before_forgetting)) {}
 
 bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   events_performed_ = 0;
@@ -159,26 +155,10 @@ Outcome WindowEvents::perform() {
   if (foreseen.faces) before_forgetting_();  // faces are of the present state only
   const Event& event = foreseen.event;
   BodyState& state = body_.state();
-  Outcome outcome;
-  outcome.broken = foreseen.broken;
-  outcome.switches = foreseen.switches;
+  Outcome outcome = foreseen.outcome;
   outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
-  outcome.work = foreseen.work;
-  outcome.extensions = foreseen.extensions;
-  outcome.ties = foreseen.ties;
-  outcome.released_energy = foreseen.released;
-  outcome.bond_energy = foreseen.released / (event.ratio * event.ratio);
-  outcome.stored_energy_before = foreseen.before.at(event.load_factor);
-  outcome.stored_energy = foreseen.after.at(event.load_factor);
-  outcome.critical_stored_energy = foreseen.after.at(event.critical_load_factor);
-  outcome.unit_energy = foreseen.after.unit();
   outcome.residual = lookahead_.residual();
-  outcome.energy_scale = least_energy_scale(body_.system(), event.load_factor);
-  outcome.reactions_before = foreseen.reactions_before;
-  outcome.reactions = foreseen.reactions;
   state.load_factor = event.load_factor;
-  outcome.resistance_before = body_.resistance(foreseen.reactions_before);
-  outcome.resistance = body_.resistance(foreseen.reactions);
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
   take(foreseen);
   is_behind_ = true;

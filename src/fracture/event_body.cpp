@@ -1,0 +1,66 @@
+#include "fracture/event_body.hpp"
+
+#include "fracture/balance.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+std::vector<ChangingTerm> changing_terms(const Event& event, const coupling::EquilibriumSystem& system,
+                                         const EventBody& body) {
+  const coupling::Terms& terms = system.terms();
+  std::vector<ChangingTerm> result;
+  result.reserve(event.changes.size());
+  for (const coupling::StageChange& change : event.changes) {
+    const auto term = static_cast<std::size_t>(change.term);
+    const bool breaks = terms.is_broken(term, change.stage);
+    result.push_back({change.term, system.present_stiffness()[term] - system.stiffness_after(change),
+                      breaks ? terms.constant(term, 0) + event.load_factor * terms.constant(term, 1) : 0,
+                      body.elongation(change.term, event.load_factor)});
+  }
+  return result;
+}
+
+// Potential energy lost. It is a quadratic function of the displacements that is least in equilibrium: where a
+// stiffness k and a constant force q of a term are lost, whose elastic elongation grows from e to e' with its
+// elongation growing from c.u to c.u', it falls by k e e' / 2 + q (c.u + c.u') / 2.
+double released_energy(const std::vector<ChangingTerm>& terms, const BodyChange& change, const EventBody& body,
+                       double load_factor) {
+  double sum = change.released_first;
+  for (const ChangingTerm& term : terms) {
+    const Elongation after = body.elongation(term.term, load_factor);
+    sum += 0.5 * term.stiffness_lost * term.before.elastic * after.elastic;
+    if (term.force_lost != 0) sum += 0.5 * term.force_lost * (term.before.whole + after.whole);
+  }
+  for (const double energy : change.released_then) sum += energy;
+  return sum;
+}
+
+}  // namespace
+
+std::optional<Outcome> perform_event(const Event& event, const coupling::EquilibriumSystem& system, EventBody& body) {
+  const double f = event.load_factor;
+  Outcome outcome;
+  outcome.reactions_before = body.reactions(f);
+  outcome.resistance_before = body.resistance(outcome.reactions_before, f);
+  outcome.stored_energy_before = body.stored_energy(f);
+  outcome.broken = system.count_broken(event.changes);
+  const std::vector<ChangingTerm> terms = changing_terms(event, system, body);
+  const std::optional<BodyChange> change = body.change(event, terms, outcome);
+  if (!change) return std::nullopt;
+  outcome.work = change->work;
+  outcome.stored_energy = body.stored_energy(f);
+  const double released = released_energy(terms, *change, body, f);
+  // Lost loads take their part along with the piece.
+  outcome.released_energy =
+      change->takes_loads_along ? outcome.work + outcome.stored_energy_before - outcome.stored_energy : released;
+  outcome.bond_energy = released / (event.ratio * event.ratio);
+  outcome.critical_stored_energy = body.stored_energy(event.critical_load_factor);
+  outcome.unit_energy = body.unit_energy();
+  outcome.energy_scale = least_energy_scale(system, f);
+  outcome.reactions = body.reactions(f);
+  outcome.resistance = body.resistance(outcome.reactions, f);
+  return outcome;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,121 @@
+#include "fracture/whole_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fracture/contact/gap_rule.hpp"
+#include "fracture/free_motions.hpp"
+#include "stopwatch.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// A term that lengthens by this factor when it goes was the last resistance to some motion.
+constexpr double runaway_elongation = 1e8;
+
+// What elongations may have of the displacements that they are differences of.
+constexpr double elongation_rounding = 1e-16;
+
+}  // namespace
+
+using coupling::evaluate;
+
+Elongation WholeBody::elongation(int term, double load_factor) const {
+  const coupling::Terms& terms = system_.terms();
+  const double* u = body_.state().total_displacement.data();
+  const auto t = static_cast<std::size_t>(term);
+  return {terms.elongation(t, u), terms.elastic_elongation(t, u, load_factor)};
+}
+
+bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
+  const double f = body_.state().load_factor;
+  const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
+  // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried
+  // none of them.
+  const double displacement = body_.state().total_displacement.lpNorm<Eigen::Infinity>();
+  double largest = elongation_rounding * displacement;
+  for (const ChangingTerm& one : terms) largest = std::max(largest, std::abs(one.before.elastic));
+  // A body that loses its loads goes back from a part that is held where it was, and no further.
+  const double most = std::max(runaway_elongation * largest, 2 * displacement);
+  const auto is_within = [&](const ChangingTerm& one) {
+    const auto term = static_cast<std::size_t>(one.term);
+    return std::abs(system_.terms().elastic_elongation(term, after.data(), f)) <= most;
+  };
+  return !std::all_of(terms.begin(), terms.end(), is_within);
+}
+
+// By places that have opened or closed at the event.
+double WholeBody::released_by_contacts(const Eigen::VectorXd& before) const {
+  const coupling::Contacts& contacts = system_.contacts();
+  const double* after = body_.state().total_displacement.data();
+  double sum = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const bool was_closed = i < closed_before_.size() && closed_before_[i] != 0;
+    if (was_closed == contacts.is_closed(i)) continue;
+    sum += released_by_switch(contacts[i], was_closed, contacts[i].gap(before.data()), contacts[i].gap(after));
+  }
+  return sum;
+}
+
+// By forces that shut places as if these were stiff: the limit of the above, gaps being those without them.
+double WholeBody::released_by_faces() const {
+  if (system_.closed_face_count() == 0 && forces_before_.isZero(0)) return 0;
+  const BodyState& state = body_.state();
+  const Eigen::VectorXd forces = system_.face_forces(state.total_displacement, state.load_factor);
+  const Eigen::VectorXd gaps = system_.open_gaps(state.total_displacement, state.load_factor);
+  return 0.5 * (forces.dot(gaps_before_) - forces_before_.dot(gaps));
+}
+
+void WholeBody::remember_faces() {
+  closed_before_ = system_.contacts().closed();
+  if (system_.face_count() == 0) return;
+  const BodyState& state = body_.state();
+  forces_before_ = system_.face_forces(state.total_displacement, state.load_factor);
+  gaps_before_ = system_.open_gaps(state.total_displacement, state.load_factor);
+}
+
+std::optional<BodyChange> WholeBody::change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) {
+  BodyState& state = body_.state();
+  const std::vector<coupling::StageChange>& changes = event.changes;
+  const std::vector<int> broken = system_.terms().broken_by(changes);
+  const Eigen::VectorXd before = state.total_displacement;
+  const double unbalanced_before = body_.unbalanced_share();
+  remember_faces();
+  FreedParts freed;
+  Eigen::VectorXd flow = Eigen::VectorXd::Zero(before.size());  // force of the fluid that comes in
+  {
+    const Stopwatch watch(body_.seconds_search());
+    system_.mark(changes);
+    if (body_.has_fluid()) flow = body_.let_flow();
+    freed = body_.freed_parts().after_break(broken, before);
+  }
+  system_.commit(changes, freed.springs);
+  body_.faces().note_broken(broken, state.faces);
+  body_.update_faces();
+  outcome.fragments = freed.fragments;
+  if (!freed.nodes_with_lost_loads.empty()) body_.drop_loads(freed.nodes_with_lost_loads);
+  const HeldMotions held = solve_and_hold(body_, broken, before, [&] { return runs_away(terms); });
+  outcome.fragments += held.fragments;
+  const bool pushed = body_.unload_pushed_parts();
+  const LoadedBody::Settled settled = body_.settle_contacts(0);
+  outcome.switches = settled.switched;
+  outcome.fragments += settled.fragments;
+  body_.keep_held_parts_dry();
+  BodyChange change;
+  change.takes_loads_along = held.loads_lost || pushed || settled.fragments > 0 || !freed.nodes_with_lost_loads.empty();
+  if (change.takes_loads_along) outcome.lost_balance = {unbalanced_before, body_.unbalanced_share()};
+  body_.update_ratios();
+  change.work = body_.absorb(event.load_factor);
+  // All of the fluid's force is there while the points give way, of which nodal forces before and after show the half;
+  // and it fills what the bonds had stretched before they broke.
+  const double by_fluid = 0.5 * flow.dot(state.total_displacement + before);
+  change.work += by_fluid;
+  change.released_then = {released_by_contacts(before), released_by_faces(), by_fluid};
+  state.stages = system_.stages();
+  state.springs = system_.springs();
+  return change;
+}
+
+}  // namespace bempd::fracture

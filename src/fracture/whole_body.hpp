@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "fracture/event_body.hpp"
+#include "fracture/loaded_body.hpp"
+
+namespace bempd::fracture {
+
+// The whole body as events change it: by a low-rank change and a solution of the whole system. What comes free is held,
+// so that every event can be performed. Its load factor is that of the event.
+class WholeBody final : public EventBody {
+ public:
+  explicit WholeBody(LoadedBody& body) : body_(body), system_(body.system()) {}
+
+  double stored_energy(double load_factor) const override { return body_.stored_energy_at(load_factor); }
+  double unit_energy() const override { return body_.unit_energy(); }
+  std::vector<double> reactions(double) const override { return body_.reactions(); }
+  double resistance(const std::vector<double>& reactions, double load_factor) const override {
+    return body_.resistance(reactions, load_factor);
+  }
+  Elongation elongation(int term, double load_factor) const override;
+  std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
+
+ private:
+  void remember_faces();
+  bool runs_away(std::span<const ChangingTerm> terms) const;
+  double released_by_contacts(const Eigen::VectorXd& before) const;
+  double released_by_faces() const;
+
+  LoadedBody& body_;
+  coupling::EquilibriumSystem& system_;
+  std::vector<char> closed_before_;  // of the places where faces meet
+  // Of those inside operators; without any, none.
+  Eigen::VectorXd forces_before_, gaps_before_;
+};
+
+}  // namespace bempd::fracture

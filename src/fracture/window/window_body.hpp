@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fracture/contact/faces_ahead.hpp"
+#include "fracture/event_body.hpp"
+#include "fracture/loaded_body.hpp"
+#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_functions.hpp"
+
+namespace bempd::fracture {
+
+// The body as a window follows it while events are computed ahead: by changes of the window's flexibility. It cannot
+// perform an event that frees a part, or takes away the last resistance to a motion. The system's terms change with the
+// window's.
+class WindowBody final : public EventBody {
+ public:
+  // `state`: number of the state that the next event leads to. `ahead`: the places of faces in these states; null where
+  // faces cannot meet. `displacement`: any one of the body, at which parts that come free would be held.
+  WindowBody(LoadedBody& body, ActiveWindow& window, const WindowFunctions& functions, FacesAhead* ahead, int state,
+             const Eigen::VectorXd& displacement)
+      : body_(body),
+        system_(body.system()),
+        window_(window),
+        functions_(functions),
+        ahead_(ahead),
+        state_(state),
+        displacement_(displacement) {}
+
+  double stored_energy(double load_factor) const override { return energy().at(load_factor); }
+  double unit_energy() const override { return energy().unit(); }
+  std::vector<double> reactions(double load_factor) const override {
+    return functions_.reactions(window_.function_values(), load_factor);
+  }
+  double resistance(const std::vector<double>& reactions, double load_factor) const override {
+    return body_.resistance(reactions, load_factor);
+  }
+  Elongation elongation(int term, double load_factor) const override;
+  std::optional<BodyChange> change(const Event& event, std::span<const ChangingTerm> terms, Outcome& outcome) override;
+
+  // The stored energy at all load factors, and the faces after an event at which some have closed or opened.
+  EnergyForm energy() const { return WindowFunctions::energy(window_.function_values()); }
+  const std::optional<FaceState>& switched_faces() const { return switched_faces_; }
+
+ private:
+  bool change_terms(const Event& event);
+  bool settle_faces(const Event& event, Outcome& outcome);
+  bool presses_on_held_parts() const;
+  std::vector<std::size_t> wrong_places(double load_factor) const;
+  double released_by_faces(const std::vector<std::size_t>& places_before, const coupling::Affine& kept_before,
+                           double load_factor) const;
+
+  LoadedBody& body_;
+  coupling::EquilibriumSystem& system_;
+  ActiveWindow& window_;
+  const WindowFunctions& functions_;
+  FacesAhead* ahead_;
+  int state_;
+  const Eigen::VectorXd& displacement_;
+  std::vector<std::size_t> places_before_;  // of faces, before any has switched at the event
+  std::optional<FaceState> switched_faces_;
+};
+
+}  // namespace bempd::fracture
