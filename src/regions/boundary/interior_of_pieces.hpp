@@ -11,9 +11,9 @@ namespace bempd::regions {
 // Displacement and stress inside a region, from the piece of it in which a place lies.
 class InteriorOfPieces {
  public:
-  // Inside of a region of one piece.
+  // Evaluator for a region of one piece.
   explicit InteriorOfPieces(bem::InteriorEvaluator whole) { interiors_.push_back(std::move(whole)); }
-  // Inside of a region of several pieces, with an evaluator for each.
+  // Evaluator for a region of several pieces, with the evaluators of these.
   InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors, const BoundaryMesh& mesh,
                    const bem::CrackMesh& cracks, double tolerance);
 
