@@ -120,7 +120,7 @@ void Model::go_back_to(LoadsBefore before) noexcept {
   ++generation_;
 }
 
-void Model::act_as_said() {
+void Model::apply_pending_values() {
   replace_loads(regions::apply_conditions(scene_, prepared_->discretization), Acting::values);
 }
 

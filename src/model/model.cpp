@@ -176,7 +176,7 @@ const PreparedScene& Model::prepared() {
 
 void Model::ensure_equilibrium() {
   prepare();
-  if (loads_.acting == Acting::others) act_as_said();
+  if (loads_.acting == Acting::others) apply_pending_values();
   fracture::CrackEvolution& evolution = *prepared_->evolution;
   if (evolution.progress().in_equilibrium) return;
   evolution.find_equilibrium();

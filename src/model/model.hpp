@@ -184,7 +184,7 @@ class Model {
   };
   LoadsBefore replace_loads(regions::DofConditions conditions, Acting acting);
   void go_back_to(LoadsBefore before) noexcept;
-  void act_as_said();
+  void apply_pending_values();
   scene::SceneValues acting_values() const;
   regions::DofConditions conditions_under(scene::SceneValues values);
   std::optional<fracture::CrackEvolution::Heat> heat(const regions::DofConditions& conditions);
