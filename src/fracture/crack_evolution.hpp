@@ -74,14 +74,14 @@ class CrackEvolution {
   void act_again(Loads loads) noexcept;
 
   // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is
-  // work; after that the body has to find equilibrium. Returns what cool_down() takes to undo it.
+  // work; after that the body has to find equilibrium. Returns what restore_rest_lengths() takes to undo it.
   struct Heat {
     coupling::Rests rests;
     Eigen::VectorXd total_force;
     double work;
   };
   Heat heat(coupling::Rests rests);
-  void cool_down(Heat heat) noexcept;
+  void restore_rest_lengths(Heat heat) noexcept;
 
   // What loads inside operators make of the gaps of faces there. What new ones do to the stored energy where nothing
   // moves is work, as with heat; set_load() or take_over() has to follow. Returns what unload_faces() takes to undo it.

@@ -55,7 +55,7 @@ CrackEvolution::Heat CrackEvolution::heat(coupling::Rests rests) {
   return {std::move(rests), std::move(force), work};
 }
 
-void CrackEvolution::cool_down(Heat heat) noexcept {
+void CrackEvolution::restore_rest_lengths(Heat heat) noexcept {
   system_.exchange_rests(heat.rests);
   state_.total_force.swap(heat.total_force);
   state_.work -= heat.work;

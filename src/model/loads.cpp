@@ -95,7 +95,7 @@ Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Actin
     evolution.set_load(conditions.force, conditions.displacement, conditions.work_within, pressures_of(conditions));
   } catch (...) {
     if (before.faces) evolution.unload_faces(std::move(*before.faces));
-    if (before.heat) evolution.cool_down(std::move(*before.heat));
+    if (before.heat) evolution.restore_rest_lengths(std::move(*before.heat));
     throw;
   }
   before.conditions = std::exchange(prepared_->conditions, std::move(conditions));
@@ -107,7 +107,7 @@ Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Actin
 
 void Model::go_back_to(LoadsBefore before) noexcept {
   if (before.faces) prepared_->evolution->unload_faces(std::move(*before.faces));
-  if (before.heat) prepared_->evolution->cool_down(std::move(*before.heat));
+  if (before.heat) prepared_->evolution->restore_rest_lengths(std::move(*before.heat));
   prepared_->evolution->act_again(std::move(before.run));
   // Regions keep their swelling for results; if memory for that is missing, they get it with the next loads.
   say([&] {
