@@ -54,7 +54,7 @@ class CrackEvolution {
   void grow_lines(pd::TipLaws laws, std::vector<GrowingTip> tips);
 
   // Before the first loads: what pressures in cracks among bonds act by.
-  void let_in(CrackFluid fluid) { body_.let_in(std::move(fluid)); }
+  void add_crack_fluid(CrackFluid fluid) { body_.add_crack_fluid(std::move(fluid)); }
 
   // `work_within`: what loads do beside the work of the nodal forces, half of (1, f) within (1, f) at the load factor
   // f. It is stored in the body as soon as it is done.

@@ -46,7 +46,7 @@ class LoadedBody {
   double& seconds_search() { return seconds_search_; }
 
   // Before the first loads.
-  void let_in(CrackFluid fluid) { fluid_ = std::move(fluid); }
+  void add_crack_fluid(CrackFluid fluid) { fluid_ = std::move(fluid); }
   bool has_fluid() const { return !fluid_.empty(); }
   // Constant and proportional part of what the host has said of a crack.
   Eigen::RowVector2d pressure_in(int crack) const;

@@ -47,7 +47,7 @@ template void Model::set_load_values(int, scene::PlacedValues);
 template void Model::set_support_values(int, scene::SampledValues);
 template void Model::set_support_values(int, scene::PlacedValues);
 
-void Model::let_fluid_in(PreparedScene& p) const {
+void Model::add_crack_fluid(PreparedScene& p) const {
   if (p.conditions.crack_pressures.empty()) return;
   std::map<int, std::vector<int>> cut;
   for (const regions::CrackPressure& pressure : p.conditions.crack_pressures) {
@@ -58,7 +58,7 @@ void Model::let_fluid_in(PreparedScene& p) const {
     for (const auto& region : p.discretization.regions) region->cut(crack, pressure.crack, bonds, told_before);
   }
   const coupling::Terms& terms = p.system->terms();
-  p.evolution->let_in(
+  p.evolution->add_crack_fluid(
       {regions::fluid_ways(scene_, p.discretization, terms), std::move(cut), terms, p.discretization.positions});
 }
 

@@ -161,7 +161,7 @@ std::unique_ptr<PreparedScene> Model::build(const PreparedScene* before) const {
   p->evolution = std::make_unique<fracture::CrackEvolution>(*p->system, d.positions, d.critical_stretch, p->cut_bonds,
                                                             p->conditions.reaction_dofs, contact_plan(*p));
   grow_lines(*p);
-  let_fluid_in(*p);
+  add_crack_fluid(*p);
   p->evolution->load_faces(p->conditions.face_offsets);
   p->evolution->set_load(p->conditions.force, p->conditions.displacement, p->conditions.work_within,
                          pressures_of(p->conditions));

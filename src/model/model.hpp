@@ -241,7 +241,7 @@ class Model {
   void check_loads_inside_free_pieces(const PreparedScene& prepared) const;
   void grow_lines(PreparedScene& prepared) const;
   fracture::ContactPlan contact_plan(const PreparedScene& prepared) const;
-  void let_fluid_in(PreparedScene& prepared) const;
+  void add_crack_fluid(PreparedScene& prepared) const;
   static fracture::CrackPressures pressures_of(const regions::DofConditions& conditions);
   std::vector<int> loaded_nodes(int load);
   std::vector<int> pieces_of(std::vector<int> nodes);
