@@ -71,7 +71,7 @@ class CrackEvolution {
     Eigen::Matrix2d work_within;
   };
   Loads loads() const { return {body_.acting_loads(), work_within_}; }
-  void act_again(Loads loads) noexcept;
+  void restore_loads(Loads loads) noexcept;
 
   // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is
   // work; after that the body has to find equilibrium. Returns what restore_rest_lengths() takes to undo it.

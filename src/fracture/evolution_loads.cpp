@@ -26,8 +26,8 @@ void CrackEvolution::take_over(const Affine& force, const Affine& prescribed, co
   work_within_ = work_within;
 }
 
-void CrackEvolution::act_again(Loads loads) noexcept {
-  body_.act_again(std::move(loads.acting));
+void CrackEvolution::restore_loads(Loads loads) noexcept {
+  body_.restore_loads(std::move(loads.acting));
   work_within_ = loads.work_within;
   sources_.abandon();
 }

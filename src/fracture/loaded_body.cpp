@@ -89,7 +89,7 @@ ActingLoads LoadedBody::acting_loads() const {
   return {force_, prescribed_, pressures_, loaded_nodes_, state_.in_equilibrium, state_.first_unit_energy};
 }
 
-void LoadedBody::act_again(ActingLoads loads) noexcept {
+void LoadedBody::restore_loads(ActingLoads loads) noexcept {
   force_.swap(loads.force);
   loaded_nodes_.swap(loads.loaded_nodes);
   prescribed_.swap(loads.prescribed);

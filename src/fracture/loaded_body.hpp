@@ -57,7 +57,7 @@ class LoadedBody {
   // Loads that are the present ones at this load factor: the body stays in equilibrium if they are constant.
   void take_over(const coupling::Affine& force, const coupling::Affine& prescribed, const CrackPressures& pressures);
   ActingLoads acting_loads() const;
-  void act_again(ActingLoads loads) noexcept;      // restore() has to follow
+  void restore_loads(ActingLoads loads) noexcept;  // restore() has to follow
   void drop_loads(const std::vector<int>& nodes);  // for good
   void keep_held_parts_dry();
   bool unload_pushed_parts();

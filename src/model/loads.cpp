@@ -108,7 +108,7 @@ Model::LoadsBefore Model::replace_loads(regions::DofConditions conditions, Actin
 void Model::go_back_to(LoadsBefore before) noexcept {
   if (before.faces) prepared_->evolution->unload_faces(std::move(*before.faces));
   if (before.heat) prepared_->evolution->restore_rest_lengths(std::move(*before.heat));
-  prepared_->evolution->act_again(std::move(before.run));
+  prepared_->evolution->restore_loads(std::move(before.run));
   // Regions keep their swelling for results; if memory for that is missing, they get it with the next loads.
   say([&] {
     if (before.heat)
