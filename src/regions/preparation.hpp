@@ -34,14 +34,14 @@ struct Preparation {
 // Lists of the scene to which regions add their contributions.
 struct Contributions {
   NodeRegistry& registry;
-  coupling::Terms& bonds;
+  coupling::Terms& terms;
   std::vector<double>& critical_stretch;  // per term
   std::vector<std::string>& warnings;
 
   // Critical stretch, law and contraction of bonds of a region.
   struct Breaking {
     double limit;        // stretch
-    int law;             // of `bonds`
+    int law;             // of `terms`
     double contraction;  // 0: compression across a bond is not counted apart
   };
   // Adds a bond between nodes of the scene, a step of the lattice apart.

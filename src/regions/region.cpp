@@ -12,10 +12,10 @@ namespace bempd::regions {
 void Contributions::add_bond(const pd::Bond& between_nodes, const Point& step, double spacing,
                              const Breaking& breaking) const {
   const double length = step.norm();
-  const int term = bonds.add_bond(between_nodes.first, between_nodes.second, step / length, spacing * length,
+  const int term = terms.add_bond(between_nodes.first, between_nodes.second, step / length, spacing * length,
                                   between_nodes.stiffness);
-  if (breaking.law != 0) bonds.set_law(term, breaking.law);
-  if (breaking.contraction > 0) bonds.set_contraction(term, breaking.contraction);
+  if (breaking.law != 0) terms.set_law(term, breaking.law);
+  if (breaking.contraction > 0) terms.set_contraction(term, breaking.contraction);
   critical_stretch.push_back(breaking.limit);
 }
 
@@ -32,9 +32,9 @@ std::vector<int> Contributions::add_squares(const pd::CellLattice& grid, const s
     for (const pd::CellSquare& square : squares) {
       std::array<coupling::TermEntry, 4> entries;
       for (std::size_t k = 0; k < 4; ++k) entries[k] = {node(cell.corners[k]), square.pull[k].x(), square.pull[k].y()};
-      const int number = bonds.add_wide(entries, spacing, square.stiffness);
+      const int number = terms.add_wide(entries, spacing, square.stiffness);
       critical_stretch.push_back(std::numeric_limits<double>::infinity());
-      bonds.let_follow(number, leaders);
+      terms.let_follow(number, leaders);
       int& first = first_of[static_cast<std::size_t>(cell.corners[0])];
       if (first < 0) first = number;
     }

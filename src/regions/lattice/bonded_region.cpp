@@ -36,7 +36,7 @@ std::vector<int> BondedRegion::terms() const {
 Contributions::Breaking BondedRegion::breaking(const Preparation& preparation,
                                                const Contributions& contributions) const {
   const bool opening = preparation.options.text_value("pd.criterion") == "opening";
-  return {critical_stretch(preparation), contributions.bonds.add_law(material().bond_law),
+  return {critical_stretch(preparation), contributions.terms.add_law(material().bond_law),
           opening ? elasticity().c12() / elasticity().c11() : 0.0};
 }
 
@@ -50,7 +50,7 @@ std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) c
 }
 
 void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {
-  bonds_.first = contributions.bonds.size();
+  bonds_.first = contributions.terms.size();
   bonds_.listed = network()->bonds.size();
   const Contributions::Breaking breaking = this->breaking(preparation, contributions);
   for (const pd::Bond& bond : network()->bonds) {

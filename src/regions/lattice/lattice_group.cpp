@@ -202,7 +202,7 @@ bool LatticeGroup::add_bonds(const Preparation& preparation, const Contributions
     for (const std::size_t b : rows[m]) {
       const pd::Bond& bond = network.bonds[b];
       const Point step = (all.cells().point(bond.second) - all.cells().point(bond.first)).cast<double>();
-      of_scene[b] = contributions.bonds.size();
+      of_scene[b] = contributions.terms.size();
       contributions.add_bond({all.node(bond.first), all.node(bond.second), bond.stiffness}, step, leader.spacing(),
                              breaking);
       if (m < parts.size()) parts[m].add(b, of_scene[b], true);

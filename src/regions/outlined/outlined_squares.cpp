@@ -29,14 +29,14 @@ void OutlinedRegion::add_squares(const Contributions& contributions) {
     const std::span<const int> at = stencils_.points(p);
     leaders.clear();
     for (const int bond : stencils_.bonds(p)) leaders.push_back(first_bond + bond);
-    bonds_.squares.push_back(static_cast<int>(contributions.bonds.size()));
+    bonds_.squares.push_back(static_cast<int>(contributions.terms.size()));
     for (const pd::StencilSquare& square : pd::squares_of(stencils_, p, elasticity())) {
       entries.clear();
       for (std::size_t k = 0; k < at.size(); ++k)
         entries.push_back({nodes_[at[k]], square.pull[k].x(), square.pull[k].y()});
-      const int number = contributions.bonds.add_wide(entries, spacing(), square.stiffness);
+      const int number = contributions.terms.add_wide(entries, spacing(), square.stiffness);
       contributions.critical_stretch.push_back(std::numeric_limits<double>::infinity());
-      contributions.bonds.let_follow(number, leaders);
+      contributions.terms.let_follow(number, leaders);
     }
   }
 }
