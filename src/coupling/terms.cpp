@@ -30,7 +30,7 @@ int Terms::add_wide(std::span<const TermEntry> entries, double its_length, doubl
   return term;
 }
 
-void Terms::let_follow(int follower, std::span<const int> leaders) {
+void Terms::add_follower(int follower, std::span<const int> leaders) {
   assert(followers.empty() || followers.back() < follower);
   followers.push_back(follower);
   if (is_wide(static_cast<std::size_t>(follower))) ++wide_followers;

@@ -93,7 +93,7 @@ struct Terms {
 
   // Makes a term follow any of its leaders, all of which have smaller numbers; called once for every follower, in the
   // order of their numbers.
-  void let_follow(int follower, std::span<const int> leaders);
+  void add_follower(int follower, std::span<const int> leaders);
   bool follows(int term) const { return std::binary_search(followers.begin(), followers.end(), term); }
   bool wide_terms_only_follow() const { return wide_followers == wide.term.size(); }
 

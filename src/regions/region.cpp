@@ -34,7 +34,7 @@ std::vector<int> Contributions::add_squares(const pd::CellLattice& grid, const s
       for (std::size_t k = 0; k < 4; ++k) entries[k] = {node(cell.corners[k]), square.pull[k].x(), square.pull[k].y()};
       const int number = terms.add_wide(entries, spacing, square.stiffness);
       critical_stretch.push_back(std::numeric_limits<double>::infinity());
-      terms.let_follow(number, leaders);
+      terms.add_follower(number, leaders);
       int& first = first_of[static_cast<std::size_t>(cell.corners[0])];
       if (first < 0) first = number;
     }

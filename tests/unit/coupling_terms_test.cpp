@@ -218,7 +218,7 @@ TEST(Terms, know_whether_all_that_are_wide_follow_others) {
   const std::array<TermEntry, 3> entries{TermEntry{0, 1, 0}, {1, -1, 0}, {2, 0, 1}};
   const int follower = terms.add_wide(entries, 1, 1);
   EXPECT_FALSE(terms.wide_terms_only_follow());
-  terms.let_follow(follower, std::array{bond});
+  terms.add_follower(follower, std::array{bond});
   EXPECT_TRUE(terms.wide_terms_only_follow());
   terms.add_wide(entries, 1, 1);
   EXPECT_FALSE(terms.wide_terms_only_follow());

@@ -36,7 +36,7 @@ void OutlinedRegion::add_squares(const Contributions& contributions) {
         entries.push_back({nodes_[at[k]], square.pull[k].x(), square.pull[k].y()});
       const int number = contributions.terms.add_wide(entries, spacing(), square.stiffness);
       contributions.critical_stretch.push_back(std::numeric_limits<double>::infinity());
-      contributions.terms.let_follow(number, leaders);
+      contributions.terms.add_follower(number, leaders);
     }
   }
 }
