@@ -10,7 +10,7 @@ namespace bempd::coupling {
 void CondensedOperator::find_free_faces() {
   const Eigen::MatrixXd &alone = openings_->of_forces, &of_displacements = openings_->of_displacements;
   for (Eigen::Index i = 0; i < alone.rows(); ++i) {
-    const bool moves = !private_.empty() && !of_displacements(i, elimination_->private_dofs()).isZero(0);
+    const bool moves = !private_.empty() && !of_displacements(i, schur_->private_dofs()).isZero(0);
     free_faces_.push_back(alone(i, i) > 0 || moves ? 1 : 0);
   }
 }
@@ -22,18 +22,18 @@ void CondensedOperator::reduce_faces() {
   if (gaps_by_faces_.size() > 0) return;
   const Eigen::MatrixXd& of_displacements = openings_->of_displacements;
   gaps_by_faces_ = openings_->of_forces;
-  gaps_by_shared_ = of_displacements(Eigen::all, elimination_->shared_dofs());
+  gaps_by_shared_ = of_displacements(Eigen::all, schur_->shared_dofs());
   private_by_faces_.resize(static_cast<Eigen::Index>(private_.size()), gaps_by_faces_.rows());
   if (private_.empty()) return;
-  const Eigen::MatrixXd of_private = of_displacements(Eigen::all, elimination_->private_dofs());
+  const Eigen::MatrixXd of_private = of_displacements(Eigen::all, schur_->private_dofs());
   for (Eigen::Index k = 0; k < of_private.rows(); k += 2) {
     const Eigen::Index count = std::min<Eigen::Index>(2, of_private.rows() - k);
     Affine pull = Affine::Zero(of_private.cols(), 2);
     pull.leftCols(count) = of_private.middleRows(k, count).transpose();
-    private_by_faces_.middleCols(k, count) = elimination_->solve_private(pull).leftCols(count);
+    private_by_faces_.middleCols(k, count) = schur_->solve_private(pull).leftCols(count);
   }
   gaps_by_faces_ += of_private * private_by_faces_;
-  if (!shared_.empty()) gaps_by_shared_ -= of_private * elimination_->transfer();
+  if (!shared_.empty()) gaps_by_shared_ -= of_private * schur_->transfer();
 }
 
 void CondensedOperator::close_faces(const std::vector<char>& closed) {
@@ -48,7 +48,7 @@ void CondensedOperator::close_faces(const std::vector<char>& closed) {
     if (alone(i, i) > 0) shut_.push_back(i);
   held_.compute(gaps_by_faces_(pressing_, pressing_));
   held_shut_.compute(alone(shut_, shut_));
-  schur_of_closed_ = elimination_->schur_complement();
+  schur_of_closed_ = schur_->matrix();
   if (shared_.empty()) return;
   const Eigen::MatrixXd by_shared = gaps_by_shared_(pressing_, Eigen::all);
   schur_of_closed_ += by_shared.transpose() * held_.solve(by_shared);
@@ -57,7 +57,7 @@ void CondensedOperator::close_faces(const std::vector<char>& closed) {
 void CondensedOperator::find_gaps_at_rest(const Affine& support) {
   gaps_at_rest_ = face_offsets_ + openings_->of_displacements * support;
   if (!private_.empty())
-    gaps_at_rest_ += openings_->of_displacements(Eigen::all, elimination_->private_dofs()) * private_load_;
+    gaps_at_rest_ += openings_->of_displacements(Eigen::all, schur_->private_dofs()) * private_load_;
 }
 
 Affine CondensedOperator::pressing_forces(const Affine& displacement) const {

@@ -13,28 +13,28 @@ CondensedOperator::CondensedOperator(const DenseOperator& source, const std::vec
   std::vector<DofKind> own;
   for (int dof : all_) own.push_back(kind[dof]);
   const auto same = std::find_if(built.begin(), built.end(), [&](const CondensedOperator& other) {
-    return other.elimination_->is_of(source.stiffness, own);
+    return other.schur_->is_of(source.stiffness, own);
   });
   if (same != built.end()) {
-    elimination_ = same->elimination_;
+    schur_ = same->schur_;
   } else {
-    elimination_ = source.method->eliminate(source.stiffness, std::move(own));
-    has_factorized_ = !elimination_->private_dofs().empty();
+    schur_ = source.method->schur_complement(source.stiffness, std::move(own));
+    has_factorized_ = !schur_->private_dofs().empty();
   }
-  for (int i : elimination_->private_dofs()) private_.push_back(all_[i]);
-  for (int i : elimination_->shared_dofs()) shared_.push_back(all_[i]);
+  for (int i : schur_->private_dofs()) private_.push_back(all_[i]);
+  for (int i : schur_->shared_dofs()) shared_.push_back(all_[i]);
   if (openings_) find_free_faces();
 }
 
 void CondensedOperator::condense_load(const Affine& force, const Affine& prescribed, Affine& load) {
-  const Eigen::MatrixXd& stiffness = elimination_->stiffness();
-  const std::vector<int>&private_local = elimination_->private_dofs(), &shared_local = elimination_->shared_dofs();
+  const Eigen::MatrixXd& stiffness = schur_->stiffness();
+  const std::vector<int>&private_local = schur_->private_dofs(), &shared_local = schur_->shared_dofs();
   Affine support = prescribed(all_, Eigen::all);
   if (rest_.rows() > 0) support -= rest_;
   const Affine reaction = stiffness * support;
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= reaction.row(shared_local[i]);
   if (!private_.empty()) {
-    private_load_ = elimination_->solve_private(force(private_, Eigen::all) - reaction(private_local, Eigen::all));
+    private_load_ = schur_->solve_private(force(private_, Eigen::all) - reaction(private_local, Eigen::all));
     if (!shared_.empty()) {
       const Affine carried = stiffness(shared_local, private_local) * private_load_;
       for (std::size_t i = 0; i < shared_.size(); ++i)
@@ -58,7 +58,7 @@ bool CondensedOperator::is_on(const std::vector<int>& nodes) const {
 void CondensedOperator::recover(Affine& displacement) const {
   if (private_.empty()) return;
   Affine values = private_load_;
-  if (!shared_.empty()) values -= elimination_->transfer() * displacement(shared_, Eigen::all);
+  if (!shared_.empty()) values -= schur_->transfer() * displacement(shared_, Eigen::all);
   if (!pressing_.empty()) values += private_by_faces_(Eigen::all, pressing_) * pressing_forces(displacement);
   for (std::size_t i = 0; i < private_.size(); ++i) {
     displacement.row(private_[i]) = values.row(static_cast<Eigen::Index>(i));
@@ -71,7 +71,7 @@ void CondensedOperator::condense_function(Eigen::VectorXd& weights, Eigen::RowVe
   if (own.isZero(0)) return;
   constant += own.transpose() * private_load_;
   weights(private_).setZero();
-  if (!shared_.empty()) weights(shared_) -= (elimination_->transfer().transpose() * own).eval();
+  if (!shared_.empty()) weights(shared_) -= (schur_->transfer().transpose() * own).eval();
   if (pressing_.empty()) return;
   const Eigen::VectorXd per_gap = held_.solve(private_by_faces_(Eigen::all, pressing_).transpose() * own);
   constant -= per_gap.transpose() * gaps_at_rest_(pressing_, Eigen::all);
@@ -86,14 +86,14 @@ Eigen::VectorXd CondensedOperator::elastic(const Eigen::VectorXd& displacement, 
 
 void CondensedOperator::add_internal_force(const Eigen::VectorXd& displacement, double load_factor,
                                            Eigen::VectorXd& force) const {
-  Eigen::VectorXd values = elimination_->stiffness() * elastic(displacement, load_factor);
+  Eigen::VectorXd values = schur_->stiffness() * elastic(displacement, load_factor);
   if (!pressing_.empty()) values -= openings_->of_displacements.transpose() * face_forces(displacement, load_factor);
   force(all_) += values;
 }
 
 double CondensedOperator::energy(const Eigen::VectorXd& displacement, double load_factor) const {
   const Eigen::VectorXd own = elastic(displacement, load_factor);
-  const double open = 0.5 * own.dot(elimination_->stiffness() * own);
+  const double open = 0.5 * own.dot(schur_->stiffness() * own);
   if (shut_.empty()) return open;
   const Eigen::VectorXd gaps = shut_gaps(displacement, load_factor);
   return open + 0.5 * gaps.dot(held_shut_.solve(gaps));
@@ -101,7 +101,7 @@ double CondensedOperator::energy(const Eigen::VectorXd& displacement, double loa
 
 double CondensedOperator::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
   double slope = 0;
-  if (rest_.rows() > 0) slope = -rest_.col(1).dot(elimination_->stiffness() * elastic(displacement, load_factor));
+  if (rest_.rows() > 0) slope = -rest_.col(1).dot(schur_->stiffness() * elastic(displacement, load_factor));
   if (shut_.empty()) return slope;
   Eigen::VectorXd growth = face_offsets_.col(1)(shut_);
   if (rest_.rows() > 0) growth -= openings_->of_displacements(shut_, Eigen::all) * rest_.col(1);
@@ -111,7 +111,7 @@ double CondensedOperator::energy_slope(const Eigen::VectorXd& displacement, doub
 double CondensedOperator::unit_energy(const Eigen::VectorXd& proportional) const {
   Eigen::VectorXd own = proportional(all_);
   if (rest_.rows() > 0) own -= rest_.col(1);
-  const double open = 0.5 * own.dot(elimination_->stiffness() * own);
+  const double open = 0.5 * own.dot(schur_->stiffness() * own);
   if (shut_.empty()) return open;
   const Eigen::VectorXd gaps = face_offsets_.col(1)(shut_) + openings_->of_displacements(shut_, Eigen::all) * own;
   return open + 0.5 * gaps.dot(held_shut_.solve(gaps));

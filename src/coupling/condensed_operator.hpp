@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "coupling/elimination.hpp"
 #include "coupling/operators.hpp"
+#include "coupling/schur_complement.hpp"
 
 namespace bempd::coupling {
 
@@ -16,21 +16,19 @@ namespace bempd::coupling {
 // the sparse system.
 class CondensedOperator {
  public:
-  // `kind` tells for each global degree of freedom what it is. The elimination is taken over from one of those built
-  // before if it is the same. Throws Error (unsolvable) if the private part is singular.
+  // `kind` tells for each global degree of freedom what it is. The Schur complement is taken over from one of those
+  // built before if it is the same. Throws Error (unsolvable) if the private part is singular.
   CondensedOperator(const DenseOperator& source, const std::vector<DofKind>& kind,
                     const std::vector<CondensedOperator>& built);
 
   const std::vector<int>& shared_dofs() const { return shared_; }
-  const Eigen::MatrixXd& schur_complement() const {
-    return pressing_.empty() ? elimination_->schur_complement() : schur_of_closed_;
-  }
+  const Eigen::MatrixXd& schur_complement() const { return pressing_.empty() ? schur_->matrix() : schur_of_closed_; }
   // Whether the operator is on these nodes, in this order.
   bool is_on(const std::vector<int>& nodes) const;
   const Affine& rest() const { return rest_; }
   void exchange_rest(Affine& other) noexcept { rest_.swap(other); }  // condense_load() has to follow
   bool has_factorized() const { return has_factorized_; }            // itself, not one before
-  double reciprocal_condition() const { return elimination_->reciprocal_condition(); }
+  double reciprocal_condition() const { return schur_->reciprocal_condition(); }
 
   // Condenses loads: adds the effect of private forces and of prescribed displacements on the shared unknowns to `load`
   // (global), and keeps the private part for recover().
@@ -81,7 +79,7 @@ class CondensedOperator {
 
   Eigen::VectorXd elastic(const Eigen::VectorXd& displacement, double load_factor) const;  // displacement - rest
 
-  std::shared_ptr<const Elimination> elimination_;
+  std::shared_ptr<const SchurComplement> schur_;
   Affine rest_;  // of all its degrees of freedom, or empty
   bool has_factorized_ = false;
   std::vector<int> all_, private_, shared_;  // global degrees of freedom

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "coupling/elimination.hpp"
+#include "coupling/schur_complement.hpp"
 #include "coupling/system_solver.hpp"
 
 namespace bempd::coupling {
@@ -18,8 +18,8 @@ class SolutionMethod {
   virtual bool needs_symmetry() const = 0;
 
   // Eliminates the private unknowns. Throws Error (unsolvable) if the private part is singular.
-  virtual std::shared_ptr<const Elimination> eliminate(Elimination::Stiffness stiffness,
-                                                       std::vector<DofKind> kind) const = 0;
+  virtual std::shared_ptr<const SchurComplement> schur_complement(SchurComplement::Stiffness stiffness,
+                                                                  std::vector<DofKind> kind) const = 0;
 
   virtual std::unique_ptr<SystemSolver> make_solver() const = 0;
 };

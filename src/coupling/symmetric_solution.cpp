@@ -11,10 +11,10 @@ namespace {
 
 constexpr int most_iterations = 40;
 
-class SymmetricElimination final : public Elimination {
+class SymmetricSchurComplement final : public SchurComplement {
  public:
-  SymmetricElimination(Stiffness stiffness, std::vector<DofKind> kind)
-      : Elimination(std::move(stiffness), std::move(kind)) {
+  SymmetricSchurComplement(Stiffness stiffness, std::vector<DofKind> kind)
+      : SchurComplement(std::move(stiffness), std::move(kind)) {
     if (private_.empty()) return;
     Eigen::MatrixXd own = (*stiffness_)(private_, private_);
     check_cancelled();
@@ -24,8 +24,8 @@ class SymmetricElimination final : public Elimination {
     if (shared_.empty()) return;
     Eigen::MatrixXd half = (*stiffness_)(private_, shared_);
     linalg::solve_lower(cholesky_.lower(), half);
-    linalg::add_square(schur_, half.transpose(), -1.0);
-    schur_.triangularView<Eigen::StrictlyUpper>() = schur_.transpose();
+    linalg::add_square(matrix_, half.transpose(), -1.0);
+    matrix_.triangularView<Eigen::StrictlyUpper>() = matrix_.transpose();
     linalg::solve_upper(cholesky_.lower(), half);
     transfer_ = std::move(half);
   }
@@ -59,9 +59,9 @@ class SymmetricSolver final : public SystemSolver {
 class SymmetricSolution final : public SolutionMethod {
  public:
   bool needs_symmetry() const override { return true; }
-  std::shared_ptr<const Elimination> eliminate(Elimination::Stiffness stiffness,
-                                               std::vector<DofKind> kind) const override {
-    return std::make_shared<const SymmetricElimination>(std::move(stiffness), std::move(kind));
+  std::shared_ptr<const SchurComplement> schur_complement(SchurComplement::Stiffness stiffness,
+                                                          std::vector<DofKind> kind) const override {
+    return std::make_shared<const SymmetricSchurComplement>(std::move(stiffness), std::move(kind));
   }
   std::unique_ptr<SystemSolver> make_solver() const override { return std::make_unique<SymmetricSolver>(); }
 };

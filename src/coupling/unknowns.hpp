@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "coupling/elimination.hpp"
 #include "coupling/node_ties.hpp"
 #include "coupling/operators.hpp"
+#include "coupling/schur_complement.hpp"
 
 namespace bempd::coupling {
 

@@ -21,16 +21,16 @@ constexpr int most_refinements = 4;
 // Reciprocal condition below which a solution carries no digit.
 constexpr double singular_condition = 1e-16;
 
-class UnsymmetricElimination final : public Elimination {
+class UnsymmetricSchurComplement final : public SchurComplement {
  public:
-  UnsymmetricElimination(Stiffness stiffness, std::vector<DofKind> kind)
-      : Elimination(std::move(stiffness), std::move(kind)) {
+  UnsymmetricSchurComplement(Stiffness stiffness, std::vector<DofKind> kind)
+      : SchurComplement(std::move(stiffness), std::move(kind)) {
     if (private_.empty()) return;
     lu_.compute((*stiffness_)(private_, private_));
     if (!(lu_.rcond() > singular_condition)) fail_singular();
     if (shared_.empty()) return;
     transfer_ = linalg::solve_in_parts(lu_, (*stiffness_)(private_, shared_));
-    linalg::add_product(schur_, Eigen::MatrixXd((*stiffness_)(shared_, private_)), transfer_, -1);
+    linalg::add_product(matrix_, Eigen::MatrixXd((*stiffness_)(shared_, private_)), transfer_, -1);
   }
 
   Affine solve_private(const Affine& force) const override { return lu_.solve(force); }
@@ -61,9 +61,9 @@ class UnsymmetricSolver final : public SystemSolver {
 class UnsymmetricSolution final : public SolutionMethod {
  public:
   bool needs_symmetry() const override { return false; }
-  std::shared_ptr<const Elimination> eliminate(Elimination::Stiffness stiffness,
-                                               std::vector<DofKind> kind) const override {
-    return std::make_shared<const UnsymmetricElimination>(std::move(stiffness), std::move(kind));
+  std::shared_ptr<const SchurComplement> schur_complement(SchurComplement::Stiffness stiffness,
+                                                          std::vector<DofKind> kind) const override {
+    return std::make_shared<const UnsymmetricSchurComplement>(std::move(stiffness), std::move(kind));
   }
   std::unique_ptr<SystemSolver> make_solver() const override { return std::make_unique<UnsymmetricSolver>(); }
 };

@@ -10,13 +10,13 @@ namespace bempd::coupling {
 
 enum class DofKind : char { prescribed, private_free, shared_free, tied };
 
-// Elimination of the private unknowns of a stiffness: those that are free and belong to no other operator. Degrees of
-// freedom are numbered as in the stiffness.
-class Elimination {
+// Schur complement of a stiffness on its shared unknowns: the private ones, which are free and belong to no other
+// operator, are eliminated. Degrees of freedom are numbered as in the stiffness.
+class SchurComplement {
  public:
   using Stiffness = std::shared_ptr<const Eigen::MatrixXd>;
 
-  virtual ~Elimination() = default;
+  virtual ~SchurComplement() = default;
 
   bool is_of(const Stiffness& stiffness, const std::vector<DofKind>& kind) const {
     return stiffness_ == stiffness && kind_ == kind;
@@ -24,7 +24,7 @@ class Elimination {
   const Eigen::MatrixXd& stiffness() const { return *stiffness_; }
   const std::vector<int>& private_dofs() const { return private_; }
   const std::vector<int>& shared_dofs() const { return shared_; }
-  const Eigen::MatrixXd& schur_complement() const { return schur_; }
+  const Eigen::MatrixXd& matrix() const { return matrix_; }
   // Private displacements per shared displacement, with the opposite sign.
   const Eigen::MatrixXd& transfer() const { return transfer_; }
   // Private displacements from private forces while the shared ones are held at 0.
@@ -34,7 +34,7 @@ class Elimination {
 
  protected:
   // Sorts the unknowns; the derived class eliminates, and has nothing to do if there are no private unknowns.
-  Elimination(Stiffness stiffness, std::vector<DofKind> kind);
+  SchurComplement(Stiffness stiffness, std::vector<DofKind> kind);
 
   // Throws Error (unsolvable), because the private block is singular.
   [[noreturn]] static void fail_singular();
@@ -42,7 +42,7 @@ class Elimination {
   Stiffness stiffness_;
   std::vector<DofKind> kind_;
   std::vector<int> private_, shared_;
-  Eigen::MatrixXd transfer_, schur_;
+  Eigen::MatrixXd transfer_, matrix_;
 };
 
 }  // namespace bempd::coupling

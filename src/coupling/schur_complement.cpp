@@ -1,4 +1,4 @@
-#include "coupling/elimination.hpp"
+#include "coupling/schur_complement.hpp"
 
 #include <utility>
 
@@ -6,16 +6,16 @@
 
 namespace bempd::coupling {
 
-Elimination::Elimination(Stiffness stiffness, std::vector<DofKind> kind)
+SchurComplement::SchurComplement(Stiffness stiffness, std::vector<DofKind> kind)
     : stiffness_(std::move(stiffness)), kind_(std::move(kind)) {
   for (std::size_t i = 0; i < kind_.size(); ++i) {
     if (kind_[i] == DofKind::private_free) private_.push_back(static_cast<int>(i));
     if (kind_[i] == DofKind::shared_free) shared_.push_back(static_cast<int>(i));
   }
-  schur_ = (*stiffness_)(shared_, shared_);
+  matrix_ = (*stiffness_)(shared_, shared_);
 }
 
-void Elimination::fail_singular() {
+void SchurComplement::fail_singular() {
   fail(
       Failure::unsolvable,
       "the stiffness of a boundary element region is numerically singular; check its supports, and its shape for parts "
