@@ -34,7 +34,7 @@ std::vector<CondensedFunction> Condensation::condense(const Eigen::MatrixXd& fun
     check_cancelled();
     Eigen::VectorXd weights = functions.col(k);
     Eigen::RowVector2d constant = weights.transpose() * system_.prescribed;
-    for (const CondensedOperator& op : system_.operators) op.condense_function(weights, constant);
+    for (const OperatorSchurComplement& op : system_.operators) op.condense_function(weights, constant);
     rows.col(k) = weights(system_.dof_of);
     result.push_back({{}, constant});
   }
@@ -103,7 +103,7 @@ Affine Condensation::displacement_at(const std::vector<int>& nodes, const Affine
 }
 
 void Condensation::recover(Affine& displacement) const {
-  for (const CondensedOperator& op : system_.operators) op.recover(displacement);
+  for (const OperatorSchurComplement& op : system_.operators) op.recover(displacement);
   system_.ties.expand(displacement);
 }
 

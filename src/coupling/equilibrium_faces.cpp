@@ -9,7 +9,7 @@ namespace bempd::coupling {
 template <class Visit>
 void EquilibriumSystem::for_each_with_faces(const Visit& visit) const {
   std::size_t first = 0;
-  for (const CondensedOperator& op : operators_) {
+  for (const OperatorSchurComplement& op : operators_) {
     if (op.face_count() > 0) visit(op, first);
     first += op.face_count();
   }
@@ -18,7 +18,7 @@ void EquilibriumSystem::for_each_with_faces(const Visit& visit) const {
 // Closes and opens the faces of the operators as the system knows them.
 void EquilibriumSystem::close_faces() {
   std::size_t first = 0;
-  for (CondensedOperator& op : operators_) {
+  for (OperatorSchurComplement& op : operators_) {
     const auto begin = closed_faces_.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = static_cast<std::ptrdiff_t>(op.face_count());
     if (count > 0) {
@@ -49,7 +49,7 @@ void EquilibriumSystem::switch_faces(std::span<const int> places) {
 void EquilibriumSystem::exchange_face_offsets(Affine& others) noexcept {
   face_offsets_.swap(others);
   std::size_t first = 0;
-  for (CondensedOperator& op : operators_) {
+  for (OperatorSchurComplement& op : operators_) {
     const auto count = static_cast<Eigen::Index>(op.face_count());
     if (count > 0) op.set_face_offsets(face_offsets_.middleRows(static_cast<Eigen::Index>(first), count));
     first += op.face_count();
@@ -59,7 +59,7 @@ void EquilibriumSystem::exchange_face_offsets(Affine& others) noexcept {
 
 Affine EquilibriumSystem::face_gaps(const Affine& displacement) const {
   Affine gaps = Affine::Zero(static_cast<Eigen::Index>(face_count()), 2);
-  for_each_with_faces([&](const CondensedOperator& op, std::size_t first) {
+  for_each_with_faces([&](const OperatorSchurComplement& op, std::size_t first) {
     gaps.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(op.face_count())) =
         op.face_gaps(displacement);
   });
@@ -68,7 +68,7 @@ Affine EquilibriumSystem::face_gaps(const Affine& displacement) const {
 
 Eigen::VectorXd EquilibriumSystem::open_gaps(const Eigen::VectorXd& displacement, double load_factor) const {
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(face_count()));
-  for_each_with_faces([&](const CondensedOperator& op, std::size_t first) {
+  for_each_with_faces([&](const OperatorSchurComplement& op, std::size_t first) {
     gaps.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(op.face_count())) =
         op.open_gaps(displacement, load_factor);
   });
@@ -77,7 +77,7 @@ Eigen::VectorXd EquilibriumSystem::open_gaps(const Eigen::VectorXd& displacement
 
 Eigen::VectorXd EquilibriumSystem::face_forces(const Eigen::VectorXd& displacement, double load_factor) const {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(face_count()));
-  for_each_with_faces([&](const CondensedOperator& op, std::size_t first) {
+  for_each_with_faces([&](const OperatorSchurComplement& op, std::size_t first) {
     forces.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(op.face_count())) =
         op.face_forces(displacement, load_factor);
   });
@@ -86,7 +86,7 @@ Eigen::VectorXd EquilibriumSystem::face_forces(const Eigen::VectorXd& displaceme
 
 double EquilibriumSystem::work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const {
   double sum = 0;
-  for_each_with_faces([&](const CondensedOperator& op, std::size_t /*first*/) {
+  for_each_with_faces([&](const OperatorSchurComplement& op, std::size_t /*first*/) {
     sum += op.work_at_closed_faces(displacement, load_factor);
   });
   return sum;
@@ -94,7 +94,7 @@ double EquilibriumSystem::work_at_closed_faces(const Eigen::VectorXd& displaceme
 
 std::vector<char> EquilibriumSystem::closed_faces_on(const std::vector<int>& nodes) const {
   std::vector<char> closed;
-  for_each_with_faces([&](const CondensedOperator& op, std::size_t first) {
+  for_each_with_faces([&](const OperatorSchurComplement& op, std::size_t first) {
     const auto begin = closed_faces_.begin() + static_cast<std::ptrdiff_t>(first);
     if (op.is_on(nodes)) closed.assign(begin, begin + static_cast<std::ptrdiff_t>(op.face_count()));
   });
@@ -103,7 +103,7 @@ std::vector<char> EquilibriumSystem::closed_faces_on(const std::vector<int>& nod
 
 Eigen::VectorXd EquilibriumSystem::gap_function(std::size_t place) const {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(2 * node_count_);
-  for_each_with_faces([&](const CondensedOperator& op, std::size_t first) {
+  for_each_with_faces([&](const OperatorSchurComplement& op, std::size_t first) {
     if (place >= first && place < first + op.face_count()) op.add_gap_function(place - first, weights);
   });
   return weights;

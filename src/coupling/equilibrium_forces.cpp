@@ -18,7 +18,7 @@ Eigen::VectorXd EquilibriumSystem::internal_force(const Eigen::VectorXd& displac
     terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   }
   contacts_.add_forces(displacement.data(), force.data());
-  for (const CondensedOperator& op : operators_) op.add_internal_force(displacement, load_factor, force);
+  for (const OperatorSchurComplement& op : operators_) op.add_internal_force(displacement, load_factor, force);
   ties_.collect(force);
   return force;
 }
@@ -41,7 +41,7 @@ Eigen::VectorXd EquilibriumSystem::force_of_terms(std::span<const int> terms, co
 Eigen::VectorXd EquilibriumSystem::force_of_operator(const std::vector<int>& nodes, const Eigen::VectorXd& displacement,
                                                      double load_factor) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(displacement.size());
-  for (const CondensedOperator& op : operators_)
+  for (const OperatorSchurComplement& op : operators_)
     if (op.is_on(nodes)) op.add_internal_force(displacement, load_factor, force);
   return force;
 }
@@ -52,7 +52,7 @@ double EquilibriumSystem::energy(const Eigen::VectorXd& displacement, double loa
     if (intact_[t]) sum += terms_.energy(t, present_stiffness_[t], displacement.data(), load_factor);
   }
   sum += contacts_.energy(displacement.data());
-  for (const CondensedOperator& op : operators_) sum += op.energy(displacement, load_factor);
+  for (const OperatorSchurComplement& op : operators_) sum += op.energy(displacement, load_factor);
   return sum;
 }
 
@@ -64,7 +64,7 @@ double EquilibriumSystem::energy_slope(const Eigen::VectorXd& displacement, doub
     sum += terms_.constant(t, 1) * terms_.elongation(t, u) -
            present_stiffness_[t] * terms_.elastic_elongation(t, u, load_factor) * terms_.rest(t, 1);
   }
-  for (const CondensedOperator& op : operators_) sum += op.energy_slope(displacement, load_factor);
+  for (const OperatorSchurComplement& op : operators_) sum += op.energy_slope(displacement, load_factor);
   return sum;
 }
 
@@ -77,7 +77,7 @@ double EquilibriumSystem::unit_energy(const Eigen::VectorXd& proportional) const
     sum += 0.5 * present_stiffness_[t] * elastic * elastic;
   }
   sum += contacts_.energy(proportional.data());
-  for (const CondensedOperator& op : operators_) sum += op.unit_energy(proportional);
+  for (const OperatorSchurComplement& op : operators_) sum += op.unit_energy(proportional);
   return sum;
 }
 
@@ -87,7 +87,7 @@ Eigen::VectorXd EquilibriumSystem::apply(const Eigen::VectorXd& unknowns) const 
   terms_.add_forces(present_stiffness_, displacement.data(), force.data());
   contacts_.add_forces(displacement.data(), force.data());
   ties_.collect(force);
-  for (const CondensedOperator& op : operators_) {
+  for (const OperatorSchurComplement& op : operators_) {
     if (op.shared_dofs().empty()) continue;  // a BLAS complains on the terminal about a matrix without rows
     const Eigen::VectorXd local = op.schur_complement() * displacement(op.shared_dofs());
     force(op.shared_dofs()) += local;

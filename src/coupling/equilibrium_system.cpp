@@ -93,7 +93,7 @@ void EquilibriumSystem::for_each_operator_rest(const Visit& visit) {
   if (condensed_ == Condensed::nothing) {
     for (DenseOperator& op : pending_) visit(op.rest, number++);
   } else {
-    for (CondensedOperator& op : operators_) {
+    for (OperatorSchurComplement& op : operators_) {
       Affine rest(0, 2);
       op.exchange_rest(rest);
       visit(rest, number++);
@@ -120,7 +120,7 @@ Rests EquilibriumSystem::rests() const {
   if (condensed_ == Condensed::nothing) {
     for (const DenseOperator& op : pending_) all.of_operators.push_back(op.rest);
   } else {
-    for (const CondensedOperator& op : operators_) all.of_operators.push_back(op.rest());
+    for (const OperatorSchurComplement& op : operators_) all.of_operators.push_back(op.rest());
   }
   return all;
 }
@@ -227,7 +227,7 @@ void EquilibriumSystem::condense_load() {
   condense();
   if (condensed_ == Condensed::operators_and_load) return;
   condensed_load_ = force_;
-  for (CondensedOperator& op : operators_) {
+  for (OperatorSchurComplement& op : operators_) {
     check_cancelled();
     op.condense_load(force_, prescribed_, condensed_load_);
   }
@@ -273,7 +273,7 @@ Affine EquilibriumSystem::solve() {
     }
   }
   for (int column = 0; column < 2; ++column) counters_.solves += has_load(column) ? 1 : 0;
-  for (const CondensedOperator& op : operators_) op.recover(displacement);
+  for (const OperatorSchurComplement& op : operators_) op.recover(displacement);
   ties_.expand(displacement);
   return displacement;
 }

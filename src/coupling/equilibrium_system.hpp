@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "coupling/condensed_operator.hpp"
 #include "coupling/contacts.hpp"
 #include "coupling/factor_origin.hpp"
 #include "coupling/node_ties.hpp"
+#include "coupling/operator_schur_complement.hpp"
 #include "coupling/operators.hpp"
 #include "coupling/solver_counters.hpp"
 #include "coupling/stiffness_assembly.hpp"
@@ -37,7 +37,7 @@ struct ReducedSystem {
   const linalg::SparseCholesky& cholesky;
   const std::vector<int>& dof_of;  // unknown -> dof
   int kept;                        // unknowns eliminated last
-  const std::vector<CondensedOperator>& operators;
+  const std::vector<OperatorSchurComplement>& operators;
   const NodeTies& ties;
   const Affine& prescribed;
   Affine right_hand_side;  // of the unknowns
@@ -272,7 +272,7 @@ class EquilibriumSystem {
   bool operators_have_rest_[2] = {false, false};              // in its two parts
   double rest_motion_[2] = {0, 0}, force_parts_[2] = {0, 0};  // largest in each part
   std::vector<DenseOperator> pending_;                        // until condensed
-  std::vector<CondensedOperator> operators_;
+  std::vector<OperatorSchurComplement> operators_;
   std::vector<std::vector<int>> bodies_;
   std::vector<char> in_body_;  // per node
   Terms terms_;

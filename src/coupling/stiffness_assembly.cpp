@@ -20,7 +20,7 @@ void append_pull(const std::vector<int>& unknown_of, const NodeTies& ties, int n
 }
 
 StiffnessAssembly::StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
-                                     const std::vector<CondensedOperator>& operators, bool symmetric,
+                                     const std::vector<OperatorSchurComplement>& operators, bool symmetric,
                                      const Contacts& contacts)
     : unknown_of_(unknown_of), terms_(terms), ties_(ties), operators_(operators), symmetric_(symmetric) {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
@@ -78,7 +78,7 @@ void StiffnessAssembly::each_pair(const Contacts& contacts, const Visit& visit) 
     for (const TermEntry& e : contacts[i].pull) add_node_pulled(e.node, nodes);
     each_of(nodes);
   }
-  for (const CondensedOperator& op : operators_) {
+  for (const OperatorSchurComplement& op : operators_) {
     std::vector<int> nodes;
     for (int dof : op.shared_dofs()) {
       if (nodes.empty() || nodes.back() != dof / 2) nodes.push_back(dof / 2);
@@ -237,7 +237,7 @@ void StiffnessAssembly::add_bonds(const std::vector<double>& stiffness) {
 }
 
 void StiffnessAssembly::add_operators() {
-  for (const CondensedOperator& op : operators_) {
+  for (const OperatorSchurComplement& op : operators_) {
     const auto& dofs = op.shared_dofs();
     for (std::size_t c = 0; c < dofs.size(); ++c) {
       for (std::size_t r = 0; r < dofs.size(); ++r) {

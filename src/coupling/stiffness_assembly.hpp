@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "coupling/condensed_operator.hpp"
 #include "coupling/contacts.hpp"
 #include "coupling/node_ties.hpp"
+#include "coupling/operator_schur_complement.hpp"
 #include "coupling/operators.hpp"
 #include "linalg/adjacency.hpp"
 
@@ -30,7 +30,8 @@ class StiffnessAssembly {
   // `unknown_of` gives the unknown of a degree of freedom, or -1. A symmetric matrix has its lower triangle only. Each
   // of `contacts` has its entries even if no term has them.
   StiffnessAssembly(const std::vector<int>& unknown_of, const Terms& terms, const NodeTies& ties,
-                    const std::vector<CondensedOperator>& operators, bool symmetric, const Contacts& contacts = {});
+                    const std::vector<OperatorSchurComplement>& operators, bool symmetric,
+                    const Contacts& contacts = {});
 
   // Sums the matrix. A broken term has the stiffness 0; its entries stay, so that the pattern does not change. Closed
   // contacts have entries.
@@ -64,7 +65,7 @@ class StiffnessAssembly {
   const std::vector<int>& unknown_of_;
   const Terms& terms_;
   const NodeTies& ties_;
-  const std::vector<CondensedOperator>& operators_;
+  const std::vector<OperatorSchurComplement>& operators_;
   bool symmetric_;
   Eigen::SparseMatrix<double> matrix_;
   std::vector<int> bond_places_;  // of the four entries that couple its ends, -1 for none; twice as many if unsymmetric

@@ -14,12 +14,12 @@ namespace bempd::coupling {
 
 // Dense operator whose private unknowns are eliminated once, so that only the unknowns that it shares with others enter
 // the sparse system.
-class CondensedOperator {
+class OperatorSchurComplement {
  public:
   // `kind` tells for each global degree of freedom what it is. The Schur complement is taken over from one of those
   // built before if it is the same. Throws Error (unsolvable) if the private part is singular.
-  CondensedOperator(const DenseOperator& source, const std::vector<DofKind>& kind,
-                    const std::vector<CondensedOperator>& built);
+  OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
+                          const std::vector<OperatorSchurComplement>& built);
 
   const std::vector<int>& shared_dofs() const { return shared_; }
   const Eigen::MatrixXd& schur_complement() const { return pressing_.empty() ? schur_->matrix() : schur_of_closed_; }
@@ -50,7 +50,7 @@ class CondensedOperator {
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   double unit_energy(const Eigen::VectorXd& proportional) const;
 
-  // --- Faces of cracks inside that are closed (condensed_faces.cpp); all are open at first.
+  // --- Faces of cracks inside that are closed (operator_faces.cpp); all are open at first.
 
   std::size_t face_count() const { return openings_ ? static_cast<std::size_t>(openings_->of_forces.rows()) : 0; }
   // Sets the gaps that loads inside the body cause; condense_load() has to follow, as it has to after close_faces().

@@ -1,18 +1,18 @@
-#include "coupling/condensed_operator.hpp"
+#include "coupling/operator_schur_complement.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace bempd::coupling {
 
-CondensedOperator::CondensedOperator(const DenseOperator& source, const std::vector<DofKind>& kind,
-                                     const std::vector<CondensedOperator>& built)
+OperatorSchurComplement::OperatorSchurComplement(const DenseOperator& source, const std::vector<DofKind>& kind,
+                                                 const std::vector<OperatorSchurComplement>& built)
     : rest_(source.rest), openings_(source.openings) {
   if (openings_) face_offsets_ = Affine::Zero(static_cast<Eigen::Index>(face_count()), 2);
   for (int node : source.nodes) all_.insert(all_.end(), {2 * node, 2 * node + 1});
   std::vector<DofKind> own;
   for (int dof : all_) own.push_back(kind[dof]);
-  const auto same = std::find_if(built.begin(), built.end(), [&](const CondensedOperator& other) {
+  const auto same = std::find_if(built.begin(), built.end(), [&](const OperatorSchurComplement& other) {
     return other.schur_->is_of(source.stiffness, own);
   });
   if (same != built.end()) {
@@ -26,7 +26,7 @@ CondensedOperator::CondensedOperator(const DenseOperator& source, const std::vec
   if (openings_) find_free_faces();
 }
 
-void CondensedOperator::condense_load(const Affine& force, const Affine& prescribed, Affine& load) {
+void OperatorSchurComplement::condense_load(const Affine& force, const Affine& prescribed, Affine& load) {
   const Eigen::MatrixXd& stiffness = schur_->stiffness();
   const std::vector<int>&private_local = schur_->private_dofs(), &shared_local = schur_->shared_dofs();
   Affine support = prescribed(all_, Eigen::all);
@@ -48,14 +48,14 @@ void CondensedOperator::condense_load(const Affine& force, const Affine& prescri
   for (std::size_t i = 0; i < shared_.size(); ++i) load.row(shared_[i]) -= carried.row(static_cast<Eigen::Index>(i));
 }
 
-bool CondensedOperator::is_on(const std::vector<int>& nodes) const {
+bool OperatorSchurComplement::is_on(const std::vector<int>& nodes) const {
   if (all_.size() != 2 * nodes.size()) return false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (all_[2 * i] != 2 * nodes[i]) return false;
   return true;
 }
 
-void CondensedOperator::recover(Affine& displacement) const {
+void OperatorSchurComplement::recover(Affine& displacement) const {
   if (private_.empty()) return;
   Affine values = private_load_;
   if (!shared_.empty()) values -= schur_->transfer() * displacement(shared_, Eigen::all);
@@ -65,7 +65,7 @@ void CondensedOperator::recover(Affine& displacement) const {
   }
 }
 
-void CondensedOperator::condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const {
+void OperatorSchurComplement::condense_function(Eigen::VectorXd& weights, Eigen::RowVector2d& constant) const {
   if (private_.empty()) return;
   const Eigen::VectorXd own = weights(private_);
   if (own.isZero(0)) return;
@@ -78,20 +78,20 @@ void CondensedOperator::condense_function(Eigen::VectorXd& weights, Eigen::RowVe
   if (!shared_.empty()) weights(shared_) -= (gaps_by_shared_(pressing_, Eigen::all).transpose() * per_gap).eval();
 }
 
-Eigen::VectorXd CondensedOperator::elastic(const Eigen::VectorXd& displacement, double load_factor) const {
+Eigen::VectorXd OperatorSchurComplement::elastic(const Eigen::VectorXd& displacement, double load_factor) const {
   Eigen::VectorXd own = displacement(all_);
   if (rest_.rows() > 0) own -= evaluate(rest_, load_factor);
   return own;
 }
 
-void CondensedOperator::add_internal_force(const Eigen::VectorXd& displacement, double load_factor,
-                                           Eigen::VectorXd& force) const {
+void OperatorSchurComplement::add_internal_force(const Eigen::VectorXd& displacement, double load_factor,
+                                                 Eigen::VectorXd& force) const {
   Eigen::VectorXd values = schur_->stiffness() * elastic(displacement, load_factor);
   if (!pressing_.empty()) values -= openings_->of_displacements.transpose() * face_forces(displacement, load_factor);
   force(all_) += values;
 }
 
-double CondensedOperator::energy(const Eigen::VectorXd& displacement, double load_factor) const {
+double OperatorSchurComplement::energy(const Eigen::VectorXd& displacement, double load_factor) const {
   const Eigen::VectorXd own = elastic(displacement, load_factor);
   const double open = 0.5 * own.dot(schur_->stiffness() * own);
   if (shut_.empty()) return open;
@@ -99,7 +99,7 @@ double CondensedOperator::energy(const Eigen::VectorXd& displacement, double loa
   return open + 0.5 * gaps.dot(held_shut_.solve(gaps));
 }
 
-double CondensedOperator::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
+double OperatorSchurComplement::energy_slope(const Eigen::VectorXd& displacement, double load_factor) const {
   double slope = 0;
   if (rest_.rows() > 0) slope = -rest_.col(1).dot(schur_->stiffness() * elastic(displacement, load_factor));
   if (shut_.empty()) return slope;
@@ -108,7 +108,7 @@ double CondensedOperator::energy_slope(const Eigen::VectorXd& displacement, doub
   return slope + growth.dot(held_shut_.solve(shut_gaps(displacement, load_factor)));
 }
 
-double CondensedOperator::unit_energy(const Eigen::VectorXd& proportional) const {
+double OperatorSchurComplement::unit_energy(const Eigen::VectorXd& proportional) const {
   Eigen::VectorXd own = proportional(all_);
   if (rest_.rows() > 0) own -= rest_.col(1);
   const double open = 0.5 * own.dot(schur_->stiffness() * own);

@@ -1,13 +1,13 @@
 // Contact of crack faces inside a condensed operator.
 #include <algorithm>
 
-#include "coupling/condensed_operator.hpp"
+#include "coupling/operator_schur_complement.hpp"
 
 namespace bempd::coupling {
 
 // Finds the faces that can close or open here. A mouth between nodes that are held or shared with other operators is
 // not among them: its gap follows from these nodes.
-void CondensedOperator::find_free_faces() {
+void OperatorSchurComplement::find_free_faces() {
   const Eigen::MatrixXd &alone = openings_->of_forces, &of_displacements = openings_->of_displacements;
   for (Eigen::Index i = 0; i < alone.rows(); ++i) {
     const bool moves = !private_.empty() && !of_displacements(i, schur_->private_dofs()).isZero(0);
@@ -18,7 +18,7 @@ void CondensedOperator::find_free_faces() {
 // Computes how contact forces q at the places act on the private unknowns, and the gaps as functions of the shared
 // ones:
 //   u_p = p_0 - X u_s + P q,   gaps = g_0 + (G_s - G_p X) u_s + (S + G_p P) q,   P = K_pp^-1 G_p^T.
-void CondensedOperator::reduce_faces() {
+void OperatorSchurComplement::reduce_faces() {
   if (gaps_by_faces_.size() > 0) return;
   const Eigen::MatrixXd& of_displacements = openings_->of_displacements;
   gaps_by_faces_ = openings_->of_forces;
@@ -36,7 +36,7 @@ void CondensedOperator::reduce_faces() {
   if (!shared_.empty()) gaps_by_shared_ -= of_private * schur_->transfer();
 }
 
-void CondensedOperator::close_faces(const std::vector<char>& closed) {
+void OperatorSchurComplement::close_faces(const std::vector<char>& closed) {
   pressing_.clear();
   shut_.clear();
   for (std::size_t i = 0; i < closed.size(); ++i)
@@ -54,19 +54,19 @@ void CondensedOperator::close_faces(const std::vector<char>& closed) {
   schur_of_closed_ += by_shared.transpose() * held_.solve(by_shared);
 }
 
-void CondensedOperator::find_gaps_at_rest(const Affine& support) {
+void OperatorSchurComplement::find_gaps_at_rest(const Affine& support) {
   gaps_at_rest_ = face_offsets_ + openings_->of_displacements * support;
   if (!private_.empty())
     gaps_at_rest_ += openings_->of_displacements(Eigen::all, schur_->private_dofs()) * private_load_;
 }
 
-Affine CondensedOperator::pressing_forces(const Affine& displacement) const {
+Affine OperatorSchurComplement::pressing_forces(const Affine& displacement) const {
   Affine gaps = gaps_at_rest_(pressing_, Eigen::all);
   if (!shared_.empty()) gaps += gaps_by_shared_(pressing_, Eigen::all) * displacement(shared_, Eigen::all);
   return -held_.solve(gaps);
 }
 
-Eigen::VectorXd CondensedOperator::face_forces(const Eigen::VectorXd& displacement, double load_factor) const {
+Eigen::VectorXd OperatorSchurComplement::face_forces(const Eigen::VectorXd& displacement, double load_factor) const {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(face_count()));
   if (pressing_.empty()) return forces;
   Eigen::VectorXd gaps = evaluate(gaps_at_rest_, load_factor)(pressing_);
@@ -75,7 +75,7 @@ Eigen::VectorXd CondensedOperator::face_forces(const Eigen::VectorXd& displaceme
   return forces;
 }
 
-Affine CondensedOperator::face_gaps(const Affine& displacement) const {
+Affine OperatorSchurComplement::face_gaps(const Affine& displacement) const {
   Affine own = displacement(all_, Eigen::all);
   if (rest_.rows() > 0) own -= rest_;
   Affine gaps = face_offsets_ + openings_->of_displacements * own;
@@ -89,20 +89,20 @@ Affine CondensedOperator::face_gaps(const Affine& displacement) const {
   return gaps;
 }
 
-Eigen::VectorXd CondensedOperator::open_gaps(const Eigen::VectorXd& displacement, double load_factor) const {
+Eigen::VectorXd OperatorSchurComplement::open_gaps(const Eigen::VectorXd& displacement, double load_factor) const {
   return evaluate(face_offsets_, load_factor) + openings_->of_displacements * elastic(displacement, load_factor);
 }
 
-Eigen::VectorXd CondensedOperator::shut_gaps(const Eigen::VectorXd& displacement, double load_factor) const {
+Eigen::VectorXd OperatorSchurComplement::shut_gaps(const Eigen::VectorXd& displacement, double load_factor) const {
   return open_gaps(displacement, load_factor)(shut_);
 }
 
-double CondensedOperator::work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const {
+double OperatorSchurComplement::work_at_closed_faces(const Eigen::VectorXd& displacement, double load_factor) const {
   if (shut_.empty()) return 0;
   return -evaluate(face_offsets_, load_factor)(shut_).dot(held_shut_.solve(shut_gaps(displacement, load_factor)));
 }
 
-void CondensedOperator::add_gap_function(std::size_t place, Eigen::Ref<Eigen::VectorXd> weights) const {
+void OperatorSchurComplement::add_gap_function(std::size_t place, Eigen::Ref<Eigen::VectorXd> weights) const {
   const auto row = openings_->of_displacements.row(static_cast<Eigen::Index>(place));
   for (std::size_t i = 0; i < all_.size(); ++i) weights[all_[i]] += row[static_cast<Eigen::Index>(i)];
 }
