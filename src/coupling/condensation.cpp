@@ -9,7 +9,7 @@
 
 namespace bempd::coupling {
 
-Condensation::Condensation(EquilibriumSystem& system) : system_(system.reduce()) {
+Condensation::Condensation(EquilibriumSystem& system) : system_(system.factorized()) {
   const Stopwatch watch(system_.counters.seconds_solve);
   const std::vector<int>& order = system_.cholesky.elimination_order();
   for (auto it = order.end() - system_.kept; it != order.end(); ++it) dofs_.push_back(system_.dof_of[*it]);

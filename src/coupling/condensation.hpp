@@ -46,7 +46,7 @@ class Condensation {
   Affine displacement_at(const std::vector<int>& nodes, const Affine& kept) const;
 
  private:
-  ReducedSystem system_;
+  FactorizedSystem system_;
   std::vector<int> dofs_;
   Eigen::MatrixXd factor_;
   Affine eliminated_;          // L^-1 load

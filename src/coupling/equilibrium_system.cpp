@@ -278,7 +278,7 @@ Affine EquilibriumSystem::solve() {
   return displacement;
 }
 
-ReducedSystem EquilibriumSystem::reduce() {
+FactorizedSystem EquilibriumSystem::factorized() {
   assert(is_symmetric());
   condense();
   factorize();

@@ -33,7 +33,7 @@ struct SoftMotion {
 
 // System after its operators are condensed and its matrix is factorized. It has references into the system, valid as
 // long as that keeps this factor.
-struct ReducedSystem {
+struct FactorizedSystem {
   const linalg::SparseCholesky& cholesky;
   const std::vector<int>& dof_of;  // unknown -> dof
   int kept;                        // unknowns eliminated last
@@ -187,7 +187,7 @@ class EquilibriumSystem {
   Affine solve();
 
   // Condenses and factorizes if necessary. Throws Error (unsolvable). The method must be a symmetric one.
-  ReducedSystem reduce();
+  FactorizedSystem factorized();
 
   // Condenses the operators once, as forces and energies need them.
   void condense();

@@ -108,8 +108,8 @@ QuadraticProgramme::QuadraticProgramme(model::Model& model) : model_(model) {
   auto parts = std::make_unique<Parts>();
   auto& [dof_of, stiffness, pull, answer, softness] = *parts;
   coupling::EquilibriumSystem& system = *model.prepared().system;
-  const coupling::ReducedSystem reduced = system.reduce();
-  dof_of = reduced.dof_of;
+  const coupling::FactorizedSystem factorized = system.factorized();
+  dof_of = factorized.dof_of;
   const Eigen::MatrixXd lower(system.assemble());
   stiffness = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()).cast<Number>();
   const coupling::Contacts& places = system.contacts();
@@ -135,15 +135,15 @@ QuadraticProgramme::~QuadraticProgramme() = default;
 
 Eigen::VectorXd QuadraticProgramme::displacement() const {
   const auto& [dof_of, stiffness, pull, answer, softness] = *parts_;
-  const coupling::ReducedSystem reduced = model_.prepared().system->reduce();
+  const coupling::FactorizedSystem factorized = model_.prepared().system->factorized();
   const double f = model_.load_factor();
-  const Numbers load = coupling::evaluate(reduced.right_hand_side, f).cast<Number>();
+  const Numbers load = coupling::evaluate(factorized.right_hand_side, f).cast<Number>();
   const Numbers open = solved(stiffness, load);
   Matrix a = product(pull, answer);
   a.diagonal() += softness;
   const Numbers forces = least_contact_forces(a, product(pull, open));
   const Numbers together = open + product(answer.transpose(), forces);
-  Eigen::VectorXd u = coupling::evaluate(reduced.prescribed, f);
+  Eigen::VectorXd u = coupling::evaluate(factorized.prescribed, f);
   u(dof_of) = together.cast<double>();
   return u;
 }
