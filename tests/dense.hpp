@@ -8,7 +8,7 @@ namespace bempd::dense {
 // X in A X = B, by LU with partial pivoting.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-// Of a symmetric matrix, in rising order.
+// Eigenvalues of a symmetric matrix, in rising order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix);
 
 // X with least |A X - B|, for A of full rank.

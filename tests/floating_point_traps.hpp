@@ -4,8 +4,8 @@
 
 namespace bempd::test {
 
-// While it lives, invalid operations, divisions by zero and overflows end the program, as hosts that look for their own
-// mistakes have it.
+// Scope in which invalid operations, divisions by zero and overflows end the program, as in hosts that look for errors
+// of their own.
 class FloatingPointTraps {
  public:
   FloatingPointTraps() {

@@ -17,7 +17,7 @@ contains
     write (error_unit, '(2a)') "failed: ", what
   end subroutine check
 
-  !> That a call failed in the way and with the words expected.
+  !> Checks that a call failed in the way and with the words expected.
   subroutine check_error(stat, expected, message, words)
     integer, intent(in) :: stat, expected
     character(*), intent(in) :: message, words

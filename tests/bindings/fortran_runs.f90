@@ -474,7 +474,7 @@ contains
     call model%set_edge_arc_about(disc, 1, .5_dp, 3._dp, .6_dp, BEMPD_CLOCKWISE, stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_set_edge_arc_about: edge 1 of region 2 begins 0.5")
     call model%fix_edge(disc, 1, BEMPD_BOTH)
-    ! Of a spiral the chords of two edges cross.
+    ! A spiral whose edges have chords that cross.
     call model%add_bem_region(1, reshape([6._dp, 0._dp, 8._dp, 0._dp, 6._dp, 1._dp, 8._dp, 1._dp], [2, 4]), .2_dp, &
       bulges=[0._dp, 1._dp, 0._dp], stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_add_bem_region: there are 3 bulges for 4 edges")

@@ -1,4 +1,4 @@
-!> Without stat an error ends the program; the argument chooses which.
+!> An error ends a program that does not ask for stat; the argument chooses the error.
 program fortran_stop
   use fortran_checks
   implicit none

@@ -1,5 +1,5 @@
-/* While a call runs the BLAS has one thread, or as many as the option says, and then what the host has set: after calls
- * that failed and where the host changes the number meanwhile too. */
+/* The BLAS has one thread while a call runs, or as many as the option says, and afterwards the number that the host
+ * has set: also after calls that fail, and where the host changes the number meanwhile. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 

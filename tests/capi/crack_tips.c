@@ -250,7 +250,7 @@ static void cracks_grow_until_they_cut_the_plate(void) {
   double first = 0, factor = 0, last_direction = 1, x = 0.2, y = 0.15;
   int64_t pieces = 0;
   int steps = 0;
-  /* Both tips grow together, by steps of the host. */
+  /* The tips of the crack grow together, in steps of the host. */
   CHECK_OK(model, bempd_set_option(model, "growth.share", 0.01));
   CHECK_OK(model, bempd_step(model, 0.5, NULL));
   CHECK_OK(model, bempd_growth_init(&growth, sizeof growth));
@@ -271,7 +271,7 @@ static void cracks_grow_until_they_cut_the_plate(void) {
     ++steps;
     CHECK(growth.tips == 2 && growth.load_factor < first);
     CHECK(fabs(tip_of(model, 1).y + tip_of(model, 0).y) < 1e-6);
-    /* It goes across the pull at last. */
+    /* The crack runs across the pull in the end. */
     last_direction = tip_of(model, 1).direction_y;
   }
   CHECK(steps >= 4 && fabs(last_direction) < 0.05);

@@ -78,7 +78,7 @@ static void forces_of_a_held_edge_sum_to_its_reaction(void) {
   }
 }
 
-/** Of a block under uniform tension: the force at each node is the traction times the weight of the node. */
+/** A block under uniform tension: the force at each node is the traction times the weight of the node. */
 static void constant_stress_gives_forces_by_the_weights(void) {
   int kind;
   for (kind = 0; kind < 3; ++kind) {
@@ -139,7 +139,7 @@ static void forces_do_the_work_that_is_booked(void) {
   }
 }
 
-/** Both sides of an interface, with their sums; where nodes match, node by node. */
+/** Checks both sides of an interface and their sums; where nodes match, node by node. */
 static void check_interface(bempd_model* model, int32_t region, int32_t edge, int32_t other, int32_t other_edge,
                             int match) {
   static edge_of_region one, two;

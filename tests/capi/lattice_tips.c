@@ -50,7 +50,7 @@ static void both_tips_carry_the_same(void) {
     CHECK(tip.method == BEMPD_TIP_CONTOURS && tip.contours == 3 && !tip.grown && !tip.branched);
     CHECK_CLOSE(tip.x, k == 0 ? -10 : 10, 1e-12);
     CHECK_CLOSE(tip.direction_x, k == 0 ? -1 : 1, 1e-12);
-    /* Above the infinite plate's factor. */
+    /* The factor is above that of the infinite plate. */
     CHECK(tip.stress_intensity_1 > 1e-3 * sqrt(10 * 3.14159) && tip.stress_intensity_1 < 1.4e-3 * sqrt(10 * 3.14159));
     CHECK_CLOSE(tip.stress_intensity_1, factor, 1e-9 * factor);
     CHECK_CLOSE(tip.stress_intensity_2, 0, 1e-9 * factor);
@@ -60,7 +60,7 @@ static void both_tips_carry_the_same(void) {
     CHECK(tip.felt_ahead > 0.3 && tip.felt_ahead < 0.55);
     CHECK(tip.contour_radius > 8 && tip.contour_radius <= 20);
   }
-  /* It is linear in the load factor. */
+  /* The factor is linear in the load factor. */
   CHECK_OK(model, bempd_step(model, 2e-3, NULL));
   CHECK_CLOSE(tip_of(model, 0).stress_intensity_1, 2 * factor, 1e-9 * factor);
   bempd_model_free(model);
@@ -159,7 +159,7 @@ static void a_cancelled_step_leaves_no_records(void) {
   bempd_model_free(model);
 }
 
-/** The same run to the last bit, whether tips are looked at or not. */
+/** A run is the same to the last bit, whether tips are looked at or not. */
 static void recording_changes_no_run(void) {
   bempd_history_entry last[2];
   for (int recorded = 0; recorded < 2; ++recorded) {

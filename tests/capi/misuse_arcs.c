@@ -21,7 +21,7 @@ static void arcs_may_not_cross_the_outline(void) {
   bempd_model* model = bem_block();
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "cross|touch", bempd_set_edge_arc(model, 1, 1, 5.0, 8.0));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "cross|touch", bempd_set_edge_arc(model, 1, 1, 5.0, 9.0));
-  /* Round the whole body, which it does not meet. */
+  /* The arc goes round the whole body, which it does not meet. */
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "arc bulges across", bempd_set_edge_arc(model, 1, 1, 5.0, 30.0));
   CHECK_OK(model, bempd_add_circular_hole(model, 1, 5.0, 3.0, 2.0, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "hole", bempd_set_edge_arc(model, 1, 1, 5.0, 1.5));

@@ -116,8 +116,9 @@ static bytes bytes_of(bempd_model* model) {
     place += 8 + entry_size[array] * saved.count[array];
   }
   place = behind_lists(&saved, place, 4); /* terms whose faces wait */
-  /* Then the values in force of two supports with one each and of no load, where a way of them ends, those that act,
-   * which loads there are, whose values are not contained, and how the run goes on. */
+  /* Positions of the members behind the arrays: the values in force of two supports with one each and of no load,
+   * where a path of them ends, the acting values, which loads there are, whose values are not contained, and how the
+   * run goes on. */
   saved.begin_values = place;
   saved.begin_way = place + 1 + 8 + 2 * (1 + 2 * (8 + 8)) + 8;
   saved.begin_said = saved.begin_way + 1 + 8 + 8 + 2 * (1 + 2 * (8 + 8)) + 8 + 8;
@@ -239,7 +240,7 @@ static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved)
   put_byte(model, saved, offset_in_equilibrium + 1, 17, "separated");
   for (k = 0; k < 3; ++k) put_count(model, saved, offset_events + 8 * k, -1, "a negative count");
   put_count(model, saved, saved->begin[history] + 8, -1, "a negative event");
-  /* As many broken bonds as are counted, and those cut at first among them. */
+  /* The number of broken bonds is the one that is counted, with those cut at first. */
   put_count(model, saved, offset_events + 8, 1000, "the count of broken bonds");
   for (k = 0; k < saved->count[stages]; ++k) {
     const int64_t place = saved->begin[stages] + 8 + k;
@@ -404,7 +405,8 @@ static void altered_bytes_do_no_harm(bempd_model* model, const bytes* saved) {
   }
 }
 
-/** In a window and without one: faces that broken bonds leave, and changes of the factorization, are there without. */
+/** Checks states in a window and without one, of which only the latter have faces of broken bonds and changes of the
+ * factorization. */
 static void every_state_is_checked(const char* solver) {
   bempd_model* model = torn_block(solver);
   bytes saved = bytes_of(model);

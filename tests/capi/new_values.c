@@ -27,7 +27,7 @@ static bempd_history_entry line_of(bempd_model* model, int64_t index) {
   return line;
 }
 
-/** The same events at the same load factors; ends of steps in between do not count. */
+/** Checks that two models have the same events at the same load factors; ends of steps in between do not count. */
 static void check_same_events(bempd_model* one, bempd_model* other) {
   int64_t lines = 0, others = 0, k, at = 0, events = 0;
   CHECK_OK(one, bempd_history_count(one, &lines));
@@ -137,7 +137,7 @@ static void a_step_that_ends_on_the_way_is_gone_on_with(void) {
   pull(&plate, 0.0);
   report = go(&plate, 2 * GOAL, BEMPD_UNTIL_VALUES);
   CHECK(report.total_events < 10 && report.stop_reason == BEMPD_STOP_LOAD_FACTOR && report.stored_energy < 1e-12);
-  /* And at once, by a step. */
+  /* A step goes to the values at once. */
   CHECK_OK(plate.model, bempd_state_restore(plate.model, state));
   pull(&plate, GOAL);
   CHECK_OK(plate.model, bempd_step(plate.model, report.load_factor, &report));

@@ -114,7 +114,7 @@ static void tips_keep_their_digits_over_the_range(void) {
   }
 }
 
-/* So does how far a piece is from a rigid one. */
+/* The deviation of a piece from a rigid motion keeps its digits over the range, too. */
 static void pieces_move_by_numbers(void) {
   const double pulls[] = {1e-250, 1.0, 1e170, 1e300};
   double first = 0.0;

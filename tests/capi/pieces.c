@@ -160,7 +160,7 @@ static void last_bonds_do_not_decide_the_end(const char* accuracy) {
   hinge = report.resistance > 1e-6 * report.peak_resistance;
   if (hinge) {
     CHECK(report.resistance > 1e-4 * report.peak_resistance && report.resistance < 0.02 * report.peak_resistance);
-    /* It goes on to the last bond for whoever asks. */
+    /* The run goes on to the last bond if it is asked to. */
     CHECK_OK(model, bempd_step(model, 2000.0, &to_the_last));
     CHECK(to_the_last.events > 0 && to_the_last.separated == 1);
   }
@@ -216,7 +216,7 @@ static void a_body_without_load_is_not_separated(void) {
   bempd_model_free(model);
 }
 
-/** Out of equilibrium a dead load would give without end; what is released is not that. */
+/** The energy released does not grow without end under a dead load that is out of equilibrium. */
 static void dead_loads_release_what_a_body_can(void) {
   const double pull = 1e5;
   bempd_step_report held = new_report(), path = new_report();

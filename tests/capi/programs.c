@@ -48,7 +48,7 @@ static void a_ramp_breaks_what_a_proportional_load_breaks(void) {
   bempd_model_free(plate.model);
 }
 
-/** Below the first break a closed loop returns its work, whichever way it goes. */
+/** A closed loop of loads below the first break returns its work, in either direction. */
 static void a_loop_without_a_break_returns_its_work(void) {
   const coupled_plate plate = coupled_plate_create();
   const double top[] = {1.0}, up[] = {0.05};

@@ -50,7 +50,7 @@ static void a_cancelled_first_step_leaves_the_scene_open(void) {
   CHECK_OK(model, bempd_fix_edge(model, 1, 2, BEMPD_Y, NULL));
   CHECK_OK(model, bempd_step(model, 1e-4, NULL));
   CHECK_OK(model, bempd_reaction(model, support, before));
-  /* From here on the scene stays, whatever fails. */
+  /* The scene stays from here on, whatever fails. */
   CHECK_OK(model, bempd_set_progress(model, cancel_at_once, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_CANCELLED, "asked to stop", bempd_step(model, 1.0, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ORDER, "prepared", bempd_fix_edge(model, 1, 1, BEMPD_Y, NULL));
@@ -59,7 +59,7 @@ static void a_cancelled_first_step_leaves_the_scene_open(void) {
   bempd_model_free(model);
 }
 
-/** Through bytes, with and without the values of loads and supports. */
+/** Saves and restores through bytes, with and without the values of loads and supports. */
 static void save_and_restore(bempd_model* model) {
   int32_t contents;
   for (contents = BEMPD_STATE_BODY; contents <= BEMPD_STATE_BODY_AND_VALUES; ++contents) {

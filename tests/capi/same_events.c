@@ -1,8 +1,8 @@
 /*
- * The same events on every kind of processor: written by one, compared by the others.
+ * Events are the same on every kind of processor: one writes them, the others compare.
  *   capi_same_events write FILE | compare FILE
  * Bonds are chosen by comparing stretches, so counts would differ where rounding decided between two of them. Rounding
- * is some 1e-13 of a stretch here; the numbers may differ by that and what follows from it.
+ * is some 1e-13 of a stretch here; the numbers may differ by that and its consequences.
  */
 #define CRACK_RULE "bond"
 #include "scenes.h"

@@ -25,7 +25,7 @@ static long bytes_written(void (*run)(void)) {
   return size;
 }
 
-/** With the scheme of that number; 0 if there are not so many. */
+/** Runs with the scheme of that number; returns 0 if there is none. */
 static int run_with_scheme(bempd_model* model, int number) {
   char words[64] = "", *scheme;
   int64_t index, count = 0;

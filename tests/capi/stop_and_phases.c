@@ -15,7 +15,7 @@ static int32_t stop_after_events(double load_factor, int64_t events, int64_t bro
   return 0;
 }
 
-/** The same events, one step for each. */
+/** Outcome of a run to as many events, one step for each. */
 static outcome outcome_after_events(int64_t events) {
   const coupled_plate plate = coupled_plate_create();
   outcome seen;

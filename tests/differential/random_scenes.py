@@ -20,12 +20,13 @@ import bempd
 
 # An answer whose forces or energies are off by more is no answer.
 MOST_RESIDUAL, MOST_IMBALANCE = 1e-8, 1e-8
-# In which windows and plain solutions may differ, relative to the largest value.
+# Differences allowed between windows and whole bodies, relative to the largest value.
 LOADS, ENERGIES, REACTIONS = 1e-7, 1e-6, 1e-6
-# Both know stretches to so many digits of those at the first event: what breaks at 10,000 times its load factor has lost four.
+# Digits of stretches, relative to those at the first event, that both solvers have: an event at 10,000 times its load
+# factor has lost four.
 STRETCHES = 1e-11
-# Of the load factor over that of the first event, or over 10, as loads are such that bonds break at about 1: as many digits
-# of the stretches are lost.
+# Largest load factor over that of the first event, or over 10 (loads are such that bonds break at about 1): so many
+# digits of the stretches are lost.
 MOST_GROWTH, FIRST = 1e5, 10
 # Energies far below those that bonds take, about 1e-7 each: where all loads are lost at the first event, rounding is left.
 SMALL_ENERGY = 1e-15
@@ -194,7 +195,7 @@ def difference(plain: Outcome, window: Outcome) -> Optional[str]:
     if plain.error != window.error:
         return f"plain: {plain.error}; window: {window.error}"
     largest_energy = max([abs(r.work) for r in plain.reports] + [SMALL_ENERGY])
-    # Where nothing is left to react, forces are rounding of those that stored the work (Young's modulus is 1).
+    # Scale of forces where no reaction is left: the rounding of those that stored the work (Young's modulus is 1).
     natural = math.sqrt(largest_energy)
     size = max((np.abs(r).max() for r in plain.reactions), default=0) + natural + 1e-300
     for number, (a, b) in enumerate(zip(plain.reports, window.reports), 1):

@@ -97,7 +97,7 @@ def random_scene(seed: int, carrier: str) -> Scene:
         if inside and all(apart(ends, other) > 3.2 for other in cracks):
             cracks.append(ends)
     pull, side, shear = choose.uniform(0.5, 1), choose.uniform(-0.2, 0.4), choose.uniform(-0.2, 0.2)
-    # None, one that leaves all cracks at rest, and one that is too much for several of them at once.
+    # A constant load: none, one that leaves all cracks at rest, or one that is too much for several of them at once.
     overloaded = seed % 3 == 0
     constant = choose.uniform(0.02, 0.03) if overloaded else choose.choice((0.0, choose.uniform(0.001, 0.003)))
     if overloaded:

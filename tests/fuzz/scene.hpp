@@ -42,7 +42,7 @@ class Scene {
     double x, y;
   };
 
-  // In scene_bodies.cpp.
+  // Bodies (scene_bodies.cpp).
   void set_option();
   void limit_memory();
   void add_material(bool sound);
@@ -53,7 +53,7 @@ class Scene {
   void mesh_edge();
   void add_crack(bool in_lattice);
 
-  // In scene_cracks.cpp.
+  // Cracks (scene_cracks.cpp).
   void add_curved();
   void grow();
   void read_tips();
@@ -61,7 +61,7 @@ class Scene {
   void read_pieces();
   void remove();
 
-  // In scene_conditions.cpp.
+  // Conditions (scene_conditions.cpp).
   void add_whole_load();
   void add_support();
   void add_load();
@@ -69,7 +69,7 @@ class Scene {
 
   void act_on_edges();
 
-  // In scene_edges.cpp.
+  // Edges (scene_edges.cpp).
   void add_other_load();
   void read_edge();
   void read_bounds();
@@ -78,7 +78,7 @@ class Scene {
   void read_options();
   void keep_file();
 
-  // In scene_runs.cpp.
+  // Runs (scene_runs.cpp).
   void advance();
   void interrupt();
   void read_report(const char* call, const bempd_step_report& report);

@@ -23,7 +23,7 @@ std::int32_t give(double x, double y, double* constant, double* proportional, vo
   return given->answer;
 }
 
-// They live as long as models do.
+// Keeps what a function of the host returns as long as models live.
 Given* keep(double constant, double proportional, std::int32_t answer) {
   static std::array<Given, 64> all;
   static std::size_t next = 0;

@@ -88,7 +88,7 @@ void Scene::read_tips() {
   const auto require_tip = [&](const char* call) {
     const std::array places = {tip.x, tip.y, tip.direction_x, tip.direction_y, tip.contour_radius};
     require_finite(call, places.data(), places.size());
-    // Where no ring fits less is known, or nothing; the angle of growth is not where the tip never grows.
+    // Less is known of a tip around which no ring fits; the angle of growth is unknown where the tip never grows.
     if (tip.method != BEMPD_TIP_ELEMENTS && tip.contours == 0) {
       require_true(std::isnan(tip.error) && std::isnan(tip.t_stress), call, "rings that do not fit tell");
       return;
@@ -120,7 +120,7 @@ void Scene::read_tips() {
   read_paths();
 }
 
-// Of a crack that begins in a lattice less is known.
+// Growth values are NaN for a crack that begins in a lattice.
 void Scene::read_paths() {
   std::int64_t count = 0;
   if (!FUZZ_CALL(bempd_extension_count, model_, &count)) return;

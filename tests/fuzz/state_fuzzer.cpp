@@ -89,7 +89,7 @@ Bytes saved_bytes(bempd_model* model) {
   return bytes;
 }
 
-// After the first event, after the second, and torn.
+// States after the first event, after the second, and when the body is torn.
 std::array<Bytes, 3> states_of(bempd_model* model) {
   std::array<Bytes, 3> states;
   states[0] = saved_bytes(model);

@@ -48,7 +48,7 @@ bempd_model* scene() {
   return model;
 }
 
-// Until a few bonds have broken; the load factor then.
+// Runs until a few bonds have broken, and tells the load factor then.
 bempd_status run(bempd_model* model, double& load_factor) {
   bempd_step_report report;
   bempd_step_report_init(&report, sizeof report);

@@ -18,7 +18,7 @@ void __libc_free(void* block);
 
 namespace {
 
-// Their memory is some kilobytes a call, and they end the process where it is missing.
+// Libraries that are spared: their memory is some kilobytes a call, and they end the process where it is missing.
 constexpr std::array spared_libraries = {"libgomp", "openblas", "libblas"};
 
 struct Range {

@@ -10,7 +10,7 @@ enum class Mode { once, from_then_on };
 
 constexpr std::int64_t never = -1;
 
-// From here to stop() allocations count as the library's, and the `first`-th of them fails, or all from it on.
+// Starts to count allocations as the library's, until stop(); the `first`-th of them fails, or all from it on.
 void start(Mode mode, std::int64_t first);
 
 struct Count {

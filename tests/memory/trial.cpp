@@ -9,7 +9,7 @@ namespace memory_test {
 
 namespace {
 
-// After a failure systems are factorized anew, so the last digits may differ.
+// Relative difference allowed after a failure: systems are then factorized anew, so the last digits may differ.
 constexpr double rounding = 1e-8;
 
 struct Undisturbed {
@@ -153,7 +153,7 @@ class Trial {
       return false;
     }
     ++progress_.told;
-    // Of a call without a model it is the thread's.
+    // The message of a call without a model is that of the thread.
     if (bempd_last_error(host_->model)[0] == '\0' && bempd_last_error(nullptr)[0] == '\0') {
       if (progress_.silent++ == 0) std::printf("%s, %s: no sentence\n", program_.name, call.name);
     }

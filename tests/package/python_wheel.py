@@ -46,7 +46,7 @@ names = zipfile.ZipFile(wheels[0]).namelist()
 for name in ("bempd/libbempd.so.0", "bempd/py.typed", "bempd/_cdef.py", "bempd/plot.py"):
     assert name in names, (name, names)
 
-# From here on nothing points to the source or build tree.
+# The environment below has no path to the source or build tree.
 environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "BEMPD_LIBRARY")}
 subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", work / "venv"], check=True, env=environment)
 python = work / "venv" / "bin" / "python"

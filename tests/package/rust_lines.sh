@@ -22,7 +22,7 @@ page=$root/bindings/rust/README.md
 block() { awk -v kind="$2" -v words="$3" '$1 == "```" kind { on = 1; text = ""; next } $1 == "```" { if (on && index(text, words)) printf "%s", text; on = 0 }
   on { sub(/^  /, ""); text = text $0 "\n" }' "$1"; }
 
-# In place of what a reader puts in.
+# Fills in the paths that a reader has to fill in.
 filled() { sed -e "s|/path/to/bempd|$root|g" -e "s|/folder/of/the/library|$folder|g"; }
 
 manifest() { printf '[package]\nname = "host"\nversion = "0.1.0"\nedition = "2021"\n\n%s\n' "$1" >Cargo.toml; }

@@ -60,7 +60,7 @@ TEST(ArcAbout, is_the_arc_through_a_place) {
   for (const bool about : {false, true}) {
     Model model;
     const int32_t body = model.bem(model.add(material(1, 0.3)), rectangle(0, 0, 2, 1), 0.2);
-    // About (1, -2): the radius is the root of 5.
+    // The centre is (1, -2), so the radius is the root of 5.
     const double radius = std::sqrt(5.0);
     if (about)
       bend(model, body, 1, {1, -2}, radius, BEMPD_CLOCKWISE);
@@ -89,9 +89,9 @@ TEST(ArcAbout, refuses_what_is_not_on_the_circle_with_both_distances) {
   EXPECT_EQ(try_bend(model, 1, {0.5, 0}, 0.5, 0), BEMPD_ERROR_ARGUMENT);
   EXPECT_EQ(try_bend(model, 1, {0.5, 0}, 0.5, 3), BEMPD_ERROR_ARGUMENT);
   EXPECT_EQ(try_bend(model, 5, {0.5, 0}, 0.5, BEMPD_CLOCKWISE), BEMPD_ERROR_ARGUMENT);
-  // Into the body up to its upper edge and beyond.
+  // The arc bulges into the body up to its upper edge and beyond.
   EXPECT_EQ(try_bend(model, 1, {0.5, 0.6}, std::hypot(0.5, 0.6), BEMPD_CLOCKWISE), BEMPD_ERROR_ARGUMENT);
-  // Within the tolerance: 1e-9 of the diagonal.
+  // The radius is within the tolerance: 1e-9 of the diagonal.
   EXPECT_EQ(try_bend(model, 1, {0.5, 0}, 0.5 + 1e-9, BEMPD_COUNTER_CLOCKWISE), BEMPD_OK);
   EXPECT_EQ(bempd_set_edge_arc_about(model.get(), 2, 1, 0.5, 0, 0.5, BEMPD_CLOCKWISE), BEMPD_ERROR_ARGUMENT);
   model.fix(1, 3, BEMPD_BOTH);

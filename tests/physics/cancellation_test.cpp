@@ -13,7 +13,7 @@
 namespace cancellation_test {
 namespace {
 
-// Of the process, so that other programs on the machine do not count.
+// Processor time of this process, so that other programs on the machine do not count.
 double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -63,7 +63,7 @@ class Cancellation : public testing::Test {
     return status;
   }
 
-  // In the midst of everything that the call does.
+  // Asks to cancel at many moments in the course of a call.
   template <class Call>
   void expect_heard_throughout(const Call& call) {
     const double start = processor_time();

@@ -88,7 +88,7 @@ TEST(ChangingHeat, on_a_straight_line_breaks_what_the_load_factor_breaks) {
   }
 }
 
-// Both halves are warmed and cooled by columns of their own: what that takes comes back.
+// Two halves are warmed and cooled by columns of their own: the work of a cycle is zero.
 void expect_cycle(bool elements) {
   Bar bar(1, 1, 0.25, elements);
   const std::vector<double> times{1, 2, 3, 4}, factors{40, 0, 40, -20, 10, -20, 0, 0};

@@ -68,7 +68,7 @@ TEST(ClosingCrack, pressed_straight_is_as_good_as_none) {
     const Point moved = values[0].displacement - values[1].displacement;
     EXPECT_NEAR(moved.x(), (-0.3 + 0.3) * (a - b).x(), 1e-10);
     EXPECT_NEAR(moved.y(), (-1 + 0.3 * 0.3) * (a - b).y(), 1e-10);
-    // And back: pulled it is the open crack.
+    // The crack is open again when it is pulled.
     cracked->advance(1, to_load_factor), through->advance(1, to_load_factor);
     EXPECT_EQ(closed(*cracked), 0U);
     EXPECT_LE(difference(displacement(*cracked), displacement(*through)), 1e-12);
@@ -178,7 +178,7 @@ TEST(ClosingCrack, the_path_is_piecewise_linear) {
   EXPECT_LE(difference(displacement(*coarse), displacement(*fine)), 1e-11);
 }
 
-// Under loads that grow in proportion from rest no place opens or closes on the way.
+// Proportional loads from rest open or close no place on the way.
 TEST(ClosingCrack, under_proportional_loads_what_is_closed_stays_so) {
   const auto model = plate(2, 1, {{{-1.2, 0.1}, {1.1, 0.3}}});
   pull(*model, uniform(0, 0), [](const Point& x) { return stress(0, -0.1 - 0.7 * x.x()); });
@@ -233,7 +233,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
     contact_bodies::hold(model, 1, 1, 0, 0);
     const auto top = std::make_shared<const regions::EdgePart>(2, 3, 0, 1);
     model.editable_scene().add_support({top, 1, scene::SampledValues{{0.0}, {0.0}}});
-    // From right to left.
+    // The displacement is given from right to left.
     model.editable_scene().add_support({top, 2, scene::SampledValues{{0.0, 0.0}, {-0.06, 0.03}}});
   };
   const std::vector<Point> grows{{0, 16.5}, {7.3, 16.5}}, closes{{15, 4.2}, {22, 5.8}};
@@ -249,7 +249,7 @@ TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   EXPECT_EQ(a.stages, b.stages);
   EXPECT_LE(difference(a.total_displacement, b.total_displacement), 1e-10);
   EXPECT_LE(a.worst_energy_balance_error, 1e-11);
-  // From a state among closed places.
+  // The run goes on in the same way from a state with closed places.
   const auto other = run("plain", {grows, closes});
   bend(*other);
   const std::vector<std::uint8_t> bytes = model::to_bytes(plain->save());

@@ -32,7 +32,7 @@ struct Solved {
   Eigen::VectorXd displacements, openings;
 };
 
-// At a model's load factor, from all of its forces: K z = f + C^T q, C z >= 0, q >= 0, q.C z = 0.
+// Solves K z = f + C^T q, C z >= 0, q >= 0, q.C z = 0 at a model's load factor, with all of its forces.
 Solved by_quadratic_programme(model::Model& model, const bem::FaceTraction& faces = {});
 
 // All openings of the model's state, at the places of the nodes.

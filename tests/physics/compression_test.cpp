@@ -41,7 +41,7 @@ double strength(const Block& block, const char* criterion, double limit) {
 }
 
 TEST(Compression, stretch_across_breaks_a_sound_block) {
-  // By Hooke's law the lateral stretch reaches s_c at 1 / nu in plane stress and (1 - nu) / nu in plane strain.
+  // The lateral stretch reaches s_c, by Hooke's law, at 1 / nu in plane stress and (1 - nu) / nu in plane strain.
   EXPECT_LE(std::abs(report("plane stress", strength({}, "stretch", 100), 3, "1 / nu")), 0.01);
   EXPECT_LE(std::abs(report("plane strain", strength({0.25, BEMPD_PLANE_STRAIN}, "stretch", 100), 3, "(1 - nu) / nu")),
             0.01);
@@ -53,7 +53,7 @@ TEST(Compression, without_it_a_sound_block_bears_any_pressure) {
     EXPECT_TRUE(std::isinf(strength(block, "opening", 1e4))) << block.nu;
 }
 
-// With points on the outline, whatever the direction of the lattice's rows.
+// Blocks with points on the outline bear any pressure, whatever the direction of the lattice's rows.
 TEST(Compression, without_it_blocks_on_any_lattice_bear_any_pressure) {
   for (const double angle : {0.0, 0.4}) {
     BondModel model;
@@ -80,8 +80,8 @@ std::vector<bempd_history_entry> pulled(const char* criterion, const char* solve
   return model.history();
 }
 
-// Where nothing is pressed both criteria are one, digit by digit, until the last part of the plate is torn, whose faces
-// overlap: there other bonds of the same ones go first.
+// Tension gives the same under both criteria, digit by digit, until the last part of the plate is torn, whose faces
+// overlap: there other bonds out of several alike break first.
 TEST(Compression, a_pulled_crack_grows_as_before) {
   const auto by_stretch = pulled("stretch", "plain");
   const int64_t all = by_stretch.back().total_broken_bonds;

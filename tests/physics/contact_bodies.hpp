@@ -51,7 +51,7 @@ class QuadraticProgramme {
   explicit QuadraticProgramme(model::Model& model);
   ~QuadraticProgramme();
 
-  // At the model's load factor.
+  // Displacement at the model's load factor.
   Eigen::VectorXd displacement() const;
 
  private:

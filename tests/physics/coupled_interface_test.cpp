@@ -52,7 +52,7 @@ TEST(InterfaceThatDoesNotMatch, cantilever_converges_as_both_meshes_are_refined)
   }
 }
 
-// The same boundary elements beside the lattice they would follow and beside their own.
+// Compares boundary elements that do not match the lattice beside them with elements that follow it.
 TEST(InterfaceThatDoesNotMatch, any_ratio_of_element_and_spacing_is_as_good_as_matching) {
   const double spacing = 0.01;
   const Errors matching = solve(0.1, 0, spacing);

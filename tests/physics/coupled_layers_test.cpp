@@ -40,7 +40,7 @@ TEST(Layers, bars_in_series_without_poisson_effect_are_exact) {
   }
 }
 
-// Between smooth walls a bar does not thin: its end moves by stress / C11 times the length of every part.
+// A bar between smooth walls does not get thinner: its end moves by stress / C11 times the length of every part.
 TEST(Layers, four_materials_in_series_between_smooth_walls_are_exact) {
   const double pull = 3e6, height = 0.2, length = 0.3;
   const Method methods[] = {Method::boundary_elements, Method::peridynamics, Method::peridynamics,
@@ -141,8 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
                     TwoSides{"pd_pd", Method::peridynamics, Method::peridynamics, 1.0 / 3, 1.0 / 3}),
     [](const auto& test) { return test.param.name; });
 
-// In bending the tractions on the two sides of an interface are computed by two systems; they must still be opposite,
-// the better the finer the mesh.
+// Tractions on the two sides of an interface are computed by two systems; in bending they must still be opposite, the
+// better the finer the mesh.
 TEST(Layers, bending_tractions_of_two_boundary_element_regions_are_opposite) {
   double previous = 0;
   for (double length : {0.1, 0.05, 0.025}) {

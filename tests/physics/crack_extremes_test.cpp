@@ -56,7 +56,7 @@ TEST(CrackExtremes, sizes_and_moduli_do_not_matter) {
   EXPECT_LE(worst, 1e-12);
 }
 
-// In plane strain the factors of a loaded body do not depend on Poisson's ratio.
+// Stress intensity factors of a loaded body in plane strain do not depend on Poisson's ratio.
 TEST(CrackExtremes, incompressible_plane_strain) {
   for (const double nu : {0.0, 0.3, 0.49, 0.49999, 0.5}) {
     const CrackedBody body({plate(1, 3, 0.25)}, {{{-0.5, 0}, {0.5, 0}}}, {1, nu, PlaneState::strain, 1}, 0.25);

@@ -18,7 +18,7 @@ std::size_t elements(const CrackedBody& body) { return body.mesh.elements.size()
 
 Eigen::Matrix2d uniform_tension(const Point&) { return Eigen::Vector2d(0, 1).asDiagonal(); }
 
-// Both tips of one end together release what the tip of one crack does, in the limit of no gap between them.
+// Two tips of parallel cracks at one end together release what the tip of one crack does, in the limit of no gap.
 TEST(CrackGaps, two_parallel_cracks_release_what_one_does) {
   const auto released = [](const CrackedBody& body, std::size_t tips) {
     const auto all = body.tips(body.solve(uniform_tension));

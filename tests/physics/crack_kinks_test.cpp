@@ -44,7 +44,7 @@ TEST(Kink, goes_to_the_largest_energy_release_rate) {
   EXPECT_EQ(kink_of({2, 0}, energy_release_rate).angle, 0);
   EXPECT_EQ(kink_of({2, 0}, energy_release_rate).equivalent_factor, 2);
   EXPECT_LT(kink_of({-2, 0}, energy_release_rate).equivalent_factor, 0);
-  // For a little shear both criteria turn by 2 K_II / K_I.
+  // The angle is 2 K_II / K_I for a little shear by either criterion.
   EXPECT_NEAR(kink_of({1, 0.01}, energy_release_rate).angle, -0.02, 2e-5);
   EXPECT_NEAR(kink_of({1, 0.01}, hoop_stress).angle, -0.02, 2e-5);
   for (const double two : {0.1, 0.5, 1.0, 5.0}) {
@@ -82,7 +82,7 @@ TEST(Kink, of_a_tip_that_is_pressed_shut_is_worth_as_much_whatever_rounding_does
   }
 }
 
-// Against the same on elements half as long: faces of a sharp kink lie close to each other.
+// Elements half as long give the same digits: the faces of a sharp kink lie close to each other.
 TEST(Kink, that_nearly_closes_keeps_its_digits) {
   Eigen::Matrix2d pull = Eigen::Matrix2d::Identity();
   for (const double degrees : {120.0, 150.0, 170.0, 177.0}) {

@@ -62,7 +62,7 @@ TEST(CrackedOperator, linear_fields_pass_when_the_faces_carry_their_tractions) {
   }
 }
 
-// Round a branch one goes through all of its openings and comes back to the same face.
+// A path round a branch crosses all of its openings and comes back to the same face, so that they sum to zero.
 TEST(CrackedOperator, openings_of_a_branch_sum_to_zero) {
   int branches = 0;
   for (const Case& c : cases()) {

@@ -78,7 +78,7 @@ struct CrackedBody {
     return given;
   }
 
-  // Under tractions of a stress on the whole boundary and tractions on crack faces.
+  // State under the tractions of a stress on the whole boundary, and tractions on crack faces.
   bem::CrackedState solve(const std::function<Eigen::Matrix2d(const Point&)>& stress,
                           const bem::FaceTraction& faces = {}) const {
     const double thickness = op->elasticity().thickness;

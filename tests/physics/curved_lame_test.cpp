@@ -98,7 +98,7 @@ TEST(Lame, ring_is_exact_at_every_mesh_in_every_scheme) {
     }
 }
 
-// Towards incompressibility 1 / (1 - 2 nu) of the digits are lost, and no more.
+// The loss of digits towards incompressibility is 1 / (1 - 2 nu), and no more.
 TEST(Lame, ring_is_exact_for_every_poisson_ratio) {
   for (const bool clamped : {false, true})
     for (const double poisson : {-0.9, -0.5, 0.0, 0.3, 0.49, 0.4999, 0.499999, 0.4999999}) {

@@ -53,7 +53,7 @@ TEST(CurvedPatch, inside_values_are_exact_up_to_the_boundary) {
         mesh, elasticity, nodal_values(mesh, [&](const Point& x) { return exact.displacement(x); }),
         curved_tractions(mesh, body.panels(), [&](const Point&) { return exact.stress; }));
     for (const double part : {1e-2, 1e-6, 1e-9, 0.0}) {
-      // As close to the ends of the elements as to the elements.
+      // Points lie as close to the ends of the elements as to the elements.
       std::vector<Point> points = points_near_boundary(body, part, {3 * part, 0.3, 0.5, 1 - 3 * part});
       points.push_back(body.inside);
       double displacement = 0, stress = 0;

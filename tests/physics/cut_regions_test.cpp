@@ -41,8 +41,8 @@ bempd_growth grow(Model& model, double length) {
 
 const Field side_load = [](double, double y) -> Vector { return {0.02 * y, 0.01}; };
 
-// Of a strip that is cut from its left edge to its right one, which has eight elements on the cut, the part below or
-// above: held at its far end, with a load on one side.
+// Part below or above the cut of a strip that is cut from its left edge to its right one, with eight elements on the
+// cut: held at its far end, with a load on one side.
 struct Piece {
   Model model;
   int32_t region = 0, support = 0;
@@ -113,7 +113,7 @@ Difference difference_of(const Vector& left, const Vector& right, double element
   return worst;
 }
 
-// With elements no longer than those of the cut both have the same ends of elements.
+// The elements are no longer than those of the cut, so that both bodies have the same element ends.
 TEST(CutRegions, pieces_of_a_strip_are_like_regions_of_their_own) {
   for (const auto& [left, right] : {std::pair<Vector, Vector>{{0, 1}, {width, 1}}, {{0, 0.8}, {width, 1.3}}}) {
     const Difference d = difference_of(left, right, 0.125);
@@ -155,7 +155,7 @@ TEST(CutRegions, cracks_cut_together) {
   }
 }
 
-// Without anything that holds the upper piece there is no equilibrium to begin with.
+// A piece that nothing holds has no equilibrium to begin with.
 TEST(CutRegions, a_piece_that_nothing_holds_is_named) {
   Model model;
   const int32_t plate = model.bem(model.add(glass()), rectangle(0, 0, width, height), 0.25);

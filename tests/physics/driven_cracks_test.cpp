@@ -107,8 +107,8 @@ TEST(DrivenCracks, stay_below_their_load_without_fracture_energy_or_frozen) {
   EXPECT_EQ(frozen->extensions()[0].end, 1);
 }
 
-// Under a load factor that is held growth is unstable from its second event on; on the path of equilibrium every event
-// is where the tip just reaches its toughness.
+// Growth at a held load factor is unstable from its second event on; on the equilibrium path the tip just reaches its
+// toughness at every event.
 TEST(DrivenCracks, follow_the_load_factor_or_the_path_of_equilibrium) {
   const auto held = plate(centre), path = plate(centre);
   path->options().set_text("stepping.control", "path");
@@ -212,7 +212,7 @@ TEST(DrivenCracks, a_cancelled_step_returns_to_its_start) {
   for (model::Model* one : {model.get(), undisturbed.get()}) one->advance(5, Goal::next_event);
   EXPECT_EQ(model->load_factor(), undisturbed->load_factor());
   EXPECT_EQ(state(*model).total_displacement, state(*undisturbed).total_displacement);
-  // So does one with too many events.
+  // A step with too many events returns to its start, too.
   model->options().set("stepping.max_events", 2);
   try {
     model->advance(5, Goal::separation);
@@ -237,7 +237,7 @@ TEST(DrivenCracks, a_stop_that_is_asked_for_keeps_what_has_grown) {
 }
 
 TEST(DrivenCracks, programs_and_ways_of_values_grow_them) {
-  // Up to 0.8 of the load, back, through zero to a closed crack, and up to where it grows.
+  // The program goes up to 0.8 of the load, back through zero to a closed crack, and up to where the crack grows.
   const auto program = plate(centre), values = plate(centre);
   const scene::LoadTable table{{1, 2, 3}, {}, {0.8, -0.5, 0.99}};
   const model::StepResult result = program->run_program(table, Goal::next_event);
@@ -248,14 +248,14 @@ TEST(DrivenCracks, programs_and_ways_of_values_grow_them) {
   for (const int load : {1, 2}) values->set_load_values(load, scene::SampledValues{{load == 1 ? -2.0 : 2.0}, {0.0}});
   EXPECT_EQ(values->advance_to_values(10, Goal::next_event).events, 1);
   EXPECT_NEAR(values->load_factor() / 5, factor, 1e-9);
-  // The same state of the body.
+  // The state of the body is the same in both runs.
   EXPECT_NEAR(state(*values).history.back().stored_energy, state(*program).history.back().stored_energy, 1e-9);
 }
 
 TEST(DrivenCracks, the_longest_goes_first_and_of_ties_the_first_added) {
   const std::vector<Point> longer{{-1, 1}, {-0.4, 1}}, shorter{{-1, -1}, {-0.6, -1}};
   const auto one = plate({longer, shorter}), other = plate({shorter, longer});
-  // Beyond what either bears, as a constant load at once.
+  // The constant load exceeds what either crack bears, at once.
   for (model::Model* model : {one.get(), other.get()}) {
     for (const int crack : {1, 2}) model->set_tip_frozen(crack, 1, true);
     model->advance(2, Goal::load_factor);
@@ -309,7 +309,7 @@ TEST(DrivenCracks, beside_a_lattice) {
   }
   EXPECT_EQ(state(*mixed).broken_bonds, 0);
   EXPECT_LE(state(*mixed).worst_energy_balance_error, 1e-11);
-  // With a shorter crack in the lattice both grow, in turn and each in the other's sight.
+  // A shorter crack in the lattice grows, too: both cracks grow in turn, and each affects the other.
   const auto both = body(true, {low, high});
   bool in_lattice = false, in_elements = false;
   for (int k = 0; k < 24; ++k) {
@@ -322,7 +322,7 @@ TEST(DrivenCracks, beside_a_lattice) {
               state(*both).worst_energy_balance_error);
   EXPECT_TRUE(in_elements);
   EXPECT_LE(state(*both).worst_energy_balance_error, 1e-10);
-  // From a state with broken bonds and grown elements.
+  // The run goes on in the same way from a state with broken bonds and grown elements.
   const model::SavedState saved = both->save();
   both->advance(1e3, Goal::next_event);
   const Eigen::VectorXd after = state(*both).total_displacement;

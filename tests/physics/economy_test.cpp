@@ -211,8 +211,8 @@ TEST(Economy, operators_are_shared_by_equal_shape_material_and_mesh_only) {
   EXPECT_GT(evaluations_of_two(3e9, 0.2, 0.15, 0.6, true), one);
 }
 
-// Between clamps, whose ends are nearly as hot as the crack where Poisson's ratio is high: the window at the crack
-// stays.
+// Factorizations of a run between clamps, whose ends are nearly as critical as the crack where Poisson's ratio is high:
+// the window stays at the crack.
 int64_t factorizations_of_a_run(double ratio, const bempd_plane plane) {
   BondModel model;
   model.set_text("stepping.control", "path");

@@ -153,7 +153,7 @@ TEST_P(Path, goes_down_as_it_goes_up) {
 INSTANTIATE_TEST_SUITE_P(solvers, Path, testing::Values("window", "plain"),
                          [](const auto& test) { return std::string(test.param); });
 
-// With the faces closed the constant loads ask for a larger load factor, with the faces open for a smaller one.
+// Constant loads require a larger load factor while the faces are closed, and a smaller one while they are open.
 TEST_P(Path, ends_where_faces_meet_that_turn_it_back_from_both_sides) {
   BondModel model;
   model.set_text("stepping.control", "path");

@@ -1,4 +1,4 @@
-// Where the tip of an initial crack is felt to be: the half length of the slit in an infinite plane that opens as the
+// Position of the effective tip of an initial crack: the half length of the slit in an infinite plane that opens as the
 // crack in the lattice does, against the stated one. Reference: H. M. Westergaard, J. Appl. Mech. 6 (1939).
 #include <gtest/gtest.h>
 

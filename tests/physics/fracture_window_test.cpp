@@ -71,7 +71,7 @@ void square_hole(Model& model) {
   plate.grip();
 }
 
-// Under forces the plate is torn at one load factor, and what comes free takes its loads along.
+// A plate under forces is torn at one load factor, and fragments take their loads along.
 void dead_load(Model& model) {
   Plate plate(model, 24);
   model.crack({{11.5, 0}, {11.5, 6.4}});

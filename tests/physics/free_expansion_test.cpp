@@ -76,7 +76,7 @@ Scene lattice_tied_to_a_boundary_region() {
   return scene;
 }
 
-// By a share at no load, and by one with the load factor.
+// Swelling by a strain at no load, and by one that grows with the load factor.
 std::vector<coupling::DenseOperator> swell(Discretization& d, double constant, double proportional) {
   for (std::size_t b = 0; b < d.bonds.size(); ++b) {
     d.bonds.set_rest_elongation(static_cast<int>(b), constant * d.bonds.length[b], proportional * d.bonds.length[b]);
@@ -158,7 +158,7 @@ class FreeExpansion : public testing::TestWithParam<Case> {
     expect_no_stress(u);
   }
 
-  // In the fields of lattices; those of boundary elements know of no swelling.
+  // Stress is zero in the fields of lattices; those of boundary elements do not include swelling.
   void expect_no_stress(const coupling::Affine& u) const {
     const Eigen::VectorXd displacement = u.col(0);
     const regions::Solution solution{displacement, d.bonds, system->intact(), {}, nullptr,

@@ -314,7 +314,7 @@ class Model {
   std::unique_ptr<bempd_model, void (*)(bempd_model*)> model_{nullptr, &bempd_model_free};
 };
 
-// Whose cracks grow bond by bond.
+// Model whose cracks grow bond by bond.
 class BondModel : public Model {
  public:
   BondModel() { set_text("pd.crack_rule", "bond"); }

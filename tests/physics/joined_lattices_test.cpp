@@ -178,7 +178,7 @@ TEST(JoinedLattices, other_materials_and_horizons_stay_coupled_by_shared_points)
   EXPECT_NE(bonds_of(halves, {limit}, {3}), alone(0, 3) + alone(1, 3));
 }
 
-// Between equals runs a strip that breaks at another stretch: all three differ from their neighbours.
+// A strip with another critical stretch runs between two equal parts: all three differ from their neighbours.
 TEST(JoinedLattices, a_strip_of_another_material_keeps_its_neighbours_apart) {
   const std::vector<Part> thirds{{rectangle(0, 0, 8, 16)}, {rectangle(8, 0, 16, 16)}, {rectangle(16, 0, 24, 16)}};
   const std::int64_t strip = bonds_of({thirds[0]}, {limit}, {3});

@@ -70,7 +70,7 @@ TEST_P(LatticeStress, is_of_second_order_inside_and_of_first_at_faces) {
       const double inside = std::log2(previous.inside / errors.inside);
       const double everywhere = std::log2(previous.everywhere / errors.everywhere);
       const double difference = report("order, inside", inside, 2, "balanced bonds");
-      // On coarse meshes the layer at the faces reaches far inside.
+      // The layer at the faces reaches far inside on coarse meshes.
       if (cells == 64) {
         EXPECT_GE(difference, -0.15);
       }
@@ -92,7 +92,8 @@ TEST_P(LatticeStress, with_50_cells_across_is_as_good_as_claimed) {
 INSTANTIATE_TEST_SUITE_P(Cantilever, LatticeStress, testing::Bool(),
                          [](const auto& test) { return test.param ? "coupled" : "pd_only"; });
 
-// Along its middle: points of the first row have lost the bonds that held their share of the stress along the crack.
+// Points of the first row beside the middle of a crack have lost the bonds that held their share of the stress along
+// it.
 TEST(LatticeStress, beside_a_crack_lacks_a_part_of_the_stress_along_it_in_the_first_row_only) {
   const int half_cells = 40;
   const double dx = 4.0 / (2 * half_cells + 1), half = dx * (half_cells + 0.5);

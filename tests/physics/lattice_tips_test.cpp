@@ -82,7 +82,8 @@ TEST(LatticeTips, of_a_centre_crack_have_its_factors) {
   for (const int m : {3, 4, 5}) compare({0.05, m}, 0, 0.475, {0, 0.025}, 4e-3, 0.06);
 }
 
-// With pd.crack_tip = stated, wherever they are within a spacing and for any direction of the crack.
+// Effective tips are at the stated places with pd.crack_tip = stated, wherever these are within a spacing and for any
+// direction of the crack.
 TEST(LatticeTips, are_felt_where_they_are_stated) {
   struct Case {
     int horizon_ratio;
@@ -169,7 +170,7 @@ TEST(LatticeTips, of_a_patch_in_boundary_elements_have_their_factors) {
   }
 }
 
-// At constant load the stored energy grows by what is released, at both tips.
+// The stored energy grows at constant load by the energy released at both tips.
 TEST(LatticeTips, have_the_energy_release_rate_that_longer_cracks_tell) {
   const auto stored = [](double half_length) {
     BondModel model;

@@ -114,7 +114,7 @@ TEST(MixedCracks, have_the_factors_of_elements_at_all_angles_and_borders) {
   }
 }
 
-// In both borders' order, and also through a thin strip with elements on one side of it only.
+// The crack crosses borders in both orders, and also a body with elements on one side only.
 TEST(MixedCracks, pass_through_strips) {
   const Outline crack{{24, 30.2}, {56, 35.1}};
   const std::vector<std::vector<Strip>> bodies{{{false, 0, 34}, {true, 34, 46}, {false, 46, width}},
@@ -134,7 +134,8 @@ TEST(MixedCracks, pass_through_strips) {
   }
 }
 
-// From the free edge of one part through it into the other: the part is cut, and hangs together by the other.
+// The crack starts at the free edge of one part and runs into the other: the first part is cut, and the second one
+// connects its pieces.
 TEST(MixedCracks, begin_at_free_edges) {
   const Outline crack{{0, 32.5}, {46, 32.5}};
   const Answer elements = Plate{}(all_elements, crack);

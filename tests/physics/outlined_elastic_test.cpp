@@ -93,7 +93,7 @@ TEST(OutlinedRegion, carries_constant_stress_between_slanted_edges) {
   }
 }
 
-// With chords of several lengths, so that squares of cells have to be balanced as the bonds are.
+// The body has chords of several lengths, so that squares of cells have to be balanced as bonds are.
 TEST(OutlinedRegion, carries_constant_stress_at_any_ratio) {
   const Outline outline = turned({{0, 0}, {2, 0}, {2.6, 0.9}, {1.5, 1.7}, {1.1, 0.9}, {0.1, 1.4}}, 0.37);
   for (const Uniform& exact : {Uniform{-0.2, BEMPD_PLANE_STRESS}, Uniform{0.45, BEMPD_PLANE_STRESS},
@@ -125,7 +125,7 @@ TEST(OutlinedRegion, carries_constant_stress_around_round_holes) {
         return Uniform::traction((c[0] - x) / r, (c[1] - y) / r);
       });
   }
-  // Inside, on the hole's edge, and between it and the nearest chord.
+  // Points are inside, on the hole's edge, and between it and the nearest chord.
   expect_uniform(model, region,
                  {{1, 1}, {0.6, 1.0}, {0.9, 0.7}, {0.6 + 0.3 * std::cos(0.1), 0.7 + 0.3 * std::sin(0.1)}}, 0.05);
 }

@@ -224,7 +224,8 @@ TEST(OutlinedFracture, hole_breaks_where_and_when_its_edge_is_stressed_most) {
   }
 }
 
-// With bonds made for constant stress alone some along the hole are weak and stretched too much: 10 % early at 0.39.
+// Bonds made for constant stress alone are weak at some places along the hole and stretched too much: 10 % early at
+// 0.39.
 TEST(OutlinedFracture, bonds_made_for_linear_stress_break_when_the_stress_says_at_every_angle) {
   constexpr double stretch = 1e-3;
   const double reference = stretch / largest_stress_by_elements();

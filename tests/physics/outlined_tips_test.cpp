@@ -69,7 +69,7 @@ TEST(OutlinedTips, of_cracks_at_a_hole_are_those_of_boundary_elements) { expect_
 
 TEST(OutlinedTips, of_cracks_at_a_hole_in_a_turned_lattice) { expect_as_felt(0.4, 2.5e-2); }
 
-// From a corner of a square on its point, half-way to its middle.
+// Tips of a crack from a corner of a square that stands on its corner, half-way to its middle.
 std::vector<bempd_crack_tip> cracked_corner(Method method, double length) {
   constexpr double half = 30;
   Model model;
@@ -78,7 +78,7 @@ std::vector<bempd_crack_tip> cracked_corner(Method method, double length) {
   model.crack({{-half, 0}, {-half + length, 0}});
   model.fix_point(outline[1], BEMPD_BOTH);
   model.fix_point(outline[2], BEMPD_X);
-  // Not beside the mouth: what acts on the corner's point acts on one side of the crack.
+  // The load is not beside the mouth: a force on the corner's point would act on one side of the crack.
   model.traction(region, 3, 0, 0.5, BEMPD_Y, 0, 1);
   model.traction(region, 4, 0.5, 1, BEMPD_Y, 0, -1);
   model.step(1);

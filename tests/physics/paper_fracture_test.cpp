@@ -91,7 +91,7 @@ TEST(PaperFracture, small_plate_comes_apart_in_equilibrium) {
   EXPECT_GT(model.statistics().factor_updates, 0);
 }
 
-// At 45 degrees the crack runs through points, which keep their bonds to both faces: damage stays below one half there.
+// A crack at 45 degrees runs through points, which keep their bonds to both faces: damage stays below one half there.
 TEST(PaperFracture, a_crack_through_material_points_is_bridged_by_them_with_a_warning) {
   Model model;
   Plate plate = Plate::small();
@@ -148,7 +148,7 @@ TEST(PaperFracture, increments_before_the_last_equilibrium_are_kept) {
       EXPECT_EQ(reached.residual, model.history().back().residual);
       EXPECT_EQ(bempd_step(model.get(), target, nullptr), BEMPD_ERROR_UNSOLVABLE) << "nothing more can be reached";
     } else {
-      // The same as a run that was told to stop there.
+      // A run that was told to stop there gives the same.
       const bempd_step_report end = model.step(reached.load_factor);
       EXPECT_EQ(end.stop_reason, BEMPD_STOP_LOAD_FACTOR);
       EXPECT_EQ(end.total_broken_bonds, reached.total_broken_bonds);

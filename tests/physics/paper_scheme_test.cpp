@@ -116,7 +116,8 @@ INSTANTIATE_TEST_SUITE_P(All, PaperReadings,
                                          Reading{"cell_centred", "traction", "one"},
                                          Reading{"nodal", "nodal_force", "two"}, Reading{"nodal", "traction", "one"}));
 
-// Without a lattice the scheme is collocation alone, and constant strain is exact; inside, the values of Eq. 5.
+// The scheme is collocation alone without a lattice, and constant strain is exact; inside, the values are those of Eq.
+// 5.
 TEST(PaperScheme, constant_strain_is_exact_in_boundary_element_regions) {
   Model model;
   choose(model, "scheme", "paper");

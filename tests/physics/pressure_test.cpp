@@ -36,7 +36,7 @@ TEST(Pressure, on_a_disk_is_its_stress) {
   }
 }
 
-// On the boundary of a body, in a hole and on both methods it pushes against the body: uniform stress -p, no reactions.
+// Pressure pushes against the body on its boundary, in a hole and for both methods: uniform stress -p, no reactions.
 TEST(Pressure, from_all_sides_and_in_a_hole_is_hydrostatic) {
   constexpr double pressure = 2e6, thickness = 0.01;
   for (const bool lattice : {false, true}) {
@@ -70,7 +70,7 @@ TEST(Pressure, in_a_crack_does_the_work_that_is_stored) {
   model.check(bempd_add_crack_traction(model.get(), 1, BEMPD_PRESSURE, 1, constant, proportional, nullptr));
   for (const double factor : {0.0, 1.0}) {
     const bempd_step_report done = model.step(factor);
-    // By Gauss's rule of Chebyshev's second kind, whose weight the opening of an ellipse has.
+    // Gauss's rule for Chebyshev polynomials of the second kind, whose weight is the opening of an ellipse.
     constexpr int count = 200;
     const double pi = std::acos(-1.0), pressure = constant[0] + factor * proportional[0];
     double integral = 0;

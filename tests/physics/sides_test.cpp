@@ -101,7 +101,7 @@ TEST(FacesOfACrack, differ_by_its_opening_and_are_free) {
     model.check(bempd_crack_opening(model.get(), 1, 1, &fraction, &normal, &tangential));
     const Values left = values_in(model, plate, {x, 0}, BEMPD_FACE_LEFT),
                  right = values_in(model, plate, {x, 0}, BEMPD_FACE_RIGHT);
-    // Along the crack is -x, to its left -y.
+    // The direction along the crack is -x, and to its left -y.
     EXPECT_NEAR(-(left.displacement[1] - right.displacement[1]), normal, 1e-8);
     EXPECT_NEAR(-(left.displacement[0] - right.displacement[0]), tangential, 1e-8);
     EXPECT_EQ(model.evaluate({x, 0}).stress, left.stress);
@@ -109,7 +109,7 @@ TEST(FacesOfACrack, differ_by_its_opening_and_are_free) {
       const Values& face = side < 0 ? left : right;
       const Model::Values beside = model.evaluate({x, side});
       for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(face.displacement[c], beside.displacement[c], 1e-4);
-      // At ends of elements the openings bend.
+      // The openings have kinks at ends of elements.
       for (std::size_t c = 0; c < 3; ++c)
         EXPECT_NEAR(face.stress[c], beside.stress[c], x == 0.4 || x == 0.0 ? 0.3 : 1e-3);
       EXPECT_LE(std::abs(report("stress yy on a face", face.stress[1], 0, "a free face")), 0.05);

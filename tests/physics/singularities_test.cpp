@@ -51,7 +51,7 @@ void expect(Model& model, const std::vector<Wanted>& wanted) {
 double kolosov(double nu) { return (3 - nu) / (1 + nu); }
 double oscillation(double nu) { return std::log(kolosov(nu)) / (2 * pi); }
 
-// Between a clamped and a free face that meet at a right angle.
+// Exponent between a clamped and a free face that meet at a right angle.
 double clamped_corner(double nu) {
   const double k = kolosov(nu);
   double low = 0.3, high = 0.99;
@@ -104,8 +104,8 @@ TEST(Singularities, of_cracks_are_tips_and_kinks) {
                  {BEMPD_SINGULAR_POINT, {-4, 0}, 0, 0}});
 }
 
-// Where an interface of two materials meets a straight free edge at right angles (D. B. Bogy, J. Appl. Mech. 35, 1968);
-// none for equal materials.
+// Exponent where an interface of two materials meets a straight free edge at right angles (D. B. Bogy, J. Appl. Mech.
+// 35, 1968); none for equal materials.
 TEST(Singularities, of_interfaces_are_their_ends_if_materials_differ) {
   for (const double ratio : {1.0, 10.0}) {
     Model model;
@@ -188,7 +188,7 @@ TEST(Singularities, tell_how_stress_grows) {
   model.prescribe(body, 1, BEMPD_Y, 0, 0);
   model.traction(body, 2, 0, 1, BEMPD_X, 0, 1);
   model.step(1);
-  // On the line of symmetry of the corner, into the body.
+  // The opening is taken on the line of symmetry of the corner, into the body.
   const auto opening = [&](double r) {
     const auto s = model.evaluate({1 - r * std::sqrt(0.5), 1 - r * std::sqrt(0.5)}).stress;
     return 0.5 * (s[0] + s[1]) - s[2];  // across the line

@@ -43,7 +43,7 @@ TEST(Strength, of_a_plate_without_a_crack) {
       }
 }
 
-// Below the ratio of bonds alone the bonds are softer, and their critical stretch is larger.
+// Bonds are softer below the ratio of bonds alone, and their critical stretch is larger.
 TEST(Strength, at_other_ratios_of_poisson) {
   for (const double poisson : {-0.1, 0.2, 0.3, 0.4, 0.45})
     for (const int32_t plane : {BEMPD_PLANE_STRESS, BEMPD_PLANE_STRAIN}) {

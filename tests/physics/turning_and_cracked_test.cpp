@@ -89,14 +89,14 @@ void expect_same_cracks(model::Model& one, model::Model& other) {
   }
 }
 
-// Of the sound bar that hangs: sigma_yy = weight times height, whose crack is free of it.
+// Loads on the faces are the tractions of the hanging bar without a crack: sigma_yy = weight times height.
 TEST(WeightAndCracks, as_the_tractions_that_the_sound_bar_has_there) {
   const Stress sound = [](const Point& x) { return stress(0, weight * x.y()); };
   for (const std::vector<Point>& crack :
        {std::vector<Point>{{-0.6, 3}, {0.5, 3}}, {{-0.4, 2}, {0.5, 2.7}}, {{-1, 2.5}, {-0.2, 2.3}}}) {
     const auto hangs = bar(crack, 3, "none"), pulled = bar(crack, 3, "none"), whole = bar({}, 3);
     add_weight(*hangs), add_weight(*whole);
-    // Of the held edge's own field in the sound bar: another force at the same places.
+    // The held edge has a field of its own in the bar without a crack: another force at the same places.
     for (model::Model* model : {hangs.get(), whole.get()}) model->advance(1, to_load_factor);
     const Stress of_whole = [&](const Point& x) {
       const Eigen::Vector3d s = whole->evaluate({x}, true)[0].stress;
@@ -115,7 +115,8 @@ TEST(WeightAndCracks, as_the_tractions_that_the_sound_bar_has_there) {
   }
 }
 
-// The same to all digits, where the sound bar's field is a polynomial on all edges: held as that has it.
+// Factors agree to all digits where the field of the bar without a crack is a polynomial on all edges, which are held
+// by it.
 TEST(WeightAndCracks, as_the_tractions_of_an_exact_field) {
   const double nu = 0.3;
   const auto moved = [=](const Point& p) -> Point {
@@ -342,7 +343,7 @@ TEST(Rotation, of_a_bar_in_both_kinds_of_region) {
   EXPECT_LE(pd[1], 0.3 * pd[0]);
 }
 
-// About another axis it is a uniform force more; with a crack, too.
+// A rotation about another axis is a uniform force more; with a crack, too.
 TEST(Rotation, about_another_axis_is_a_uniform_force_more) {
   const double k = 0.7;
   const Point axis(1.5, -2.5);

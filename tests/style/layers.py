@@ -13,7 +13,7 @@ import sys
 HEIGHT = {"capi": 9, "model": 8, "paper": 7, "results": 7, "regions": 6, "fracture": 6, "scene": 5, "coupling": 4, "bem": 3,
           "pd": 3, "crack": 2, "elasticity": 1, "output": 1, "geometry": 0, "linalg": 0}
 
-# Where a folder is registered with one above it, and why.
+# Folders that are registered with one above them, with the reason.
 EXCEPTIONS: dict[tuple[str, str], str] = {}
 
 

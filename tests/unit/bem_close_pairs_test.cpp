@@ -15,7 +15,7 @@ namespace {
 using namespace bempd;
 using namespace bempd::bem;
 
-// Of one, over inner and outer element: the first half of the double layer.
+// Integral of the kernel alone over inner and outer element: the first half of the double layer.
 double double_layer_total(const PairMoments& m, int kernel) {
   double sum = 0;
   for (int b = 0; b < 3; ++b)

@@ -135,7 +135,7 @@ TEST(ArcParameters, places_differ_by_no_more_than_said) {
         EXPECT_LE(std::abs(sum - at_middle), change) << radius << ", " << angle;
       }
     }
-  // From its centre the distance is the same everywhere on the arc.
+  // All places on an arc have the same distance from its centre.
   EXPECT_GT(parameters.sum_of_distances({0, 0}, part), 50);
 }
 

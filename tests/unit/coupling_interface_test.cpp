@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(All, InterfaceTrace, testing::ValuesIn(interfaces()), [
          std::to_string(std::lround(10 * test.param.element)) + "_tenths" + (test.param.grading > 1 ? "_graded" : "");
 });
 
-// Where every node is a lattice point the change evens out the elements' own forces, 2/3 and 4/3 by turns.
+// The change evens out the elements' own forces, 2/3 and 4/3 by turns, if every node is a lattice point.
 TEST(InterfaceTraces, change_interpolation_by_little) {
   const Eigen::MatrixXd n(*coupling::interface_trace(stations_of({8, 2.0, 1.0})));
   EXPECT_LE((n - Eigen::MatrixXd::Identity(9, 9)).cwiseAbs().maxCoeff(), 0.3);

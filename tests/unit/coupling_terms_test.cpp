@@ -195,7 +195,7 @@ TEST(EquilibriumSystem, rest_displacement_of_an_operator_alone_moves_it) {
   EXPECT_GT(u.cwiseAbs().maxCoeff(), 0.1);
 }
 
-// Its gradient is the internal force; central differences of a quadratic function are exact.
+// The internal force is the gradient of the energy; central differences of a quadratic function are exact.
 TEST(EquilibriumSystem, energy_is_the_potential_of_internal_forces) {
   Mixed mixed;
   mixed.pull_without_elongation();

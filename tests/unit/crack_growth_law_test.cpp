@@ -41,7 +41,7 @@ TEST(CrackGrowthLaw, ends_of_ranges_of_random_tips_are_at_the_toughness) {
   for (int k = 0; k < 400; ++k) {
     const KinkCriterion criterion = both[k % 2];
     AffineFactors factors{{any(random), any(random)}, {any(random), any(random)}};
-    // By the energy release rate tips that are pressed shut may open suddenly, at a kink.
+    // Closed tips may open suddenly, at a kink, by the energy release rate.
     if (criterion == KinkCriterion::energy_release_rate) factors.constant *= 0.2, factors.proportional.x() += 2;
     const double toughness = 0.5;
     const GrowthRange range = growth_range(factors, toughness, criterion);

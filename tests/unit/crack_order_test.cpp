@@ -1,4 +1,4 @@
-// Which tip grows first.
+// Order in which tips grow.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -78,7 +78,7 @@ TEST(WedgeExponent, between_clamped_and_free_is_that_of_williams) {
           0.3, 0.99);
       expect_exponent("clamped and free", single(a, clamped, free_face, e), reference, 0);
     }
-    // Where a straight edge ceases to be clamped.
+    // The wedge is a straight edge whose clamping ends.
     expect_exponent("end of a support", single(pi, free_face, clamped, e), 0.5, std::log(k) / (2 * pi));
     expect_exponent("clamped and free slit", single(2 * pi, clamped, free_face, e), 0.25, std::log(k) / (4 * pi));
   }
@@ -134,7 +134,8 @@ TEST(WedgeExponent, of_cracks_up_to_an_interface_is_that_of_zak_and_williams) {
     return Wedge{pi, {{0.5 * pi, cracked}, {pi, ahead}, {0.5 * pi, cracked}}, {0, 0, 0, 0}, false};
   };
   expect_exponent("crack up to its like", touching(1), 0.5, 0);
-  // Their equation in Dundurs' parameters for the order s of stress (J. L. Beuth, Int. J. Solids Struct. 29, 1992).
+  // The equation of the two materials in Dundurs' parameters for the order s of stress (J. L. Beuth, Int. J. Solids
+  // Struct. 29, 1992).
   for (const double ratio : {0.1, 10.0}) {
     const PlaneElasticity one = strained(1, 0.3), two = strained(ratio, 0.3);
     const double g1 = one.shear_modulus(), g2 = two.shear_modulus(), k1 = kappa(one), k2 = kappa(two);

@@ -213,7 +213,7 @@ TEST_P(Window, places_close_and_open_in_it_as_in_the_whole_plate) {
   EXPECT_LT((window->displacement() - open).norm(), 1e-11 * open.norm());
 }
 
-// Also with a place whose stiffness the window has gained, and with points left behind.
+// Forces are balanced, too, with a place whose stiffness the window has gained, and with points left behind.
 TEST_P(Window, forces_are_in_balance_and_are_put_back_to_it) {
   const coupling::Contact place{{{Plate::node(6, 9), -1, 0}, {Plate::node(7, 9), 1, 0}}, 3};
   EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{place, true}}));

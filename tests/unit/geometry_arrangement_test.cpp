@@ -269,7 +269,7 @@ TEST(Arrangement, mismatch_below_the_tolerance_counts_as_contact_above_it_does_n
 }
 
 TEST(Arrangement, skew_contact_below_the_tolerance_is_one_piece) {
-  // Both edges cross each other at a tiny angle; that must not break the shared piece.
+  // Two edges cross at a tiny angle; that must not break the shared piece.
   const Outline left{{{{0, 0}, {1 + 5e-10, 0}, {1 - 5e-10, 1}, {0, 1}}}};
   const Arrangement a = arrange({left, box(1, 0, 2, 1)});
   EXPECT_FALSE(a.overlap);

@@ -97,7 +97,7 @@ TEST(BodyMesh, follows_arcs) {
 
 TEST(BodyMesh, has_cracks_as_sides) {
   const std::vector<Edge> edges = edges_of(square_with_hole);
-  // From the edge, inside, and another one that meets it.
+  // One crack comes from the edge and ends inside, another one meets it.
   const CrackLines cracks =
       crack_lines({{1, {{3, 0}, {3.1, 1.5}, {2.6, 3}}}, {2, {{3.05, 0.75}, {3.8, 0.9}}}}, edges, 1e-9);
   const BodyMesh mesh = mesh_body(edges, cracks, 0.3);

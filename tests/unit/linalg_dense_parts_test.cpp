@@ -13,7 +13,7 @@ namespace {
 using namespace bempd::linalg;
 using Eigen::MatrixXd;
 
-// Above the size from which work is done in parts.
+// Size above which work is done in parts.
 constexpr Eigen::Index large = 1300;
 
 const MatrixXd& positive() {

@@ -34,7 +34,7 @@ PointMoments reference_moments(const ElementGeometry& element, const RealPoint& 
       for (std::size_t i = 0; i < rule.points.size(); ++i) {
         const Real d = (level == 49 ? 0 : from) + length * rule.points[i], xi = centre + d;
         const RealPoint dx = real(element.c1) + 2 * xi * real(element.c2), n(dx.y(), -dx.x());
-        // On the element itself the difference of the positions is a multiple of d.
+        // The difference of two positions on the element itself is a multiple of d.
         const RealPoint r = on_element
                                 ? RealPoint(d * (real(element.c1) + (xi + centre) * real(element.c2)))
                                 : RealPoint(real(element.c0) + xi * (real(element.c1) + xi * real(element.c2)) - x);
@@ -98,7 +98,7 @@ TEST(PointIntegrator, integrals_seen_from_near_and_far_agree_with_brute_force) {
     const ElementGeometry& element = sample_elements()[e];
     for (const double distance : {10.0, 1.0, 0.3, 0.1, 1e-2, 1e-3}) {
       double largest_weak = 0, largest_strong = 0;
-      // Both sides, and beyond the end as seen from a neighbour.
+      // Places are on both sides, and beyond the end as seen from a neighbour.
       for (const double side : {-1.0, 1.0})
         for (const double centre : {-1.0, -0.4, 0.3, 1.0})
           for (const bool beyond : {false, true}) {

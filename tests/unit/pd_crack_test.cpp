@@ -32,7 +32,7 @@ TEST(Crack, touching_counts_as_cut) {
   EXPECT_EQ(points_on(points_of(lattice), {{0.5, 0.5}, {2.5, 2.5}}).size(), 2u);
 }
 
-// Of a crack through material points at 45 degrees.
+// Test with a crack through material points at 45 degrees.
 class Diagonal : public ::testing::Test {
  protected:
   bool cut(const Vector2i& p, const Vector2i& q, const std::vector<Point>& polyline, Touching touching) const {

@@ -156,7 +156,7 @@ TEST(CriticalStretch, follows_the_modulus_of_bonds_below_the_ratio_that_they_hav
           << nu;
     }
   }
-  // It has no jump where bonds alone make the material.
+  // The critical stretch has no jump where bonds alone make the material.
   for (const PlaneState state : {PlaneState::stress, PlaneState::strain}) {
     const double nu = bond_based_poisson_ratio(state), energy = fracture_energy(1, {1, nu, state, 1}, 1);
     for (const double change : {-1e-5, 1e-5})

@@ -220,7 +220,7 @@ TEST(OutlinedNetwork, cells_fill_the_polygon_without_overlap) {
   }
 }
 
-// Of a loop whose pieces have chords of different lengths no network of any sign is exact without the factors.
+// A loop whose pieces have chords of different lengths has no exact network of any sign without the factors.
 TEST(SurfaceBalance, changes_surface_vectors_little_and_keeps_forces_and_moments) {
   const Chords chords = make_chords({polygon(wedge(75 * degree, 11.3))});
   const std::vector<double> plain(chords.nodes.size(), 1.0), factors = balancing_factors(chords);

@@ -193,7 +193,7 @@ TEST(BodyForce, of_a_lattice_sums_up_to_the_weight_and_errors_fall_with_the_squa
   EXPECT_GT(error / finer, 3.8);
 }
 
-// Its points are the centres of cells, or corners that all stand for whole cells: the weight is right in either case.
+// Points are the centres of cells, or corners that all stand for whole cells: the weight is right in either case.
 TEST(BodyForce, of_the_lattices_of_every_scheme_sums_up_to_the_weight) {
   for (const std::string& scheme : regions::scheme_names()) {
     double reaction = 0;

@@ -82,7 +82,8 @@ TEST(CellSplits, crack_that_ends_inside_leaves_one_part) {
 
 TEST(CellSplits, crack_opens_where_it_steps_sideways) {
   const Grid grid(4);
-  // Up between columns 1 and 2, then between 2 and 3: the bond along the step between them, (2,1) to (2,2), is whole.
+  // The crack runs up between columns 1 and 2, then between 2 and 3: the bond along the step between them, (2,1) to
+  // (2,2), is whole.
   const std::vector<std::array<int, 2>> parted{{grid.at(1, 0), grid.at(2, 0)},
                                                {grid.at(1, 1), grid.at(2, 1)},
                                                {grid.at(2, 2), grid.at(3, 2)},

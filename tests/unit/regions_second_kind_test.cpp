@@ -102,7 +102,8 @@ TEST(SecondLatticeKind, breaks_in_two_along_a_notch) {
     cut += state == regions::BondState::cut;
   }
   EXPECT_EQ(broken, result.broken_bonds);
-  // Of the rows at 0, 0.1, 0.2 and 0.3 the bonds along x, and the diagonals between them and up to the crack end.
+  // Cut bonds are those along x of the rows at 0, 0.1, 0.2 and 0.3, and the diagonals between them and up to the crack
+  // end.
   EXPECT_EQ(cut, 4 + 2 * 3 + 2);
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "second_lattice_kind";
   std::filesystem::remove_all(folder);

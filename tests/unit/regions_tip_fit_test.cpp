@@ -200,7 +200,7 @@ TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
   const fracture::LineWay::Step inside = next(far, 0);
   EXPECT_EQ(inside.length, 1);
   EXPECT_FALSE(inside.arrives());
-  // Of the bonds (i, j) shorter than the horizon |j| each cross a spacing of the way.
+  // Number of cut bonds: for each step (i, j) shorter than the horizon, j bonds cross one spacing of the path.
   int crossing = 0;
   for (int i = -m; i <= m; ++i)
     for (int j = 1; j <= m; ++j) crossing += i * i + j * j < m * m ? j : 0;
@@ -211,7 +211,7 @@ TEST(LineWay, goes_on_by_a_spacing_and_arrives_at_faces_and_edges) {
   EXPECT_NEAR(last.length, m + 0.5, 1);
   EXPECT_FALSE(before.arrives());
   EXPECT_EQ(before.length, 1);
-  // At the face of a crack a spacing ahead it arrives.
+  // The step arrives at the face of a crack a spacing ahead.
   const fracture::LineWay::Step at_face = next(far, 1.5);
   EXPECT_TRUE(at_face.arrives());
   EXPECT_LE(at_face.length, 1.5);

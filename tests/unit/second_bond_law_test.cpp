@@ -57,7 +57,7 @@ void notched_strip(scene::Scene& scene, const coupling::TermLaw& law) {
   hold(scene, 3, 2, along_y, 0, 0);
 }
 
-// Both ends of a lattice are moved, and a constant is there from the start.
+// A lattice plate with a crack, whose ends are both moved, with a constant part from the start.
 void cracked_plate(scene::Scene& scene, const coupling::TermLaw& law) {
   const int id = scene.add_material(material_of(law));
   regions::add_lattice_region(scene, id, rectangle(0, 0, 31, 31), 1, 3);

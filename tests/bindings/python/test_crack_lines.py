@@ -215,7 +215,8 @@ def test_cracks_begin_at_a_hole_and_run_straight_to_the_edges() -> None:
         assert len(part) > 20 and abs(part[:, 0] - 16).max() < 4  # bonds reach over three spacings
 
 
-# Its bonds carry nothing more when the last of them go, and the body goes back from it by all of its displacement.
+# The bonds of the corner carry nothing more when the last of them break, and the body springs back by all of its
+# displacement.
 @pytest.mark.parametrize("width, height, component", [(12, 7, "y"), (12, 4, "x")])
 def test_a_corner_torn_off_by_its_load_lets_the_body_go_back(width: int, height: int, component: str) -> None:
     model = bempd.Model()

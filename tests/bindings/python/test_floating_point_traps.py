@@ -17,7 +17,7 @@ import bempd
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "differential"))
 import random_scenes  # noqa: E402
 
-# Of <fenv.h> on these processors.
+# Values of the exceptions in <fenv.h> on these processors.
 INVALID, DIVISION_BY_ZERO, OVERFLOW, ALL = 1, 4, 8, 63
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux" or os.uname().machine != "x86_64", reason="other traps")

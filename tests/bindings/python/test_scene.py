@@ -212,7 +212,7 @@ def test_curved_edges():
         about.set_edge_arc_about(square, 2, (4, 0.5), 0.5, "left")
     about.fix_edge(disc, 1)
     about.fix_edge(square, 4)
-    # Of a spiral the chords of two edges cross.
+    # A spiral whose edges have chords that cross.
     spiral = [(6, 0), (8, 0), (6, 1), (8, 1)]
     with pytest.raises(bempd.ArgumentError, match="add_bem_region: edges 2 and 4 of the outline cross.*bulges"):
         about.add_bem_region(material, spiral, 0.2)
