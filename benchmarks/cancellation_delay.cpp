@@ -25,7 +25,7 @@
 
 namespace {
 
-// Of the process: other programs on the machine do not count.
+// Processor time of this process: other programs on the machine do not count.
 double processor_time() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);

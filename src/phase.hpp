@@ -12,7 +12,7 @@ class PhaseListener {
   virtual void hear(const char* phase, double share, double seconds) = 0;
 };
 
-// For the length of a call, in its thread: threads that work for it say nothing.
+// Scope of a call, in its thread: threads that work for the call report nothing.
 class ListeningScope {
  public:
   explicit ListeningScope(PhaseListener* listener) : before_(current()) { current() = listener; }

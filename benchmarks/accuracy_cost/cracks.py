@@ -60,7 +60,7 @@ def path(model: Model) -> list[tuple[float, float]]:
 def outcome(model: Model) -> Row:
     history = model.history()
     load, energy = history["load_factor"], history["stored_energy"]
-    # Between two events the energy grows with the square of the load factor; the work of the ends is twice the energy.
+    # The energy grows with the square of the load factor between two events; the work of the ends is twice the energy.
     peak = float((2 * energy[:-1] * load[1:] / load[:-1] ** 2).max()) / (2 * PULL)
     return {"peak_load": peak, "released_energy": float(history["released_energy"][-1]),
             "broken": int(history["total_broken_bonds"][-1]), "path": path(model)}

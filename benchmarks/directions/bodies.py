@@ -51,7 +51,8 @@ def build(name: str, spacing: float, m: int) -> tuple[bempd.Model, int]:
             model.fix_point((0, 10), "x")
             model.fix_point((20, 0), "x")
     else:
-        # Over half an inch, so that bonds beside them do not break; the crack does not feel the difference.
+        # The supports and the load are spread over half an inch, so that bonds beside them do not break; the crack is
+        # not affected.
         model.prescribe_edge(body, 1, "y", 0, part=(0.0375, 0.0625))
         model.prescribe_edge(body, 1, "y", 0, part=(0.9375, 0.9625))
         model.fix_point((1 + left, 0), "x")

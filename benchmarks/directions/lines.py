@@ -148,8 +148,8 @@ def jobs() -> list[list]:
             for start in (0.513,) if few else (0.513, 0.237):
                 found.append(["inclined", 0.0, m, angle, "line", start])
     found += [["inclined", incline, 3, strip.DRAWN_ANGLE, "bond", 0.0] for incline in (15.0, 30.0, 45.0)] + strip.jobs()
-    # The same plate with its tip at two and three times as many spacings from the edge. With m = 3 and the lattice turned no network
-    # of bonds is found if the crack's mouth is in the middle of the edge.
+    # The plate again with its tip at two and three times as many spacings from the edge. With m = 3 and the lattice
+    # turned no network of bonds is found if the crack's mouth is in the middle of the edge.
     for finer in (2, 3):
         for m in (3, 4):
             for angle in (0.0, 20.0):

@@ -45,7 +45,7 @@ def torn(rule: str, m: int, angle: float, start: float) -> dict[str, Any]:
     """First load over Griffith's, energy released per length, and middles of the bonds that broke."""
     model, body = strip(rule, m, angle, start)
     report = model.step_to_next_event(1e6)
-    # Of the energy of the strip ahead per length, with C1111 = 1.
+    # The reference is the load factor at which growth releases the energy of the strip ahead per length, with C1111 = 1.
     first = report.load_factor * math.sqrt(2 / HEIGHT)
     energies, ways = [], [0.0]
     while ways[-1] < GROWTH and report.stop_reason == bempd.StopReason.EVENT:

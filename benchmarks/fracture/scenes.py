@@ -8,7 +8,8 @@ from typing import Sequence
 import bempd
 
 Points = Sequence[tuple[float, float]]
-# So large that a crack of length 2 does not notice its edges (the factors of the infinite plate are higher by 1e-6).
+# Size of a plate so large that its edges do not affect a crack of length 2 (the factors of the infinite plate are
+# higher by 1e-6).
 LARGE = 1000.0
 
 

@@ -43,7 +43,7 @@ class Case:
         self.length = 1.0 if kind == "inclined" else crack
         self.along = (math.cos(angle), math.sin(angle))
         self.tip = (self.length * self.along[0], self.length * self.along[1])
-        # Of the outer edge of the ring.
+        # Radius of the outer edge of the ring.
         self.ring = 0.8 * {"hole": crack - 1}.get(kind, min(self.length, self.width - self.length))
 
 
@@ -155,7 +155,7 @@ def supports_of(case, space):
     if case.whole:
         return [held(0, lambda x: right(x) & low(x)), held(1, lambda x: right(x) & low(x)),
                 held(1, lambda x: at_left(x) & low(x))]
-    # Ahead of the tip, and the middle of the plate or one point.
+    # Supports: the line ahead of the tip, and the middle of the plate or one point.
     on_axis = lambda x: np.isclose(x[1], 0)
     return [held(1, lambda x: on_axis(x) & (x[0] > case.length - 1e-9)),
             held(0, (lambda x: right(x) & on_axis(x)) if case.kind == "edge" else at_left)]

@@ -219,7 +219,8 @@ double to_first_break(Plate& p, double tolerance, Outcome& out, double start) {
   return opening;
 }
 
-// Between breaks all is proportional to the load, so the load rises to half a percent above the next break at once.
+// Runs by relaxation. All is proportional to the load between breaks, so the load rises to half a percent above the
+// next break at once.
 Outcome run_relaxation(Plate& p, double tolerance, double start) {
   Outcome out;
   out.opening = to_first_break(p, tolerance, out, start);
@@ -247,7 +248,7 @@ Outcome run_relaxation(Plate& p, double tolerance, double start) {
 int main(int count, char** arguments) {
   if (count < 3) return EXIT_FAILURE;
 #if defined(__SSE2__)
-  // Ahead of a wave stand numbers too small to be normal, on which processors are slow.
+  // Denormal numbers are flushed to zero: they stand ahead of a wave, and processors are slow on them.
   _mm_setcsr(_mm_getcsr() | _MM_FLUSH_ZERO_ON | 0x40);
 #endif
   const int n = std::atoi(arguments[1]);

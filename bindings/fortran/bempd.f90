@@ -242,7 +242,7 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine add_crack
-    ! Before the model is prepared; other ids stay.
+    ! Removal before the model is prepared; other ids stay.
     module subroutine remove_region(self, region, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region
@@ -630,7 +630,7 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine copy_field
-    ! As copy_field, into an array of the host's own that has the field's shape, (components,n).
+    ! Copies a field as copy_field does, into an array of the host's own that has the field's shape, (components,n).
     module subroutine fill_field(self, region, field, values, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region, field
@@ -692,7 +692,7 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine edge_reaction
-    !> On the left face of cracks without face.
+    !> Values as one region has them; on cracks those of the left face unless face is given.
     module subroutine evaluate_in(self, region, points, displacement, stress, face, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: region
@@ -805,14 +805,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine extensions
-    !> Of cracks that were described and of those that began in the run.
+    !> Number of cracks, described ones and those that began in the run.
     module subroutine crack_count(self, count, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int64_t), intent(out) :: count
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine crack_count
-    !> Of the path of a crack, or with 0 of all cracks together [m].
+    !> Length of the path of a crack, or with 0 of all cracks together [m].
     module subroutine crack_length(self, crack, length, stat, errmsg)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: crack
@@ -926,7 +926,7 @@ module bempd
       character(*), intent(inout), optional :: errmsg
     end subroutine read_state_file
 
-    ! Without a model.
+    ! Options of the library, without a model.
     module subroutine bempd_get_options(options, stat, errmsg)
       type(bempd_option), allocatable, intent(out) :: options(:)
       integer, intent(out), optional :: stat

@@ -35,7 +35,7 @@ contains
       "give as many of both, or leave one out", stat, errmsg)
   end function are_pairs
 
-  !> The same with a column for each fraction.
+  !> Whether the values are pairs with a column for each fraction.
   logical function are_pairs_at(self, procedure_name, fractions, constant, proportional, parts, stat, errmsg)
     class(bempd_model), intent(inout) :: self
     character(*), intent(in) :: procedure_name

@@ -1,4 +1,4 @@
-!> Below the module bempd: how calls end, what C cannot check, strings, and the life of models and states.
+!> Support of the module bempd: how calls end, what C cannot check, strings, and the life of models and states.
 submodule (bempd) bempd_support
   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_funptr, c_loc, c_null_char, c_null_funptr, c_sizeof, &
     c_associated

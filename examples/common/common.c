@@ -28,7 +28,7 @@ void rectangle(double left, double bottom, double right, double top, double vert
 void make_output_folder(const char* name) {
   char path[256];
   snprintf(path, sizeof path, "out/%s", name);
-  /* They may be there already; where they cannot be made, writing the first file says so. */
+  /* The folders may exist already; if they cannot be made, writing the first file says so. */
   mkdir("out", 0777);
   mkdir(path, 0777);
 }

@@ -1,4 +1,4 @@
-/* Where cracks went: every broken bond is counted to the crack tip from whose growth it is nearest. */
+/* Paths of cracks: every broken bond is counted to the crack tip from whose growth it is nearest. */
 #ifndef EXAMPLES_CRACK_PATHS_H
 #define EXAMPLES_CRACK_PATHS_H
 

@@ -20,7 +20,8 @@ void write_line(bempd_model* model, const char* path, double length, double y);
 /* x, y, u1, u2 on a grid all over a rectangle with its lower left corner at the origin. */
 void write_grid(bempd_model* model, const char* path, double length, double height, int columns, int rows);
 
-/* For the case's pictures: out/EXAMPLE/line_CASE_SCHEME.csv and grid_CASE_SCHEME.csv, and a snapshot for ParaView. */
+/* Writes the data of the case's pictures, out/EXAMPLE/line_CASE_SCHEME.csv and grid_CASE_SCHEME.csv, and a snapshot
+ * for ParaView. */
 void write_strip(bempd_model* model, const char* example, const char* case_name, const char* scheme, double length,
                  double height);
 

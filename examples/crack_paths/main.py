@@ -31,7 +31,7 @@ def distance(places: Path, way: Path) -> float:
         parts = ((place - starts) * along).sum(axis=1) / (along**2).sum(axis=1)
         feet = starts + np.clip(parts, 0, 1)[:, None] * along
         nearest = np.hypot(*(place - feet).T).argmin()
-        # Beyond its last end the way says nothing.
+        # The path gives no direction beyond its last end.
         if nearest == len(along) - 1 and parts[nearest] > 1:
             continue
         worst = max(worst, float(np.hypot(*(place - feet[nearest]))))

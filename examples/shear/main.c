@@ -34,7 +34,7 @@ static double euler_bernoulli(double x) {
   return -force * x * x * (3.0 * half_strip_length - x) / (6.0 * half_strip_young_modulus * second_moment);
 }
 
-/* With the deflection by shear of a rectangular section, shear coefficient 5/6 (Timoshenko 1921). */
+/* Deflection with that by shear of a rectangular section, shear coefficient 5/6 (Timoshenko 1921). */
 static double timoshenko(double x) {
   const double shear_modulus = half_strip_young_modulus / (2.0 * (1.0 + 1.0 / 3.0));
   return euler_bernoulli(x) - force * x / (5.0 / 6.0 * shear_modulus * half_strip_height);

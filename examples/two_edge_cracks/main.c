@@ -110,7 +110,7 @@ static void print_paths(const crack_paths* paths) {
   }
 }
 
-/* From event to event until the cracks meet. */
+/* Runs from event to event until the cracks meet. */
 static void run_events(summary* table, const char* scheme) {
   const known_run known = {"46", "83", 0, 0};
   bempd_model* model = create_plate(scheme, fracture_energy, balanced);
@@ -129,7 +129,7 @@ static void run_events(summary* table, const char* scheme) {
   bempd_model_free(model);
 }
 
-/* As the paper steps: one solution for each increment. */
+/* Runs in the paper's way: one solution for each increment. */
 static void run_increments(summary* table, const char* scheme) {
   const known_run known = {"46", "83", 47, 81};
   bempd_model* model = create_plate(scheme, fracture_energy, supported);

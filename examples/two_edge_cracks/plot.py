@@ -14,6 +14,6 @@ crack_plots.draw(
     load=0.1e6,
     load_label="traction",
     load_unit="Pa",
-    # At the end nothing resists the load any more, so displacements would hide the paths.
+    # The shape is not deformed: nothing resists the load in the end, so displacements would hide the paths.
     magnification=0,
 )

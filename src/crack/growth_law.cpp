@@ -9,11 +9,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Loads that press a tip shut drive it by as much of their size where rounding alone shears it: it does not grow.
+// Share of the loads that press a tip shut below which its shear is rounding: such a tip does not grow.
 constexpr double share_of_rounding = 1e-15;
 
-// The end of the range in a direction, from a load factor inside it. The equivalent factor lies above the load factor
-// times its slope far away less twice the constant part, which bounds the way to the end.
+// End of the range in a direction, from a load factor inside it. Far away the equivalent factor lies above the load
+// factor times its slope less twice the constant part, which bounds the search.
 double end_of_range(const AffineFactors& factors, double toughness, KinkCriterion criterion, double inside,
                     double direction) {
   const double slope = kink_of(direction * factors.proportional, criterion).equivalent_factor;
@@ -27,8 +27,8 @@ double end_of_range(const AffineFactors& factors, double toughness, KinkCriterio
   return high;
 }
 
-// The load factor at which the tip is loaded least, by golden sections; known bounds are some times the constant part.
-// It is asked by the hoop stress, which is convex throughout: the energy release rate is not where kinks close.
+// Load factor at which the tip is loaded least, by golden section search; known bounds are some times the constant
+// part. It uses the hoop stress, which is convex throughout: the energy release rate is not where kinks close.
 double least_loaded(const AffineFactors& factors, double toughness) {
   const double size = factors.proportional.stableNorm();
   double high = 4 * (toughness + factors.constant.stableNorm()) / size, low = -high;

@@ -28,8 +28,8 @@ FOLDERS = ("include", "src", "tests", "bindings", "examples", "benchmarks")
 
 # Folders in which no block may begin without its subject: one a line; the list grows until it is `src` and the others.
 CLEAN: tuple[str, ...] = (
-    "include", "src/bem", "src/capi", "src/coupling", "src/elasticity", "src/geometry", "src/linalg", "src/output", "src/paper",
-    "src/pd", "src/results", "src/scene", "tests")
+    "benchmarks", "bindings", "examples", "include", "src/bem", "src/capi", "src/coupling", "src/crack", "src/elasticity",
+    "src/geometry", "src/linalg", "src/output", "src/paper", "src/pd", "src/phase.hpp", "src/results", "src/scene", "tests")
 
 PREPOSITIONS = """About Above Across After Against Ahead Along Alongside Among Apart Around As Aside At Away Before Behind Below
     Beneath Beside Besides Between Beyond By Despite During Except For From In Inside Instead Into Like Near Of Off On Onto

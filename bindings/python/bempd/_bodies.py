@@ -126,7 +126,7 @@ def crack_segments(points: FloatArray, cells: IntArray, broken: npt.NDArray[np.b
     # The shared side is next to the broken one; across the opposite side lies another stretch of the crack.
     steps = ends[neighbours(cells[ends], broken[ends] | np.roll(broken[ends], 2, axis=1), len(points))]
     across = middles[steps][broken[steps]].reshape(-1, 2, 2)
-    # Where three or four sides are broken branches meet in the cell's centre; in it lies the tip where one is.
+    # Branches meet in the cell's centre where three or four sides are broken; a tip inside a cell is in its centre.
     lone = (count > 2) | ((count == 1) & ~np.isin(np.arange(len(cells)), steps))
     cell, side = np.nonzero(broken & lone[:, None])
     return np.concatenate([through, across, np.stack([middles[cell, side], points[cells[cell]].mean(axis=1)], axis=1)])
@@ -154,7 +154,7 @@ def boundary_body(model: Drawable, region: int, elements: IntArray, resolution: 
     inner_values = np.empty((0, 5)) if found is None else np.hstack([found.displacement, np.asarray(found.stress)])
     points, values = np.vstack([rim, inner]), np.vstack([rim_values, inner_values])
     triangles = Triangulation(*points.T).triangles
-    # Of those that join boundary points only, the ones in notches, holes and along edges are not of the body.
+    # Triangles that join boundary points only are left out if they lie in notches, in holes or along edges.
     corners = points[triangles]
     area = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
     kept = inside(corners.mean(axis=1), rim, outline) & (area > 1e-9 * step**2)

@@ -114,7 +114,7 @@ def distances_from_arc(points: FloatArray, start: FloatArray, end: FloatArray, b
     if abs(bulge) < 1e-9:
         beside: FloatArray = np.where((along >= 0) & (along <= length), np.abs(across), ends)
         return beside
-    # In the chord's frame: a positive bulge lies on the chord's right.
+    # The centre is computed in the chord's frame: a positive bulge lies on the chord's right.
     height = length * (1 - bulge * bulge) / (4 * bulge)
     radius = length * (1 + bulge * bulge) / (4 * abs(bulge))
     offset_x, offset_y = along - length / 2, across - height

@@ -98,7 +98,7 @@ def paint(axes: Any, found: list[Body], colours: Optional[ColourScale], magnific
     mapped = None
     for body in found:
         points = factor * body.shown(magnification)
-        # In the deformed shape a crack is the gap that the cut cells leave.
+        # A crack in the deformed shape is the gap that the cut cells leave.
         cells = body.cells if magnification == 0 else body.cells[~body.cut]
         triangles = halves(cells) if body.is_lattice else body.triangles
         if colours is None or (colours.quantity == "damage" and not body.is_lattice):

@@ -151,7 +151,7 @@ def spline(entity: Any, tolerance: float) -> tuple[list[Place], list[float], flo
     bulges: list[float] = []
     worst = 0.0
     for start, end in zip(spans, spans[1:]):
-        # Beside a corner the derivative is that of its own side.
+        # The derivative beside a corner is that of its own side.
         hair = 1e-9 * (end - start)
         more, bends, deviation = arcs_of(at, breaks(start + hair, end - hair, knots), tolerance)
         places, bulges, worst = places + more[:-1], bulges + bends, max(worst, deviation)

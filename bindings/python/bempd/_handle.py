@@ -60,7 +60,8 @@ class Handle:
         values, count = ffi.new("const double **"), ffi.new("int64_t *")
         components, generation = ffi.new("int32_t *"), ffi.new("int64_t *")
         ticket = object()
-        # Before the call, so that no other thread changes the model between the call and the ticket.
+        # The ticket is added before the call, so that no other thread changes the model between the call and the
+        # ticket.
         self._views.add(ticket)
         try:
             self.call(name, region, field, values, count, components, generation)

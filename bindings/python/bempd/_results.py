@@ -98,7 +98,7 @@ class Results:
     def elements(self, region: int) -> IntArray:
         """Nodes of the boundary elements (n, 3), start, mid, end, or of the lattice cells (n, 4), counter-clockwise."""
         count = int(self._number("bempd_element_count", "int64_t", region))
-        # There is room for the four corners of a cell; an element has three nodes and leaves the end as it is.
+        # Rows have room for the four corners of a cell; an element has three nodes and leaves the end as it is.
         nodes = np.full((count, 4), -1, dtype=np.int32)
         self._open().call("bempd_copy_elements", region, nodes.size, ffi.from_buffer("int32_t[]", nodes))
         if count and nodes[-1, -1] < 0:

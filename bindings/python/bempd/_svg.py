@@ -29,7 +29,7 @@ class Drawing:
         try:
             root = xml.parse(file).getroot()
             self._width, self._height, self._box = page_of(root)
-            # On a page as large as its coordinates, svgelements leaves them as they are.
+            # The page is as large as its coordinates, so that svgelements leaves these as they are.
             root.set("width", repr(self._box[2]))
             root.set("height", repr(self._box[3]))
             drawing = svgelements.SVG.parse(io.StringIO(xml.tostring(root, encoding="unicode")), reify=True)
@@ -147,7 +147,7 @@ def page_of(root: Any) -> tuple[tuple[float, str], tuple[float, str], tuple[floa
         x, y, width, height = (float(number) for number in re.split(r"[\s,]+", given.strip()))
     else:
         x, y, width, height = 0.0, 0.0, lengths[0][0] or 100.0, lengths[1][0] or 100.0
-        # Without a view box coordinates are pixels, 96 of them an inch.
+        # Coordinates are pixels without a view box, 96 of them an inch.
         for k, (number, unit) in enumerate(lengths):
             if unit in METRES:
                 size = number * METRES[unit] / (0.0254 / 96)

@@ -22,7 +22,7 @@ impl<'a> Values<'a> {
         Values { constant: None, proportional: Some(values) }
     }
 
-    /// Both parts, of the same length.
+    /// Values with a constant and a proportional part of the same length.
     pub fn both(constant: &'a [f64], proportional: &'a [f64]) -> Values<'a> {
         Values { constant: Some(constant), proportional: Some(proportional) }
     }

@@ -10,7 +10,7 @@ use crate::{LoadId, Model, RegionId, Result, SupportId};
 pub struct EdgeNode {
     /// Index into the fields of the region's nodes.
     pub node: usize,
-    /// Where it lies, as a fraction of the edge [-].
+    /// Place of the node, as a fraction of the edge [-].
     pub fraction: f64,
     /// Integral of its shape function along the edge [m].
     pub weight: f64,
@@ -19,9 +19,9 @@ pub struct EdgeNode {
 /// The place on an edge nearest to a given one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgePlace {
-    /// Where it lies, as a fraction of the edge [-].
+    /// Nearest place on the edge, as a fraction of it [-].
     pub fraction: f64,
-    /// Of the given place from it [m].
+    /// Distance of the given place from it [m].
     pub distance: f64,
 }
 

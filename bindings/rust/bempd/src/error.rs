@@ -17,7 +17,7 @@ pub enum Error {
     Convergence(String),
     /// A closure or a [`CancelToken`](crate::CancelToken) asked to stop.
     Cancelled(String),
-    /// Not enough memory.
+    /// Memory is not enough.
     Memory(String),
     /// A file could not be written.
     Io(String),

@@ -16,11 +16,11 @@ pub enum Plane {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Component {
-    /// Along x.
+    /// Component along x.
     X = sys::BEMPD_X as i32,
-    /// Along y.
+    /// Component along y.
     Y = sys::BEMPD_Y as i32,
-    /// Along both, where the function says so.
+    /// Components along x and y, where the function says so.
     Both = sys::BEMPD_BOTH as i32,
 }
 
@@ -34,12 +34,12 @@ pub enum FaceComponent {
     Shear = sys::BEMPD_SHEAR as i32,
 }
 
-/// Whose factors a column of a load program has: [`Model::run_program`](crate::Model::run_program).
+/// What the factors in a column of a load program belong to: [`Model::run_program`](crate::Model::run_program).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ProgramColumn {
-    /// Those of a support.
+    /// The column has the factors of a support.
     Support(SupportId),
-    /// Those of a load.
+    /// The column has the factors of a load.
     Load(LoadId),
 }
 
@@ -63,11 +63,11 @@ impl ProgramColumn {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Until {
-    /// To the values, whatever breaks on the way.
+    /// The step ends at the values, whatever breaks on the way.
     Values = sys::BEMPD_UNTIL_VALUES as i32,
-    /// One event, or to the values if none is left before them.
+    /// The step ends after one event, or at the values if no event comes before them.
     Event = sys::BEMPD_UNTIL_EVENT as i32,
-    /// Until the body is separated, or to the values.
+    /// The step ends when the body is separated, or at the values.
     Separated = sys::BEMPD_UNTIL_SEPARATED as i32,
 }
 
@@ -75,9 +75,9 @@ pub enum Until {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Turn {
-    /// With the body on the left, outer loops do.
+    /// Sense of outer loops, which have the body on their left.
     CounterClockwise = sys::BEMPD_COUNTER_CLOCKWISE as i32,
-    /// As the hands of a clock do.
+    /// Sense of the hands of a clock.
     Clockwise = sys::BEMPD_CLOCKWISE as i32,
 }
 
@@ -85,9 +85,9 @@ pub enum Turn {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum Face {
-    /// On its left.
+    /// Face on the left of the crack.
     Left = sys::BEMPD_FACE_LEFT as i32,
-    /// On its right.
+    /// Face on the right of the crack.
     Right = sys::BEMPD_FACE_RIGHT as i32,
 }
 
@@ -123,9 +123,9 @@ impl SingularityKind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum TipEnd {
-    /// Its first point.
+    /// The end at the crack's first point.
     Start,
-    /// Its last point.
+    /// The end at the crack's last point.
     End,
     /// One that this version of the crate does not know.
     Other(i32),
@@ -232,9 +232,9 @@ pub enum StopReason {
     Separated,
     /// No bond can break however far the load factor goes in this direction.
     NoFurtherEvent,
-    /// On the equilibrium path: constant loads stretch bonds too far at every load factor.
+    /// The equilibrium path ends: constant loads stretch bonds beyond their critical stretch at every load factor.
     NoAdmissibleLoad,
-    /// In increments: what breaks at the end of the next one leaves no equilibrium.
+    /// Equilibrium does not exist after the bonds of the next increment break.
     NoEquilibrium,
     /// The host asked for the end of the step, which keeps the events before.
     Requested,

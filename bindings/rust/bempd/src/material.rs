@@ -41,17 +41,17 @@ impl Material {
         }
     }
 
-    /// With this thickness [m], > 0.
+    /// Sets the thickness [m], > 0.
     pub fn thickness(self, thickness: f64) -> Material {
         Material { thickness: Some(thickness), ..self }
     }
 
-    /// With this critical bond stretch [-], > 0.
+    /// Sets the critical bond stretch [-], > 0.
     pub fn critical_stretch(self, critical_stretch: f64) -> Material {
         Material { critical_stretch: Some(critical_stretch), ..self }
     }
 
-    /// With this fracture energy [J/m^2], > 0, from which the critical stretch follows.
+    /// Sets the fracture energy [J/m^2], > 0, from which the critical stretch follows.
     pub fn fracture_energy(self, fracture_energy: f64) -> Material {
         Material { fracture_energy: Some(fracture_energy), ..self }
     }
@@ -61,7 +61,7 @@ impl Material {
         Material { thermal_expansion: Some(thermal_expansion), ..self }
     }
 
-    /// In plane stress or plane strain; the same for all materials of a model.
+    /// Sets plane stress or plane strain; the same for all materials of a model.
     pub fn plane(self, plane: Plane) -> Material {
         Material { plane: Some(plane), ..self }
     }

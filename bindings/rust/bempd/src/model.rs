@@ -306,7 +306,7 @@ impl Model {
         self.handle.save()
     }
 
-    /// The same with the values of loads and supports, which [`Model::restore`] then brings back.
+    /// Saves the state with the values of loads and supports, which [`Model::restore`] then brings back.
     pub fn save_with_values(&mut self) -> Result<State> {
         self.handle.save_with_values()
     }

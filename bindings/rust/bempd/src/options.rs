@@ -19,7 +19,7 @@ pub struct OptionInfo {
 pub enum OptionKind {
     /// A number.
     Number {
-        /// Its default.
+        /// Default value.
         default: f64,
         /// Smallest legal number.
         minimum: f64,
@@ -30,7 +30,7 @@ pub enum OptionKind {
     },
     /// A word.
     Text {
-        /// Its default.
+        /// Default word.
         default: &'static str,
         /// The legal words.
         choices: Vec<&'static str>,

@@ -2,7 +2,7 @@ use bempd_sys as sys;
 
 use crate::{CrackId, RegionId, SingularityKind, StopReason, TipEnd, TipMethod};
 
-/// Where a run stands, told after every event.
+/// Progress of a run, reported after every event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
     /// Load factor [-].
@@ -113,7 +113,7 @@ mirror! {
     CrackTip of bempd_crack_tip {
         /// The crack.
         crack: CrackId,
-        /// Which of its ends.
+        /// End of the crack.
         end: TipEnd,
         /// Place [m].
         x: f64,
@@ -169,7 +169,7 @@ mirror! {
         x: f64,
         /// Place [m].
         y: f64,
-        /// Of the displacement beside it, 1/2 at crack tips, 0 at points under a force [-].
+        /// Exponent of the displacement beside the place, 1/2 at crack tips, 0 at points under a force [-].
         exponent: f64,
         /// Imaginary part of the exponent [-].
         oscillation: f64,
@@ -181,11 +181,11 @@ mirror! {
     Growth of bempd_growth {
         /// Tips that have grown.
         tips: i32,
-        /// Of them those that have reached an edge, a hole or another crack.
+        /// Tips among them that ended at an edge, a hole or another crack.
         ended: i32,
-        /// Load factor at which they did [-].
+        /// Load factor at which they grew [-].
         load_factor: f64,
-        /// Sum of their ways [m].
+        /// Sum of their growth [m].
         length: f64,
         /// Energy that the body has released by it [J].
         released_energy: f64,
@@ -197,7 +197,7 @@ mirror! {
     PathVertex of bempd_path_vertex {
         /// Event of the history at which the crack grew to here; 0: it was described.
         event: i64,
-        /// Which end grew, 1 the start and 2 the end; 0: none.
+        /// End that grew, 1 the start and 2 the end; 0: none.
         end: i32,
         /// Place [m].
         x: f64,
@@ -209,9 +209,9 @@ mirror! {
         stress_intensity_1: f64,
         /// K_II of the tip just before [Pa m^(1/2)].
         stress_intensity_2: f64,
-        /// In the direction to here, just before [J/m^2].
+        /// G in the direction to here, just before [J/m^2].
         energy_release_rate: f64,
-        /// Fracture energy that was met on the way to here [J/m^2].
+        /// Fracture energy G0 along the way to here [J/m^2].
         resistance: f64,
     }
 }
@@ -223,33 +223,33 @@ mirror! {
         event: i64,
         /// The crack.
         crack: CrackId,
-        /// Which of its ends.
+        /// End of the crack.
         end: TipEnd,
         /// 1: it has reached an edge, a hole or another crack; else 0.
         ended: i32,
         /// Extensions of this end up to this one.
         count: i32,
-        /// Where it came to [m].
+        /// End of the extension [m].
         x: f64,
-        /// [m].
+        /// End of the extension, y [m].
         y: f64,
-        /// By which it turned, counter-clockwise [rad].
+        /// Angle by which it turned, counter-clockwise [rad].
         angle: f64,
-        /// Of its way [m].
+        /// Length of the extension [m].
         length: f64,
-        /// Of the whole crack after it [m].
+        /// Length of the whole crack after it [m].
         crack_length: f64,
-        /// At which it grew [-].
+        /// Load factor at which it grew [-].
         load_factor: f64,
-        /// When it set out in the new direction [J/m^2].
+        /// G in the new direction at the start of the extension [J/m^2].
         energy_release_rate_before: f64,
-        /// When it had arrived [J/m^2]; 0 if it has ended.
+        /// G at the end of the extension [J/m^2]; 0 if the end is no tip now.
         energy_release_rate_after: f64,
         /// Mean of both times way and thickness, or what the others of the event leave [J].
         released_energy: f64,
-        /// Where it began [m].
+        /// Start of the extension [m].
         from_x: f64,
-        /// [m].
+        /// Start of the extension, y [m].
         from_y: f64,
         /// K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)].
         stress_intensity_1: f64,
@@ -294,13 +294,13 @@ mirror! {
         residual: f64,
         /// Wall time of this step [s].
         seconds_total: f64,
-        /// Of it: solutions [s].
+        /// Wall time of solutions [s].
         seconds_solve: f64,
-        /// Of it: changes of the factorization [s].
+        /// Wall time of changes of the factorization [s].
         seconds_update: f64,
-        /// Of it: stretches, choice of bonds, connectivity [s].
+        /// Wall time of stretches, choice of bonds and connectivity [s].
         seconds_search: f64,
-        /// Of the released energy what bonds take where they just reach their critical stretch; the rest would have
+        /// Dissipated part of the released energy: that of bonds just at their critical stretch; the rest would have
         /// become motion [J].
         bond_energy: f64,
         /// The first event of this step at which equilibrium was lost; 0 if each was in equilibrium.
@@ -333,11 +333,11 @@ mirror! {
         free_motions: i32,
         /// Mean of the places of its nodes [m].
         x: f64,
-        /// The same [m].
+        /// Mean of the places of its nodes, y [m].
         y: f64,
         /// The rigid motion nearest to that of its nodes: displacement there [m].
         move_x: f64,
-        /// The same [m].
+        /// Displacement there, y [m].
         move_y: f64,
         /// Rotation about that place, counter-clockwise [rad].
         rotation: f64,
@@ -368,8 +368,8 @@ mirror! {
         energy_balance_error: f64,
         /// Largest unbalanced force over the largest internal nodal force so far [-].
         residual: f64,
-        /// On the equilibrium path: where the most stretched bond just reaches its critical stretch, or a tip its
-        /// toughness; at the end of a step the load factor [-].
+        /// Load factor on the equilibrium path at which the most stretched bond just reaches its critical stretch, or a
+        /// tip its toughness; at the end of a step the load factor [-].
         critical_load_factor: f64,
         /// Elastic energy there, after the event [J].
         critical_stored_energy: f64,

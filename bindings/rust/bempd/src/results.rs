@@ -44,11 +44,11 @@ pub struct EdgeReaction {
 /// What a support did at a line of the history.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HistorySupport {
-    /// By which it moves the body, the mean over its nodes; NaN for a component that it leaves free [m].
+    /// Displacement by which it moves the body, the mean over its nodes; NaN for a component that it leaves free [m].
     pub displacement: [f64; 2],
-    /// That it exerts on the body [N].
+    /// Force that it exerts on the body [N].
     pub force: [f64; 2],
-    /// The same just before the line's event [N].
+    /// Force that it exerted just before the line's event [N].
     pub force_before: [f64; 2],
 }
 
@@ -57,7 +57,7 @@ pub struct HistorySupport {
 pub struct CrackOpening {
     /// Normal to it, negative where its faces overlap [m].
     pub normal: Vec<f64>,
-    /// Along it [m].
+    /// Opening along the crack [m].
     pub tangential: Vec<f64>,
 }
 
@@ -149,7 +149,7 @@ impl Model {
         Ok(PointValues { displacement, stress, regions: regions.into_iter().map(RegionId).collect() })
     }
 
-    /// As [`Model::evaluate`], without the cost of the stress.
+    /// Displacement as [`Model::evaluate`] computes it, without the cost of the stress.
     pub fn evaluate_displacement(&self, places: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
         self.handle.evaluate_displacement(places)
     }
@@ -161,7 +161,7 @@ impl Model {
         Ok(EdgeReaction { force, moment })
     }
 
-    /// As [`Model::evaluate`], as one region has it: on its side of interfaces, and on one face of cracks.
+    /// Values as [`Model::evaluate`] has them, for one region: on its side of interfaces, and on one face of cracks.
     pub fn evaluate_in(&self, region: RegionId, face: Face, places: &[[f64; 2]]) -> Result<PointValues> {
         let (displacement, stress) = self.handle.evaluate_in(region.0, face as i32, places)?;
         Ok(PointValues { displacement, stress, regions: vec![region; places.len()] })

@@ -136,7 +136,7 @@ fn boundary_functions_cancel_with_none_and_panic_through() {
     let added = model.add_traction_function(region, 2, .., |_, _| None);
     assert_fails!(added.and_then(|_| model.prepare()), Cancelled, "boundary function");
 
-    // Also where the call that asks it has only a shared borrow of the model.
+    // A callback may ask also where its call has only a shared borrow of the model.
     let Block { mut model, region, .. } = block();
     let message = panic_of(|| {
         model.add_traction_function(region, 2, .., |_, _| panic!("no value here")).unwrap();

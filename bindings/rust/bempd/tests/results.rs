@@ -164,7 +164,7 @@ fn arcs_are_given_by_centre_and_radius() {
     model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.5, Turn::CounterClockwise).unwrap();
     assert!(model.set_edge_arc_about(square, 2, [1.0, 0.5], 0.6, Turn::Clockwise).is_err());
     let disc = model.add_bem_disc(material, [3.0, 0.0], 0.5, 0.2).unwrap();
-    // Of a spiral the chords of two edges cross.
+    // A spiral whose edges have chords that cross.
     let spiral = [[6.0, 0.0], [8.0, 0.0], [6.0, 1.0], [8.0, 1.0]];
     let bulges = [0.0, (3.0 * std::f64::consts::PI / 8.0).tan(), 0.0, 0.0];
     assert!(model.add_bem_region(material, &spiral, 0.2).is_err());
