@@ -72,8 +72,8 @@ TEST(CrackPressure, on_a_cut_has_the_resultant_of_its_length) {
   }
 }
 
-// Among bonds, along the rows of the lattice and across their diagonals: the crack is that much longer as its tips are
-// felt ahead of where it is cut (docs/research/materials.md).
+// A crack in a lattice, along the rows and across their diagonals, opens as a crack in a plane that is longer by the
+// distance of the effective tips (docs/research/materials.md).
 TEST(CrackPressure, among_bonds_opens_as_in_a_plane) {
   for (const double direction : {0.0, pi / 4}) {
     const double half = direction == 0 ? 14.5 : 10.5 * std::sqrt(2), felt = direction == 0 ? 0.38 : 0.3;
@@ -94,7 +94,7 @@ TEST(CrackPressure, among_bonds_opens_as_in_a_plane) {
       EXPECT_LE(std::abs(report("K_I", tip.stress_intensity_1, expected, "p sqrt(pi a)")), 3e-3 * expected);
       EXPECT_LE(std::abs(tip.stress_intensity_2), 0.01 * expected);
     }
-    // Between the two points beside the middle, which are a bond apart.
+    // The opening is measured between the two points beside the middle, which are a bond apart.
     const Vector above = direction == 0 ? Vector{0, 0.5} : Vector{0, 1},
                  below = direction == 0 ? Vector{0, -0.5} : Vector{0, 0};
     const auto opening = [&](const auto& displacement) {
