@@ -12,8 +12,8 @@ import shutil
 import sys
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s#]+)(#[^)\s]*)?\)")
-PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "docs/research/*.md", "examples/*/README.md", "benchmarks/*/README.md",
-         "bindings/*/README.md"]
+PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "docs/research/*.md", "examples/*/README.md",
+         "benchmarks/*/README.md", "bindings/*/README.md"]
 BUILDS = ["docs/site", "bindings/python/bempd", "CMakeLists.txt"]
 MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-MML-AM_CHTML.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/input/TeX",
