@@ -1,4 +1,4 @@
-# What a host finds: the shared library, its one header, a CMake package and a pkg-config file. Eigen, LAPACK and
+# What a host finds: the shared library, its header, that for C++17 beside it, a CMake package and a pkg-config file. Eigen, LAPACK and
 # SuiteSparse are private to the library, so none of them has to be installed where it is used.
 if(NOT TARGET bempd)
   return()
@@ -10,7 +10,7 @@ set(generated_dir "${PROJECT_BINARY_DIR}/package")
 
 install(TARGETS bempd EXPORT bempdTargets
         LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT runtime NAMELINK_COMPONENT development)
-install(FILES "${PROJECT_SOURCE_DIR}/include/bempd.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+install(FILES "${PROJECT_SOURCE_DIR}/include/bempd.h" "${PROJECT_SOURCE_DIR}/include/bempd.hpp" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         COMPONENT development)
 install(EXPORT bempdTargets NAMESPACE bempd:: DESTINATION "${package_dir}" COMPONENT development)
 
@@ -24,13 +24,14 @@ install(FILES "${generated_dir}/bempdConfig.cmake" "${generated_dir}/bempdConfig
         "${PROJECT_SOURCE_DIR}/cmake/bempdFortran.cmake"
         DESTINATION "${package_dir}" COMPONENT development)
 
-# Fortran: the sources for every compiler, and what was compiled for the one at hand.
+# Fortran: the sources for every compiler, and what was compiled for the one at hand, if it was: who builds the target bempd
+# alone can install it.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/fortran/" DESTINATION "${fortran_source_dir}" COMPONENT development
         FILES_MATCHING PATTERN "*.f90")
 if(TARGET bempd_fortran)
   get_target_property(fortran_modules bempd_fortran Fortran_MODULE_DIRECTORY)
   install(FILES "$<TARGET_FILE:bempd_fortran>" "${fortran_modules}/bempd_c.mod" "${fortran_modules}/bempd.mod"
-          DESTINATION "${fortran_binary_dir}" COMPONENT development)
+          DESTINATION "${fortran_binary_dir}" COMPONENT development OPTIONAL)
 endif()
 
 # The Python module goes into Debian packages only; everybody else uses pip.
@@ -72,6 +73,8 @@ foreach(name bempd bempd-fortran)
 endforeach()
 install(FILES "${generated_dir}/bempd.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
 if(TARGET bempd_fortran)
-  install(FILES "${generated_dir}/bempd-fortran.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
-          COMPONENT development)
+  install(CODE "if(EXISTS \"$<TARGET_FILE:bempd_fortran>\")
+  file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig\" TYPE FILE
+       FILES \"${generated_dir}/bempd-fortran.pc\")
+endif()" COMPONENT development)
 endif()

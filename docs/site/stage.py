@@ -38,7 +38,7 @@ CHAPTERS = {
     "Learn": ["README", "docs/tutorial", "docs/cracks", "docs/mixed_cracks", "docs/import", "docs/converge", "docs/coupling",
               "docs/checkpoints", "docs/paraview", "docs/theory"],
     "Look up": ["docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking",
-                "docs/languages", "docs/reference/index", "docs/python_reference", "bindings/python/README",
+                "docs/languages", "docs/cpp", "docs/reference/index", "docs/python_reference", "bindings/python/README",
                 "bindings/fortran/README", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
     "What is measured": ["docs/measured", "docs/accuracy", "docs/verification", "docs/directions", "docs/materials",

@@ -30,6 +30,7 @@ from .errors import (
     OutOfMemoryError,
     UnknownOptionError,
     UnsolvableError,
+    Warning,
 )
 from .model import Model
 from .options import OptionInfo, Options, describe_options

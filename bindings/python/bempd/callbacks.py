@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import logging
+import pathlib
 import sys
 import time
-from typing import Any, Callable, List, Optional, TextIO, Tuple, Union
+import warnings
+from typing import Any, Callable, List, Literal, Optional, TextIO, Tuple, Union
 
 import numpy as np
 
 from ._library import ffi, lib, string
 from ._words import in_python
-from .errors import ArgumentError
+from .errors import ArgumentError, Warning
 
 Pair = Tuple[float, float]
 #: Called as f(load_factor, events, broken_bonds) after every event; an exception cancels the step and is raised again.
@@ -19,12 +21,27 @@ Progress = Callable[[float, int, int], object]
 #: Called as f(phase, share, seconds, expected) inside long parts of calls: what is done, the share of it, the seconds so
 #: far and those expected in all, 0 if nothing is known yet; an exception cancels the call and is raised again.
 PhaseProgress = Callable[[str, float, float, float], object]
-#: A logger, or a function called as f(level, message): level 1 warning, 2 information, 3 detail.
-Log = Union[logging.Logger, Callable[[int, str], object]]
+#: A logger; a function called as f(level, message): level 1 warning, 2 information, 3 detail; or "warnings", by which
+#: warnings go to Python's module of this name and the rest is dropped.
+Log = Union[logging.Logger, Callable[[int, str], object], Literal["warnings"]]
 #: Called as f(x, y); gives (ux, uy), multiplied by the load factor, or a pair of pairs (constant, proportional).
 BoundaryFunction = Callable[[float, float], Union[Pair, Tuple[Pair, Pair]]]
 
 _LEVELS = {1: logging.WARNING, 2: logging.INFO, 3: logging.DEBUG}
+
+
+_PACKAGE = str(pathlib.Path(__file__).resolve().parent)
+
+
+def warn(level: int, message: str) -> None:
+    """Hand a warning of the library to Python's warnings, as one of the line outside this package that made the call."""
+    if level != 1:
+        return
+    frame = sys._getframe(1)
+    while frame.f_back is not None and str(pathlib.Path(frame.f_code.co_filename).parent) == _PACKAGE:
+        frame = frame.f_back
+    warnings.warn_explicit(message, Warning, frame.f_code.co_filename, frame.f_lineno, frame.f_globals.get("__name__", "__main__"),
+                           frame.f_globals.setdefault("__warningregistry__", {}))
 
 
 def _keeper(raised: List[BaseException]) -> Callable[[Any, BaseException, Any], None]:
@@ -87,7 +104,7 @@ def log_callback(raised: List[BaseException], model: Any, log: Log, with_names: 
         logger = log
         write: Callable[[int, str], object] = lambda level, message: logger.log(_LEVELS[level], "%s", message)
     else:
-        write = log
+        write = warn if isinstance(log, str) else log
 
     def told(level: int, message: Any, _: Any) -> None:
         write(level, with_names(in_python(string(message))))

@@ -65,6 +65,14 @@ class InternalError(Error, RuntimeError):
     """A defect of the library; please report it. The model can only be closed now."""
 
 
+class Warning(UserWarning):  # its name is bempd.Warning, beside bempd.Error
+    """What the library warns of: a result that may be less good than it looks, or a part that was held or dropped.
+
+    Python's own `warnings` module decides what becomes of it: `warnings.simplefilter("ignore", bempd.Warning)` silences all
+    models, "error" makes exceptions of warnings. `model.log` of one model takes its place: a logger, a function, or None.
+    """
+
+
 _BY_STATUS: dict[str, type[Error]] = {
     kind.status: kind
     for kind in (ArgumentError, OrderError, UnsolvableError, ConvergenceError, CancelledError, OutOfMemoryError,
