@@ -43,7 +43,7 @@ elseif(WAY STREQUAL "pkg_config")
   run("${C_COMPILER}" -std=c99 "${CONSUMER_DIR}/main.c" ${flags} -o "${consumer_build}/consumer")
   run_consumer("LD_LIBRARY_PATH=${prefix} moved/${LIBDIR}")
 elseif(WAY STREQUAL "install_without_fortran")
-  # The same rules where the Fortran module was not built, as after examples/run.sh.
+  # Rules of installation as they are where the Fortran module was not built, such as after examples/run.sh.
   file(READ "${BUILD_DIR}/cmake_install.cmake" rules)
   string(REGEX REPLACE "[^\";]*/(libbempd_fortran\\.a|bempd_c\\.mod|bempd\\.mod)" "${consumer_build}/not built/\\1" rules "${rules}")
   file(WRITE "${consumer_build}/cmake_install.cmake" "${rules}")
