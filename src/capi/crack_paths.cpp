@@ -30,8 +30,18 @@ bempd_status bempd_crack_path(const bempd_model* model, int32_t crack, int64_t i
             " vertices");
     const model::PathVertex& v = path[static_cast<std::size_t>(index)];
     write_struct(vertex,
-                 bempd_path_vertex{sizeof(bempd_path_vertex), v.event, v.end + 1, v.place.x(), v.place.y(),
-                                   v.load_factor, v.factors.x(), v.factors.y(), v.energy_release_rate, v.resistance},
+                 bempd_path_vertex{
+                     .struct_size = sizeof(bempd_path_vertex),
+                     .event = v.event,
+                     .end = v.end + 1,
+                     .x = v.place.x(),
+                     .y = v.place.y(),
+                     .load_factor = v.load_factor,
+                     .stress_intensity_1 = v.factors.x(),
+                     .stress_intensity_2 = v.factors.y(),
+                     .energy_release_rate = v.energy_release_rate,
+                     .resistance = v.resistance,
+                 },
                  "vertex");
   });
 }

@@ -79,17 +79,19 @@ bempd_status bempd_option_describe(int64_t index, bempd_option_info* info) {
     require(index >= 0 && index < static_cast<int64_t>(all.size()), "index is ", index, "; options are 0 .. ",
             all.size() - 1);
     const scene::OptionDescription& o = all[static_cast<std::size_t>(index)];
-    const bempd_option_info values{sizeof(bempd_option_info),
-                                   o.name,
-                                   o.summary,
-                                   o.unit,
-                                   o.choices,
-                                   o.default_text,
-                                   o.is_text ? BEMPD_OPTION_TEXT : BEMPD_OPTION_NUMBER,
-                                   o.whole_number ? 1 : 0,
-                                   o.default_value,
-                                   o.minimum,
-                                   o.maximum};
+    const bempd_option_info values{
+        .struct_size = sizeof(bempd_option_info),
+        .name = o.name,
+        .summary = o.summary,
+        .unit = o.unit,
+        .choices = o.choices,
+        .default_text = o.default_text,
+        .kind = o.is_text ? BEMPD_OPTION_TEXT : BEMPD_OPTION_NUMBER,
+        .whole_number = o.whole_number ? 1 : 0,
+        .default_value = o.default_value,
+        .minimum = o.minimum,
+        .maximum = o.maximum,
+    };
     write_struct(info, values, "info");
   });
 }

@@ -57,9 +57,20 @@ bempd_status bempd_get_piece(bempd_model* model, int32_t number, bempd_piece* pi
     const model::PieceState p = m.piece(number);
     const coupling::RigidFit& motion = p.motion;
     write_struct(piece,
-                 bempd_piece{sizeof(bempd_piece), p.nodes, p.supports, p.loads, p.free_motions, 0, motion.centre.x(),
-                             motion.centre.y(), motion.translation.x(), motion.translation.y(), motion.rotation,
-                             motion.deviation},
+                 bempd_piece{
+                     .struct_size = sizeof(bempd_piece),
+                     .nodes = p.nodes,
+                     .supports = p.supports,
+                     .loads = p.loads,
+                     .free_motions = p.free_motions,
+                     .reserved = 0,
+                     .x = motion.centre.x(),
+                     .y = motion.centre.y(),
+                     .move_x = motion.translation.x(),
+                     .move_y = motion.translation.y(),
+                     .rotation = motion.rotation,
+                     .deviation = motion.deviation,
+                 },
                  "piece");
   });
 }

@@ -32,10 +32,26 @@ bempd_status get_history_entry(const bempd_model* model, const char* function, s
   return with_model(model, function, [&](const model::Model& m) {
     const fracture::HistoryEntry& h = with_line(m, index).history[static_cast<std::size_t>(index)];
     write_struct(entry,
-                 {sizeof(bempd_history_entry), h.event, h.total_broken_bonds, h.load_factor, h.stretch_ratio,
-                  h.stored_energy, h.released_energy, h.work, h.energy_balance_error, h.residual,
-                  h.critical_load_factor, h.critical_stored_energy, h.bond_energy, h.load_factor_before,
-                  h.stored_energy_before, h.work_before, h.resistance_before, h.resistance},
+                 {
+                     .struct_size = sizeof(bempd_history_entry),
+                     .event = h.event,
+                     .total_broken_bonds = h.total_broken_bonds,
+                     .load_factor = h.load_factor,
+                     .stretch_ratio = h.stretch_ratio,
+                     .stored_energy = h.stored_energy,
+                     .released_energy = h.released_energy,
+                     .work = h.work,
+                     .energy_balance_error = h.energy_balance_error,
+                     .residual = h.residual,
+                     .critical_load_factor = h.critical_load_factor,
+                     .critical_stored_energy = h.critical_stored_energy,
+                     .bond_energy = h.bond_energy,
+                     .load_factor_before = h.load_factor_before,
+                     .stored_energy_before = h.stored_energy_before,
+                     .work_before = h.work_before,
+                     .resistance_before = h.resistance_before,
+                     .resistance = h.resistance,
+                 },
                  "entry");
   });
 }

@@ -56,11 +56,18 @@ regions::Solution Model::solution_of(const PreparedScene& prepared) {
   if (prepared.system->closed_face_count() > 0)
     for (const auto& region : prepared.discretization.regions)
       closed[static_cast<std::size_t>(region->id()) - 1] = prepared.system->closed_faces_on(region->nodes());
-  return {state.total_displacement,  prepared.system->terms(),
-          prepared.system->intact(), prepared.conditions.body_forces(state.load_factor),
-          &state.displacement,       &prepared.conditions.crack_loads,
-          state.load_factor,         &prepared.system->stages(),
-          std::move(closed),         &prepared.conditions.body_force};
+  return {
+      .displacement = state.total_displacement,
+      .bonds = prepared.system->terms(),
+      .intact = prepared.system->intact(),
+      .body_forces = prepared.conditions.body_forces(state.load_factor),
+      .parts = &state.displacement,
+      .crack_loads = &prepared.conditions.crack_loads,
+      .load_factor = state.load_factor,
+      .stages = &prepared.system->stages(),
+      .closed_faces = std::move(closed),
+      .body_force_parts = &prepared.conditions.body_force,
+  };
 }
 
 const FieldValues& Model::field(int id, Field which) {

@@ -103,17 +103,19 @@ SavedState Model::save(bool with_values) const {
   std::vector<int> frozen;
   if (with_values)
     for (const auto& [crack, end] : frozen_tips_) frozen.insert(frozen.end(), {crack, end});
-  return {prepared_->fingerprint,
-          said,
-          prepared_->evolution->state(),
-          prepared_->evolution->continuation(),
-          tip_history_,
-          loads_.in_force,
-          loads_.acting,
-          loads_.acting == Acting::on_a_way ? loads_.end_of_way : 0,
-          acting_values(),
-          with_values ? std::optional(scene_.values()) : std::nullopt,
-          std::move(frozen)};
+  return {
+      .scene = prepared_->fingerprint,
+      .load_fingerprint = said,
+      .evolution = prepared_->evolution->state(),
+      .continuation = prepared_->evolution->continuation(),
+      .tips = tip_history_,
+      .in_force = loads_.in_force,
+      .acting = loads_.acting,
+      .end_of_way = loads_.acting == Acting::on_a_way ? loads_.end_of_way : 0,
+      .acting_values = acting_values(),
+      .said = with_values ? std::optional(scene_.values()) : std::nullopt,
+      .frozen = std::move(frozen),
+  };
 }
 
 void Model::restore(const SavedState& state) {
