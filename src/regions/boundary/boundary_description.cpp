@@ -11,8 +11,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Memory of the matrices that exist at the same time while an operator is built, per square of an element with four
-// unknowns: measured as 500 to 600 with 220 and 420 elements.
+// Bytes of the matrices that exist at the same time while an operator is built, over the square of the number of
+// elements, with four unknowns an element: measured as 500 to 600 with 220 and 420 elements.
 constexpr double bytes_per_square = 500;
 
 // Largest number of elements in one region; more come of a mistyped length, since no machine holds the operators.

@@ -12,8 +12,8 @@ namespace bempd::regions {
 
 namespace {
 
-// Memory of the matrices that exist at the same time while an operator with cracks is built, per square of an element:
-// measured with 400 to 900 elements.
+// Bytes of the matrices that exist at the same time while an operator with cracks is built, over the square of the
+// number of elements: measured with 400 to 900 elements.
 constexpr double bytes_per_square_with_cracks = 600;
 
 // Number of elements from which on preparing takes seconds, and gap over a crack's length below which the gap is the

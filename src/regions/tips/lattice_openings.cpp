@@ -12,13 +12,13 @@ namespace bempd::regions {
 
 namespace {
 
-// Points of a side lie within an ellipse about the place, in spacings along the crack and off it; where these are too
-// few in a larger one.
+// Half axes of the ellipse about a place in which points of a side are taken, in spacings along the crack and off it;
+// if they are too few, the ellipse gets larger by a factor.
 constexpr double along = 2.5, off = 3, larger = 1.5;
 constexpr int most_ellipses = 3;
 constexpr std::size_t enough_for_quadratic = 8, enough_for_linear = 4;
 
-// How far beside the path, in spacings, a place on one of its sides is.
+// Distance from the path, in spacings, of a place that stands for one of its sides.
 constexpr double beside = 1e-3;
 
 class OpeningsOfCrack {
@@ -49,7 +49,7 @@ class OpeningsOfCrack {
     Point normal() const { return {-tangent.y(), tangent.x()}; }  // to the left
   };
 
-  // A tip; other ends are mouths.
+  // Whether an end is a tip; other ends are mouths.
   bool is_inside(const Point& end) const {
     return std::any_of(
         body_.discretization.regions.begin(), body_.discretization.regions.end(), [&](const auto& region) {
@@ -68,7 +68,7 @@ class OpeningsOfCrack {
     }
   }
 
-  // Whether a crack lies between.
+  // Whether a crack lies between two places.
   bool is_hidden(const Point& from, const Point& to) const {
     const Segment sight{from, to};
     for (const std::vector<Point>& path : paths_)
@@ -77,7 +77,7 @@ class OpeningsOfCrack {
     return false;
   }
 
-  // Points ahead of a tip are on no side of it.
+  // Whether a point is ahead of a tip: then it is on no side of the crack.
   bool is_ahead_of_end(const Point& point) const {
     const auto is_ahead = [&](const Point& end, const Point& before) { return (point - end).dot(end - before) > 0; };
     return (has_start_ && is_ahead(path_.front(), path_[1])) || (has_end_ && is_ahead(path_.back(), path_.end()[-2]));

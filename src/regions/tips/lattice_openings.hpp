@@ -6,11 +6,11 @@
 
 namespace bempd::regions {
 
-// Openings of a crack among bonds at parts of its length: displacement of the face on its left less that of the face on
-// its right, along it and normal to it [m]; NaN where one side has too few points.
+// Openings of a crack in lattices at fractions of its length: displacement of the face on its left less that of the
+// face on its right, along it and normal to it [m]; NaN where one side has too few points.
 //
-// The displacement of a face is the value on the path of a quadratic fitted to the points on its side that lie nearby
-// and that no crack hides. `paths`: of all cracks among bonds; the crack is one of them.
+// The displacement of a face is the value, on the path, of a quadratic that is fitted to nearby points on its side
+// which no crack hides. `paths`: those of all cracks in lattices; the crack is one of them.
 std::vector<Point> lattice_openings(const BondedBody& body, const std::vector<std::vector<Point>>& paths,
                                     std::size_t crack, const std::vector<double>& fractions,
                                     const Eigen::VectorXd& displacement);

@@ -14,29 +14,30 @@ namespace bempd::regions {
 
 namespace {
 
-// Outer radii of rings as parts of the largest one; weights fall from half of them on.
+// Outer radii of rings as shares of the largest one; the weight falls from half of a ring's radius on.
 constexpr std::array parts{1.0, 0.8, 0.6};
 constexpr double inner_part = 0.5;
 
-// Less than this around a tip shows too much of the lattice; more shows nothing new and takes longer.
+// Radius of the largest ring in horizons: a smaller one shows too much of the lattice; a larger one shows nothing new
+// and takes longer.
 constexpr double least_horizons = 2, most_horizons = 10;
 
-// Of what is clear around the tip: its end is another tip, a mouth or a bend.
+// Share of the radius around the tip that is free of other tips, mouths and bends, which the largest ring takes.
 constexpr double part_of_clear = 0.9;
 
 Point factors_of(const TipRings::Expansion& expansion) {
   return std::sqrt(2 * std::numbers::pi) * Point(expansion.opening.real(), -expansion.opening.imag());
 }
 
-// How far ahead of the place the tip is felt: there the field has no term of power -1/2, which is what a move of the
-// term of power 1/2 makes.
+// Distance of the effective tip ahead of the place: about the effective tip the field has no term of power -1/2, which
+// a shift of the term of power 1/2 would cause.
 double felt_ahead(const TipRings& rings, double radius, double horizon, const Eigen::VectorXd& displacement) {
   double ahead = 0;
   for (int i = 0; i < 3; ++i) {
     const TipRings::Expansion seen = rings.expansion(rings.about(ahead), inner_part * radius, radius, displacement);
     const double size = std::norm(seen.opening);
     if (size > 0) ahead += -2 * (seen.shift * std::conj(seen.opening)).real() / size;
-    // Beyond, the openings are not those of a crack.
+    // The shift is bounded: openings beyond a horizon are not those of a crack.
     ahead = std::clamp(ahead, -horizon, horizon);
   }
   return ahead;
@@ -58,9 +59,9 @@ Eigen::RowVector2d pressure_in(const BondedBody& body, const LatticeTip& tip) {
   return found == body.pressures.end() ? Eigen::RowVector2d::Zero() : found->second;
 }
 
-// Displacements that say nothing about the tip: those with which its lattice would follow heat freely, and those under
-// a pressure on all sides like that in its crack, without which the faces bear nothing. Nothing if heat makes stress by
-// itself.
+// Displacements that have nothing to do with the tip: those by which its lattice swells freely, and those under a
+// pressure on all sides like the one in its crack, without which the faces are free of load. Empty if the swelling
+// causes stress.
 std::optional<coupling::Affine> free_displacement(const BondedBody& body, const LatticeTip& tip) {
   const PlaneElasticity& elasticity = tip.axes.elasticity;
   const Eigen::RowVector2d strain = -pressure_in(body, tip) / (elasticity.c11() + elasticity.c12());
@@ -84,7 +85,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   const Eigen::VectorXd whole = rings.around(solution.displacement - coupling::evaluate(*free, solution.load_factor));
   const Eigen::VectorXd constant = rings.around(solution.parts->col(0) - free->col(0));
   const Eigen::VectorXd proportional = rings.around(solution.parts->col(1) - free->col(1));
-  // Without any load the tip is felt where the proportional one will have it.
+  // A body without any load uses the effective tip of the proportional load.
   const bool loaded = whole.squaredNorm() > 0;
   values.felt_ahead = felt_ahead(rings, radius, tip.horizon, loaded ? whole : proportional);
   const TipRings::View view = rings.about(values.felt_ahead);
@@ -104,7 +105,7 @@ TipValues values_of(const BondedBody& body, const LatticeTip& tip, double toughn
   values.plane_modulus = plane_modulus(tip.axes.elasticity);
   values.toughness = toughness;
   values.energy_release_rate = in_range(values.factors.squaredNorm() / values.plane_modulus);
-  // Squares of lengths below 1e-154 m are none.
+  // Values are unknown in bodies so small that squares of their lengths vanish (below 1e-154 m).
   const bool known = values.factors.allFinite() && std::isfinite(values.stress_along) && std::isfinite(values.error) &&
                      std::isfinite(values.felt_ahead);
   return known ? values : without_contours(tip);

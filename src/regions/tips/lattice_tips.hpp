@@ -6,7 +6,7 @@
 
 namespace bempd::regions {
 
-// What tips of cracks among bonds carry.
+// Values of tips of cracks in lattices: stress intensity factors and what follows from them.
 std::vector<TipValues> lattice_tips(const BondedBody& body, const std::vector<LatticeTip>& tips,
                                     const Solution& solution, const scene::Options& options);
 

@@ -12,7 +12,7 @@ namespace bempd::regions {
 
 namespace {
 
-// Falls from 1 to 0 without a kink.
+// Weight that falls from 1 to 0 without a kink.
 double weight_at(double radius, double inner, double outer) {
   const double t = std::clamp((radius - inner) / (outer - inner), 0.0, 1.0);
   return 1 - t * t * (3 - 2 * t);
@@ -63,8 +63,8 @@ TipRings::TipRings(const BondedBody& body, TipAxes axes, double radius)
   collect_faces();
 }
 
-// One entry a bond. The dual fields are those of one material: lattices of another one are what boundary elements are,
-// something beyond the outline.
+// Whether each bond belongs to the material of the dual fields, one entry a bond. A lattice of another material counts
+// as lying beyond the outline, as boundary elements do.
 std::vector<char> TipRings::terms_of_material() const {
   const coupling::Terms& terms = body_.bonds;
   std::vector<char> inside(body_.discretization.positions.size(), 0), usable(terms.size(), 1);
@@ -79,7 +79,7 @@ std::vector<char> TipRings::terms_of_material() const {
   return usable;
 }
 
-// Parts of lattices' edges near the tip that do not lie on other lattices of the same material.
+// Collects the parts of lattices' edges near the tip that do not lie on other lattices of the same material.
 void TipRings::collect_faces() {
   for (const auto& region : body_.discretization.regions) {
     if (!is_of_material(*region)) continue;
@@ -104,7 +104,7 @@ void TipRings::collect_faces() {
 TipPolar TipRings::polar(const Point& place, const Point& centre) const {
   const Point local = axes_.into(place - centre);
   TipPolar found{std::max(local.norm(), 1e-3 * axes_.spacing), std::atan2(local.y(), local.x())};
-  // Beside the crack what counts is on which side of it a point is, wherever it lies to its line.
+  // The side of the crack decides about the angle of a point beside it, wherever the point lies to the tip's line.
   if (local.x() < 0 && std::abs(local.y()) < 2.5 * axes_.spacing) {
     const bool left = is_left_of(axes_.path, place);
     if (left && found.angle < 0) found.angle += 2 * std::numbers::pi;
@@ -152,9 +152,9 @@ TipRings::View TipRings::about(double ahead) const {
   return view;
 }
 
-// To move as one does no work on any field; but where the crack has left fewer bonds at its faces the dual fields are
-// in balance far from the tip only. So it is taken out beforehand: what a fit by the first terms of Williams' expansion
-// has of it, without which the terms of power 1/2 would be taken for some of it.
+// Subtracts the rigid motion. It does no work on any field in principle; but where the crack has left fewer bonds at
+// its faces, the dual fields are in balance far from the tip only. The motion comes from a fit by the first terms of
+// Williams' expansion, because a fit without them would take the terms of power 1/2 for a part of it.
 Eigen::VectorXd TipRings::around(const Eigen::VectorXd& displacement) const {
   const auto count = static_cast<Eigen::Index>(nodes_.size());
   Eigen::VectorXd own(2 * count);

@@ -10,7 +10,7 @@
 
 namespace bempd::regions {
 
-// The bonds of a scene as they are.
+// Bonds of a scene in their present state.
 struct BondedBody {
   const scene::Scene& scene;
   const Discretization& discretization;
@@ -21,7 +21,7 @@ struct BondedBody {
   std::map<int, Eigen::RowVector2d> pressures;  // in cracks, constant and proportional part [Pa]
 };
 
-// Where a tip is, and the crack behind it.
+// Position of a tip, and the crack behind it.
 struct TipAxes {
   Point place, direction;   // unit vector in which a straight crack would go on
   std::vector<Point> path;  // of the crack, ending at the tip
@@ -36,7 +36,7 @@ struct TipAxes {
   }
 };
 
-// What a displacement of the body has of the terms of Williams' expansion at a tip, seen on rings around it.
+// Coefficients of the terms of Williams' expansion at a tip in a displacement of the body, from rings around the tip.
 //
 // Reciprocity of the displacement u with the dual term u*, both without forces inside: for a weight q that falls from 1
 // within the ring to 0 outside of it the sum over bonds, and squares of cells,
@@ -44,9 +44,9 @@ struct TipAxes {
 // is the work that the two do on each other across the ring, whatever the ring. No stress has to be recovered and no
 // displacement differentiated; and since the bonds hold every point in balance with the forces on it, it is
 //   H = sum k e(u*) e(q u) - sum q F*.u,
-// F* the forces of the dual term's tractions on the lattice's outline. Where the ring meets the lattice's outline the
-// forces that act on the lattice there, those of boundary elements beside it too, do the rest: the way round the tip
-// then goes along the outline.
+// where F* are the forces of the dual term's tractions on the lattice's outline. Where the ring meets the lattice's
+// outline, the forces that act on the lattice there, also those of boundary elements beside it, complete the sum: the
+// path round the tip then goes along the outline.
 class TipRings {
  public:
   TipRings(const BondedBody& body, TipAxes axes, double radius);
@@ -57,7 +57,7 @@ class TipRings {
     double uniform = 0;            // T [Pa]
   };
 
-  // What all rings around one place have in common.
+  // Data that all rings around one place have in common.
   struct View {
     struct Dual {
       double power;  // of what it picks out
@@ -70,13 +70,13 @@ class TipRings {
     std::vector<Dual> duals;
   };
   View about(double ahead) const;
-  // The displacements of the nodes around less their rigid motion.
+  // Displacements of the nodes around the tip, less their rigid motion.
   Eigen::VectorXd around(const Eigen::VectorXd& displacement) const;
-  // q falls between the two radii.
+  // Expansion from the ring in which the weight q falls, between the two radii.
   Expansion expansion(const View& view, double inner, double outer, const Eigen::VectorXd& around) const;
 
  private:
-  // A term, with those of its nodes by their local numbers and how each takes part.
+  // Term of the energy, with its nodes by their local numbers and their coefficients.
   struct LocalTerm {
     double stiffness;
     std::vector<std::pair<int, Point>> pulls;

@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::pair<int, int>;
 
-// The cells of a lattice and the bonds of nearest neighbours between them that are gone.
+// Cells of a lattice and the broken bonds of nearest neighbours between them.
 class BrokenFaces {
  public:
   BrokenFaces(const BondedBody& body, const LatticeGrid& grid) : grid_(grid), turn_(Eigen::Rotation2Dd(grid.angle)) {
@@ -49,8 +49,8 @@ class BrokenFaces {
     std::vector<Point> cells;  // to the farthest one, empty if there is none
     std::vector<Point> all;    // that can be reached
   };
-  // From the cells around an end. Cells that meet at a corner follow each other, too: bonds along a crack that runs
-  // aslant are broken later or never.
+  // Path from the cells around an end to the farthest cell. Cells that meet at a corner follow each other, too: bonds
+  // along a slanted crack break later or never.
   Way way_from(const Point& end) const {
     std::map<Cell, Cell> came_from;
     std::queue<Cell> next;
@@ -103,7 +103,7 @@ double distance_to(const std::vector<Point>& path, const Point& place) {
   return least;
 }
 
-// The line that lies best through the last part of a path becomes its end.
+// Replaces the last part of a path by the line fitted to it.
 void fit_end(TipAxes& axes, double part) {
   const Point end = axes.path.back();
   Point middle = Point::Zero();
@@ -119,7 +119,7 @@ void fit_end(TipAxes& axes, double part) {
   axes.place = middle + along.dot(end - middle) * along;
 }
 
-// How far the crack runs straight behind its tip.
+// Length over which the crack runs straight behind its tip.
 double straight_length(const TipAxes& axes) {
   double reached = 0;
   for (std::size_t i = axes.path.size() - 1; i > 0; --i) {
@@ -164,7 +164,7 @@ class TipSearch {
       tip.grown = true;
       for (const Point& cell : way.cells)
         if (faces.cell_at(cell) != faces.cell_at(path.back())) tip.axes.path.push_back(cell);
-      // What has broken through to an edge has no tip any more.
+      // A crack that has broken through to an edge has no tip any more.
       if (!std::all_of(way.all.begin(), way.all.end(),
                        [&](const Point& cell) { return is_in(body_.scene, body_.discretization, cell, false); }))
         return;
@@ -176,7 +176,7 @@ class TipSearch {
     tips.push_back(std::move(tip));
   }
 
-  // Outside of all lattices nothing is known of what it carries.
+  // Tip at a known end. Its values are unknown if it lies outside of all lattices.
   LatticeTip at(const KnownTip& known) {
     const Point& place = known.path.back();
     LatticeTip tip{known.crack, known.end, 0, {place, known.direction, known.path, 1, {}}, 1, 0, known.grown, false};

@@ -6,7 +6,7 @@
 
 namespace bempd::regions {
 
-// The tip of a crack among bonds.
+// Tip of a crack in a lattice.
 struct LatticeTip {
   int crack, end;  // id; 1: at the crack's last point, 0: at its first
   int region;      // id of the lattice that the crack ends in
@@ -17,15 +17,15 @@ struct LatticeTip {
   bool branched;  // other ways lead on from the crack, too
 };
 
-// One for each end of a crack among bonds that lies inside the body.
+// Tips of cracks in lattices, one for each end that lies inside the body.
 //
 // A crack passes from cell to cell of the lattice through the bonds of nearest neighbours that it breaks. An end has
-// grown if such cells join on to it, side by side or at corners; the tip is the middle of the one that is farthest
-// along them, and its direction that of the line that lies best through the last two horizons of the way. Until then it
+// grown if such cells join on to it, side by side or at corners. The tip is then the middle of the cell that is
+// farthest along them, and its direction that of the line fitted to the last two horizons of the path. Before that it
 // is the end as described.
 std::vector<LatticeTip> find_lattice_tips(const BondedBody& body);
 
-// An end of a crack among bonds whose path is known, and which is a tip.
+// End of a crack in a lattice whose path is known, and which is a tip.
 struct KnownTip {
   int crack, end;  // as above
   Point direction;
