@@ -385,7 +385,7 @@ class Results:
     def history(self) -> npt.NDArray[Any]:
         """One row for every event and end of a step, as a structured array: `model.history()["load_factor"]`.
 
-        Its columns are those of bempd_history_entry; `event` is 0 at the end of a step. support_history() has
+        `model.history().dtype.names` has its columns; `event` is 0 at the end of a step. support_history() has
         what supports did; write_history() writes both, read_history() reads them.
         """
         count = int(self._number("bempd_history_count", "int64_t"))

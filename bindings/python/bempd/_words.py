@@ -89,7 +89,37 @@ CONSTANTS: dict[str, str] = {
     "BEMPD_FACE_LEFT": '"left"',
     "BEMPD_FACE_RIGHT": '"right"',
 }
-OTHER_WORDS: dict[str, str] = {"bempd_field": "name of a field"}
+# Types and functions of C that have no method: what stands in their place here.
+OTHER_WORDS: dict[str, str] = {
+    "bempd_field": "name of a field",
+    "bempd_status": "status",
+    "bempd_last_error": "the text of the exception",
+    "bempd_model": "Model",
+    "bempd_state": "State",
+    "bempd_state_free": "Python's own clearing up",
+    "bempd_bond_state": "BondState",
+    "bempd_crack_tip": "CrackTip",
+    "bempd_crack_extension": "CrackExtension",
+    "bempd_history_entry": "row of Model.history()",
+    "bempd_history": "Model.history",
+    "bempd_path_vertex": "PathVertex",
+    "bempd_step_report": "StepReport",
+    "bempd_option_info": "OptionInfo",
+    "bempd_singularity_kind": "SingularityKind",
+    "bempd_stop_reason": "StopReason",
+    "bempd_tip_end": "TipEnd",
+    "bempd_tip_method": "TipMethod",
+    "bempd_tip_state": "TipState",
+    "bempd_component": '"x", "y" or "both"',
+    "bempd_crack_component": '"pressure" or "shear"',
+    "bempd_face_component": '"pressure" or "shear"',
+    "bempd_face": '"left" or "right"',
+    "bempd_plane": '"stress" or "strain"',
+    "bempd_turn": '"clockwise" or "counter-clockwise"',
+    "bempd_until": '"values", "event" or "separated"',
+    "bempd_program_column": "supports or loads",
+    "bempd_state_contents": "values=True or values=False",
+}
 
 _PREFIX = re.compile(r"^(bempd_\w+): ")
 _CALL = re.compile(r"\b(bempd_\w+)(\(\))?")
@@ -110,12 +140,26 @@ def in_python(sentence: str) -> str:
     'fix_edge: component is 7; it must be "x", "y" or "both"'
     """
     sentence = _PREFIX.sub(lambda found: name_of(found[1]).replace("Model.", "") + ": ", sentence)
-    sentence = _CONSTANT.sub(lambda found: CONSTANTS.get(found[1], found[0]), sentence)
+    sentence = _CONSTANT.sub(lambda found: CONSTANTS.get(found[1]) or _kind(found[1]) or found[0], sentence)
     return _CALL.sub(_other_word, sentence)
+
+
+# Statuses and stop reasons by the names of their exceptions and members.
+_EXCEPTIONS = {"ARGUMENT": "ArgumentError", "ORDER": "OrderError", "UNSOLVABLE": "UnsolvableError",
+               "CONVERGENCE": "ConvergenceError", "CANCELLED": "CancelledError", "MEMORY": "OutOfMemoryError", "IO": "FileError",
+               "INTERNAL": "InternalError"}
+
+
+def _kind(constant: str) -> str:
+    """An exception or a stop reason that a constant stands for; empty if it is neither."""
+    if constant.startswith("BEMPD_STOP_"):
+        return "StopReason." + constant[len("BEMPD_STOP_"):]
+    return _EXCEPTIONS.get(constant.replace("BEMPD_ERROR_", ""), "") if constant.startswith("BEMPD_ERROR_") else ""
 
 
 def _other_word(found: re.Match[str]) -> str:
     if found[1] in OTHER_WORDS:
-        return OTHER_WORDS[found[1]]
+        word = OTHER_WORDS[found[1]]
+        return word + (found[2] or "") if word.startswith("Model.") else word
     name = name_of(found[1])
     return name if name == "Model.options" else name + (found[2] or "")

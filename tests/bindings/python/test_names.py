@@ -69,14 +69,36 @@ def test_names_of_fields_quantities_faces_and_goals():
     assert set(typing.get_args(_names.Quantity)) == set(_drawing.QUANTITIES)
 
 
+def documented():
+    """Public classes and functions with their public methods, and the documentation of each."""
+    for name, thing in inspect.getmembers(bempd):
+        if name.startswith("_") or inspect.ismodule(thing) or not callable(thing):
+            continue
+        yield name, inspect.getdoc(thing) or ""
+        for part, member in inspect.getmembers(thing) if inspect.isclass(thing) else ():
+            if not part.startswith("_") and (inspect.isfunction(member) or isinstance(member, property)):
+                yield f"{name}.{part}", inspect.getdoc(member) or ""
+
+
 def test_help_has_units_shapes_and_errors():
     text = inspect.getdoc(bempd.Model.add_traction)
-    assert "[Pa]" in text and "shape [value_count]" in text and "Raises a bempd.Error" in text
-    assert "shape [count][3], xx, yy, xy [Pa]" in inspect.getdoc(bempd.Model.evaluate)
-    without = [name for name, method in inspect.getmembers(bempd.Model, inspect.isfunction) if not name.startswith("_")
-               and name not in ("plot", "close", "checkpoint", "resume", "name_edge", "edge_at", "edge_named", "edge_names", "edges_named",
-                                "edges_where") and "The manual of bempd_" not in (method.__doc__ or "")]
+    assert "[Pa]" in text and "Arguments:\n    region " in text and "Raises a bempd.Error" in text
+    assert "stress: shape (n, 3), xx, yy, xy [Pa]" in inspect.getdoc(bempd.Model.evaluate)
+    assert "Where supports share a node's" in inspect.getdoc(bempd.Model.reaction)
+    without = [name for name, text in documented() if not text]
     assert not without, without
+
+
+def test_help_speaks_of_python():
+    checked = 0
+    for name, text in documented():
+        assert not re.search(r"\bNULL\b|struct_size|\bcapacity\b|\[in\]|\[out\]|BEMPD_(?!LIBRARY)|shape \[", text), (name, text)
+        for owner, part in re.findall(r"\b(Model|State)\.(\w+)", text):
+            assert hasattr(getattr(bempd, owner), part), f"{name} speaks of {owner}.{part}, which does not exist"
+            checked += 1
+        for part in re.findall(r"\bbempd\.([A-Z]\w+)", text):
+            assert hasattr(bempd, part), f"{name} speaks of bempd.{part}"
+    assert checked > 40
 
 
 # Places are pairs here, arrays bring their counts, and a callback comes before the component, which may be left out.

@@ -35,6 +35,15 @@ sys.modules["kept"] = scene
     assert (result.returncode, result.stderr) == (0, "")
 
 
+def test_the_package_run_as_a_program_says_what_is_at_work():
+    """Version, library and BLAS, and the crack of examples/first_crack."""
+    shown = subprocess.run([sys.executable, "-m", "bempd"], capture_output=True, text=True, timeout=120)
+    rows = dict(line.split(maxsplit=1) if not line.startswith("first") else ("first crack", line) for line in shown.stdout.splitlines())
+    assert shown.returncode == 0 and shown.stderr == "", shown
+    assert rows["bempd"] == bempd.version() and rows["library"] == bempd.library_path and rows["built"] == bempd.build_info()
+    assert "in two at 134.50 micrometres: 544 bonds in 12 events, 0.0417 J released" in rows["first crack"]
+
+
 def test_an_exception_ends_a_program_as_always():
     result = run("import conftest; scene = conftest.make_strip(progress=lambda *_: 1 / 0)\n"
                  "scene.model.run_to_separation(1e4)")
