@@ -9,7 +9,7 @@
 #include "bem/crack_mesh.hpp"
 #include "bem/galerkin_assembly.hpp"
 #include "bem/kept_blocks.hpp"
-#include "bem/opening_elimination.hpp"
+#include "bem/opening_schur_complement.hpp"
 #include "elasticity/plane_elasticity.hpp"
 #include "geometry/boundary_mesh.hpp"
 #include "linalg/dense_parts.hpp"
@@ -76,7 +76,7 @@ class CrackedOperator final : public BoundaryOperator {
   // L^-1 B and D + B^T V^-1 B, with L L^T = V, on all displacements and openings; empty unless cracks have grown.
   Eigen::MatrixXd reduced_, raw_;
   Eigen::MatrixXd full_;
-  OpeningElimination of_openings_;
+  OpeningSchurComplement of_openings_;
   std::int64_t kernel_evaluations_ = 0;
 };
 

@@ -8,11 +8,11 @@ namespace bempd::bem {
 // Eliminates the openings w from a stiffness on displacements u and openings w, two components a node: K_ww = L L^T.
 // The nodes have an order of their own, in which those that stay the same while cracks grow come first, so that their
 // part of L is taken over.
-class OpeningElimination {
+class OpeningSchurComplement {
  public:
   // `before` is that of a body with other cracks, and `kept` the nodes of its unknowns by those here, -1 for new ones.
   // It is of use where all displacements are kept. Throws Error (argument) if a piece is cut out.
-  void compute(const Eigen::MatrixXd& full, Eigen::Index displacements, const OpeningElimination* before,
+  void compute(const Eigen::MatrixXd& full, Eigen::Index displacements, const OpeningSchurComplement* before,
                const std::vector<int>& kept);
 
   const Eigen::MatrixXd& stiffness() const { return stiffness_; }                // of displacements
@@ -20,7 +20,8 @@ class OpeningElimination {
   Eigen::Index size() const { return factor_.rows(); }
 
  private:
-  Eigen::Index take_over(const OpeningElimination& before, Eigen::Index displacements, const std::vector<int>& kept);
+  Eigen::Index take_over(const OpeningSchurComplement& before, Eigen::Index displacements,
+                         const std::vector<int>& kept);
   void factorize(const Eigen::MatrixXd& full, Eigen::Index displacements, Eigen::Index known);
 
   std::vector<int> order_;         // nodes of openings among the unknowns

@@ -1,4 +1,4 @@
-#include "bem/opening_elimination.hpp"
+#include "bem/opening_schur_complement.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,8 +23,8 @@ std::vector<Eigen::Index> components_of(const std::vector<int>& nodes) {
 }  // namespace
 
 // Orders the nodes and returns how many components of openings, the first ones, are known from before.
-Eigen::Index OpeningElimination::take_over(const OpeningElimination& before, Eigen::Index displacements,
-                                           const std::vector<int>& kept) {
+Eigen::Index OpeningSchurComplement::take_over(const OpeningSchurComplement& before, Eigen::Index displacements,
+                                               const std::vector<int>& kept) {
   const int first = static_cast<int>(displacements / 2), count = static_cast<int>(kept.size());
   if (before.stiffness_.rows() != displacements) return 0;
   for (int node = 0; node < first; ++node)
@@ -47,8 +47,8 @@ Eigen::Index OpeningElimination::take_over(const OpeningElimination& before, Eig
   return known;
 }
 
-void OpeningElimination::compute(const Eigen::MatrixXd& full, Eigen::Index displacements,
-                                 const OpeningElimination* before, const std::vector<int>& kept) {
+void OpeningSchurComplement::compute(const Eigen::MatrixXd& full, Eigen::Index displacements,
+                                     const OpeningSchurComplement* before, const std::vector<int>& kept) {
   order_.clear();
   const Eigen::Index known = before ? take_over(*before, displacements, kept) : 0;
   if (known == 0) {
@@ -74,7 +74,7 @@ void OpeningElimination::compute(const Eigen::MatrixXd& full, Eigen::Index displ
 }
 
 // Computes the rows of L and of L^-1 K_wu behind those that are known.
-void OpeningElimination::factorize(const Eigen::MatrixXd& full, Eigen::Index displacements, Eigen::Index known) {
+void OpeningSchurComplement::factorize(const Eigen::MatrixXd& full, Eigen::Index displacements, Eigen::Index known) {
   const std::vector<Eigen::Index> rows = components_of(order_);
   const std::vector<Eigen::Index> front(rows.begin(), rows.begin() + known), fresh(rows.begin() + known, rows.end());
   const auto left = static_cast<Eigen::Index>(fresh.size());
@@ -97,7 +97,7 @@ void OpeningElimination::factorize(const Eigen::MatrixXd& full, Eigen::Index dis
   half_.bottomRows(left) = to_displacements;
 }
 
-Eigen::MatrixXd OpeningElimination::solve(const Eigen::Ref<const Eigen::MatrixXd>& forces) const {
+Eigen::MatrixXd OpeningSchurComplement::solve(const Eigen::Ref<const Eigen::MatrixXd>& forces) const {
   if (order_.empty()) return Eigen::MatrixXd(0, forces.cols());
   std::vector<Eigen::Index> rows = components_of(order_);
   const Eigen::Index first = *std::min_element(rows.begin(), rows.end());
