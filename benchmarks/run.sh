@@ -2,14 +2,14 @@
 # Builds the library and runs a benchmark; results go to out/<name>/. Installs missing Debian packages first.
 #   benchmarks/run.sh accuracy_cost   what accuracy costs, by every knob; peers that are installed take part
 #   benchmarks/run.sh speed [...]     what whole crack runs cost; options as in benchmarks/speed/README.md
-#   benchmarks/run.sh fracture        stress intensity factors against references, into docs/research/verification.md
-#   benchmarks/run.sh windows         what each number of the windows is worth, into docs/research/windows.md with --write
+#   benchmarks/run.sh fracture        stress intensity factors against references, into docs/research/tables
+#   benchmarks/run.sh windows         what each number of the windows is worth, into docs/research/tables with --write
 #   benchmarks/run.sh threads         a model for each of eight threads, with many threads of the BLAS and with one
 #   benchmarks/run.sh directions      cracks in lattices against boundary elements and G0, into docs/directions.md
-#   benchmarks/run.sh separation      where torn plates end, into docs/research/separation.md
-#   benchmarks/run.sh compression     what breaks in bodies that are pressed, by criterion, into docs/research/materials.md
-#   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/research/materials.md
-#   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/research/outlines.md with --write
+#   benchmarks/run.sh separation      where torn plates end, into docs/research/tables
+#   benchmarks/run.sh compression     what breaks in bodies that are pressed, by criterion, into docs/research/tables
+#   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/research/tables
+#   benchmarks/run.sh outlines        networks, accuracy and cost of any outline, into docs/research/tables with --write
 #   benchmarks/run.sh mixed_cracks    cracks across borders of elements and lattices, into docs/mixed_cracks.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
@@ -47,5 +47,5 @@ fi
 export BEMPD_LIBRARY="$root/build/release/src/capi/libbempd.so"
 export BEMPD_BENCHMARKS="$root/build/release/benchmarks"
 export BEMPD_OUTPUT="$root/out/$name"
-export PYTHONPATH="$root/bindings/python" OMP_WAIT_POLICY=passive
+export PYTHONPATH="$root/bindings/python:$root/benchmarks" OMP_WAIT_POLICY=passive
 /usr/bin/python3 "benchmarks/$name/run.py" "$@"

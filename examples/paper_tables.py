@@ -1,7 +1,7 @@
-"""Joins the summaries of the paper's six examples into one Markdown table, or checks that a document shows it.
+"""Joins the summaries of the paper's six examples into one Markdown table, or checks that a stored table has the same rows.
 
 usage: /usr/bin/python3 examples/paper_tables.py [OUT]
-       /usr/bin/python3 examples/paper_tables.py [OUT] --check docs/research/paper.md
+       /usr/bin/python3 examples/paper_tables.py [OUT] --check TABLE, or --write TABLE: docs/research/tables/paper_all_cases.csv
 
 OUT/<example>/summary.csv is written by the example; OUT is "out" without it. Rows that say how a run went are left out:
 rounding changes them. The last three columns are seconds, which the check leaves out, like a scheme that
@@ -11,7 +11,6 @@ did not run.
 import argparse
 import csv
 import difflib
-import itertools
 import pathlib
 
 EXAMPLES = ("tension", "shear", "stretching", "centre_crack", "mixed_mode_crack", "two_edge_cracks")
@@ -78,13 +77,12 @@ def markdown(rows):
 
 
 def rows_of_document(document):
-    """Cells of the table that starts with this script's header."""
-    lines = document.read_text(encoding="utf-8").splitlines()
-    start = "| " + " | ".join(HEADER) + " |"
-    if start not in lines:
-        raise SystemExit(f"{document} has no table with the header of this script")
-    table = itertools.takewhile(lambda line: line.startswith("|"), lines[lines.index(start) + 2 :])
-    return [tuple(cell.strip() for cell in line[1:-1].split("|")) for line in table]
+    """Cells of the stored table, which has this script's header."""
+    with open(document, newline="", encoding="utf-8") as file:
+        header, *table = map(tuple, csv.reader(file))
+    if header != HEADER:
+        raise SystemExit(f"{document} has not the header of this script")
+    return table
 
 
 def comparable(row, schemes):
@@ -111,7 +109,8 @@ def check(document, rows, schemes):
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("out", nargs="?", default="out", type=pathlib.Path, help="folder with the examples' results")
-parser.add_argument("--check", type=pathlib.Path, metavar="DOCUMENT", help="compare with the table in this document")
+parser.add_argument("--check", type=pathlib.Path, metavar="TABLE", help="compare with this table, a CSV file")
+parser.add_argument("--write", type=pathlib.Path, metavar="TABLE", help="write this table, a CSV file")
 options = parser.parse_args()
 summaries = read_summaries(options.out)
 rows = list(table_rows(summaries))
@@ -120,5 +119,8 @@ if options.check:
     for (example, _, _), by_scheme in summaries.items():
         ran[example] |= by_scheme.keys()
     check(options.check, rows, ran)
+elif options.write:
+    with open(options.write, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([HEADER, *rows])
 else:
     print(markdown(rows))

@@ -1,11 +1,11 @@
-"""Draws docs/accuracy_cost.png anew from the tables of docs/research/accuracy.md, without measuring again.
+"""Draws docs/accuracy_cost.png anew from the tables docs/research/tables/accuracy_*.csv, without measuring again.
 
     /usr/bin/python3 benchmarks/accuracy_cost/redraw.py
 """
 
 from __future__ import annotations
 
-import re
+import csv
 from pathlib import Path
 
 from measure import Row
@@ -14,19 +14,16 @@ from report import draw
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 
 
-def rows(section: str) -> list[dict[str, str]]:
-    """Lines of all tables of a section, by their headings."""
-    found: list[dict[str, str]] = []
-    heading: list[str] = []
-    for line in section.splitlines():
-        cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else []
-        if not cells:
-            heading = []
-        elif not heading:
-            heading = cells
-        elif not set(line) <= set("|-: "):
-            found.append(dict(zip(heading, cells)))
-    return found
+def rows(name: str) -> list[list[str]]:
+    """Rows of a table, the headings first."""
+    with open(DOCS / "research/tables" / f"{name}.csv", newline="", encoding="utf-8") as file:
+        return list(csv.reader(file))
+
+
+def column(table: list[list[str]], name: str) -> list[str]:
+    """The last column of this name."""
+    index = len(table[0]) - 1 - table[0][::-1].index(name)
+    return [row[index] for row in table[1:]]
 
 
 def percent(text: str) -> float:
@@ -34,19 +31,18 @@ def percent(text: str) -> float:
 
 
 def main() -> None:
-    sections = dict(re.findall(r"^## (.*?)\n(.*?)(?=^## |\Z)", (DOCS / "research/accuracy.md").read_text(), re.DOTALL | re.MULTILINE))
-    trials: list[Row] = [{"scene": row["scene"], "error": float(row["error"]), "seconds": float(row["time [ms]"]) / 1e3,
-                          "megabytes": float(row["memory [MB]"])} for row in rows(sections["Every knob"])]
-    # Other knobs make another body, which has no error.
-    torn = [part for part in re.split(r"^### ", sections["Plates torn apart"], flags=re.MULTILINE)
-            if not part.startswith(("Horizon ratio", "Spacing", "Scheme"))]
-    for row in rows("\n".join(torn)):
-        # The second change is that of the energy released, over the bonds one by one.
-        energy = [value for name, value in row.items() if name == "change"]
-        trials.append({"scene": row["scene"], "error": percent(energy[-1]), "seconds": float(row["time [s]"]),
-                       "megabytes": float(row["memory [MB]"])})
-    best = [{"problem": row["problem"], "program": row["program"], "seconds_solve": float(row["without meshing [ms]"]) / 1e3}
-            for row in rows(sections["Against finite elements"])]
+    knobs, torn, duels = (rows(f"accuracy_{name}") for name in ("knobs", "torn", "duels"))
+    trials: list[Row] = [{"scene": scene, "error": float(error), "seconds": float(time) / 1e3, "megabytes": float(memory)}
+                         for scene, error, time, memory in zip(*(column(knobs, name) for name in
+                                                                 ("scene", "error", "time [ms]", "memory [MB]")))]
+    # Other knobs make another body, which has no error. The second change is that of the energy released, over the bonds
+    # one by one.
+    trials += [{"scene": scene, "error": percent(energy), "seconds": float(time), "megabytes": float(memory)}
+               for knob, scene, energy, time, memory in zip(*(column(torn, name) for name in
+                                                              ("knob", "scene", "change", "time [s]", "memory [MB]")))
+               if knob not in ("Horizon ratio", "Spacing", "Scheme")]
+    best = [{"problem": problem, "program": program, "seconds_solve": float(time) / 1e3}
+            for problem, program, time in zip(*(column(duels, name) for name in ("problem", "program", "without meshing [ms]")))]
     draw(DOCS / "accuracy_cost.png", trials, best)
     print(f"drew {len(trials)} settings and {len(best)} duels")
 

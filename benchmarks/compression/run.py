@@ -1,5 +1,5 @@
 """What criteria for the break of a bond make of bodies that are pulled and pressed, and what the library's own cost: the
-tables of docs/research/materials.md. Run it with benchmarks/run.sh compression."""
+tables in docs/research/tables. Run it with benchmarks/run.sh compression."""
 
 import os
 import subprocess
@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import bempd
+from stored_tables import store
 
 
 def by_criteria() -> str:
@@ -43,12 +44,9 @@ def costs() -> str:
 
 
 def main() -> None:
-    document = Path(__file__).resolve().parents[2] / "docs" / "research" / "materials.md"
-    for mark, table in (("compression", by_criteria()), ("compression cost", costs())):
+    for mark, table in (("compression", by_criteria()), ("compression_cost", costs())):
         print(table)
-        begin, end = f"<!-- {mark} -->", f"<!-- end {mark} -->"
-        text = document.read_text()
-        document.write_text(text.split(begin)[0] + f"{begin}\n{table}\n{end}" + text.split(end)[1])
+        store(f"materials_{mark}", table)
 
 
 main()

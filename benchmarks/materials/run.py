@@ -1,4 +1,4 @@
-"""Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; the tables of docs/research/materials.md.
+"""Lattices of any Poisson's ratio: what is exact, how errors fall, and what a crack takes; tables in docs/research/tables.
 Run it with benchmarks/run.sh materials, those of contact alone with benchmarks/run.sh materials contact,
 what contact costs with benchmarks/run.sh materials contact-cost, and what runs take with benchmarks/run.sh materials costs."""
 
@@ -8,13 +8,13 @@ import math
 import sys
 import time
 from functools import partial
-from pathlib import Path
 from typing import Callable, Iterator
 
 import bempd
 import numpy as np
 
 import contact
+from stored_tables import store
 from timing import least_in_turns
 
 RATIOS = {"stress": (-0.2, 0.0, 0.2, 1 / 3, 0.45, 0.49), "strain": (0.0, 0.25, 0.4, 0.45, 0.49)}
@@ -344,13 +344,8 @@ def updates_per_bond(plane: str, ratio: float, m: int) -> float:
 
 
 def write(tables: dict[str, str]) -> None:
-    document = Path(__file__).resolve().parents[2] / "docs" / "research" / "materials.md"
-    text = document.read_text()
-    for mark, value in tables.items():
-        begin, end = f"<!-- {mark} -->", f"<!-- end {mark} -->"
-        if begin in text:
-            text = text.split(begin)[0] + f"{begin}\n{value}\n{end}" + text.split(end)[1]
-    document.write_text(text)
+    for name_of_table, text in tables.items():
+        store(f"materials_{name_of_table.replace(' ', '_')}", text)
 
 
 def strip_tables() -> dict[str, str]:

@@ -1,6 +1,6 @@
 """What peridynamic regions with slanted and round edges are good for, as tables.
 
-usage: benchmarks/run.sh outlines [--only TABLE,...] [--write]      --write: into docs/research/outlines.md
+usage: benchmarks/run.sh outlines [--only TABLE,...] [--write]      --write: into docs/research/tables
 """
 
 from __future__ import annotations
@@ -8,15 +8,14 @@ from __future__ import annotations
 import math
 import os
 import pathlib
-import re
 import subprocess
 import sys
 import time
 
 import bempd
 import numpy as np
+from stored_tables import store
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 NU = 1 / 3
 
 
@@ -256,12 +255,8 @@ def main() -> None:
     for name, table in tables.items():
         print(f"{name}\n{table}\n")
     if "--write" in sys.argv:
-        path = ROOT / "docs" / "research" / "outlines.md"
-        text = path.read_text(encoding="utf-8")
         for name, table in tables.items():
-            text = re.sub(rf"(<!-- {name} -->\n).*?(<!-- end {name} -->)", lambda m: f"{m[1]}\n{table}\n\n{m[2]}", text,
-                          flags=re.DOTALL)
-        path.write_text(text, encoding="utf-8")
+            store(f"outlines_{name}", table)
 
 
 main()

@@ -1,17 +1,16 @@
-"""Where torn plates end: by the last bond, and by what they bear. Writes docs/research/separation.md's tables.
+"""Where torn plates end: by the last bond, and by what they bear. Writes docs/research/tables.
 
     benchmarks/run.sh separation
 """
 
 from __future__ import annotations
 
-import pathlib
 from typing import Callable
 
 import numpy as np
 from bempd import Model, rectangle
+from stored_tables import store
 
-PAGE = pathlib.Path(__file__).parents[2] / "docs" / "research" / "separation.md"
 LAST_BOND, SHARE = 0.0, 0.02  # of the option stepping.separation_share
 BONDS = {"pd.crack_rule": "bond"}
 
@@ -75,12 +74,8 @@ def main() -> None:
     plates = [(f"half a crack of {half:g} mm", lambda half=half: plate(half)) for half in (3, 4, 5, 5.25, 6, 8, 10, 12.25)]
     plates += [(f"tips {slant:g} mm aside", lambda slant=slant: plate(slant=slant)) for slant in (0.6, 1.1, 2.1)]
     plates += [(f"horizon of {ratio} spacings", lambda ratio=ratio: plate(horizon_ratio=ratio)) for ratio in (3, 5)]
-    text = PAGE.read_text()
     for mark, rows in (("strips", table("crack of the strip", strips)), ("plates", table("plate", plates))):
-        begin, end = f"<!-- {mark} -->\n", f"<!-- end of {mark} -->"
-        before, after = text.index(begin) + len(begin), text.index(end)
-        text = text[:before] + "\n".join(rows) + "\n" + text[after:]
-    PAGE.write_text(text)
+        store(f"separation_{mark}", rows)
 
 
 main()

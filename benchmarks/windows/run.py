@@ -1,6 +1,6 @@
 """What each number in src/fracture/window/window_settings.hpp is worth: processor seconds of whole crack runs with the
 number halved and doubled, over those of the same runs as it is, taken in turns, and whether the same bonds broke. Writes the table into
-docs/research/windows.md.
+docs/research/tables.
 
     benchmarks/run.sh windows [--only NAME,...] [--write]
 
@@ -19,12 +19,13 @@ import subprocess
 import sys
 from typing import Any
 
+from stored_tables import store
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 HEADER = "fracture/window/window_settings.hpp"
 BUILD = ROOT / "build" / "windows"
 OUT = pathlib.Path(os.environ["BEMPD_OUTPUT"])
-DOCUMENT = ROOT / "docs" / "research" / "windows.md"
 
 # Sizes of types, and a list: they are varied by compiling again.
 COMPILED = ("states_swept_at_once", "classes", "hot_shares")
@@ -182,20 +183,18 @@ def ratios_of_compiled(scenes: dict[str, Any], name: str, value: float) -> list[
     return [ratio([one[k] for one in plain], [one[k] for one in changed]) for k in range(len(scenes))]
 
 
-def write(name: str, lines: list[str], into_document: bool) -> None:
+def write(name: str, lines: list[str], keep: bool) -> None:
     if not lines:
         return
     (OUT / f"{name}.md").write_text("\n".join(lines) + "\n")
-    if into_document:
-        before, rest = DOCUMENT.read_text().split(f"<!-- table: {name} -->\n", 1)
-        after = rest.split("<!-- end of table -->", 1)[1]
-        DOCUMENT.write_text(f"{before}<!-- table: {name} -->\n" + "\n".join(lines) + "\n<!-- end of table -->" + after)
+    if keep and len(lines) > 2:
+        store(f"windows_{name}", lines)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--only", help="settings, with commas between")
-    parser.add_argument("--write", action="store_true", help="put the table into docs/research/windows.md")
+    parser.add_argument("--write", action="store_true", help="keep the tables in docs/research/tables")
     arguments = parser.parse_args()
     OUT.mkdir(parents=True, exist_ok=True)
     chosen = [s for s in settings() if s.name not in ROUNDING]

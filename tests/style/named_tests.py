@@ -1,10 +1,11 @@
 """Every test that a document names exists: named_tests.py SOURCE BUILD DOCUMENT...
 
-Names stand in backticks in the last column of tables: as ctest knows them (`capi.files`), or as googletest does (a suite,
+A document is a CSV file. Names stand in backticks in its last column: as ctest knows them (`capi.files`), or as googletest does (a suite,
 or `Suite.test`)."""
 
 from __future__ import annotations
 
+import csv
 import json
 import pathlib
 import re
@@ -27,10 +28,9 @@ def known_tests(source: pathlib.Path, build: pathlib.Path) -> set[str]:
 
 def named_tests(document: pathlib.Path) -> set[str]:
     names: set[str] = set()
-    for line in document.read_text(encoding="utf-8").splitlines():
-        cells = line.strip().strip("|").split("|")
-        if line.startswith("| ") and len(cells) == 2:
-            names |= set(NAME.findall(cells[-1]))
+    with open(document, newline="", encoding="utf-8") as file:
+        for row in csv.reader(file):
+            names |= set(NAME.findall(row[-1]))
     return names
 
 
