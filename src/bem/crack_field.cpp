@@ -110,7 +110,7 @@ void CrackField::add(const Piece& piece, const Point& x, Value& value) const {
   if (piece.tip && std::abs(z) < at_tip) z = -at_tip;
   // The sign of zero chooses the face; a reversed piece has its left face on the right.
   if (std::abs(z.imag()) <= on_crack && z.real() >= 0 && z.real() <= 1)
-    z.imag(piece.reversed != from_right_ ? -0.0 : 0.0);
+    z.imag(piece.reversed != right_face_ ? -0.0 : 0.0);
   constexpr double far = 3;
   const CauchyIntegrals i = std::abs(z) + std::abs(z - 1.0) > far ? by_quadrature(piece.terms, piece.tip, z)
                             : piece.tip                           ? of_tip(piece.terms, z)

@@ -10,14 +10,14 @@ namespace bempd::bem {
 
 // Displacement and stress inside a body that the openings of its cracks cause: the double layer over every crack
 // element, in closed form close to it. The field is as exact beside the crack as elsewhere, and jumps by the opening
-// across it. On a crack the values are those of its left face, or of the right one after look_from_right(). Lengths are
-// in units of `boundary.length`, stresses in units of the shear modulus.
+// across it. On a crack the values are those of its left face, or of the right one after choose_right_face(). Lengths
+// are in units of `boundary.length`, stresses in units of the shear modulus.
 class CrackField {
  public:
   // `openings` [m], all of them.
   CrackField(const ScaledBoundary& boundary, const CrackMesh& cracks, double nu, const Eigen::VectorXd& openings);
 
-  void look_from_right(bool right) { from_right_ = right; }
+  void choose_right_face(bool right) { right_face_ = right; }
 
   struct Value {
     Point displacement = Point::Zero();
@@ -47,7 +47,7 @@ class CrackField {
   void add(const Piece& piece, const Point& x, Value& value) const;
 
   double nu_;
-  bool from_right_ = false;
+  bool right_face_ = false;
   std::vector<Piece> pieces_;
 };
 

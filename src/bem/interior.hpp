@@ -34,8 +34,8 @@ class InteriorEvaluator {
   void set_cracks(CrackField cracks) { cracks_ = std::move(cracks); }
 
   // Chooses the face of a crack whose values are returned on the crack: the left one or the right one.
-  void look_from_right(bool right) {
-    if (cracks_) cracks_->look_from_right(right);
+  void choose_right_face(bool right) {
+    if (cracks_) cracks_->choose_right_face(right);
   }
 
   // Throws Error (argument) at the tip of a crack, where the stress is infinite.

@@ -85,7 +85,7 @@ class Evaluator {
   virtual ~Evaluator() = default;
   virtual PointValue at(const Point& place) = 0;
   // Chooses, on cracks with elements, the values of the right face, seen from the first point, instead of the left one.
-  virtual void look_from_right(bool /*right*/) {}
+  virtual void choose_right_face(bool /*right*/) {}
   virtual std::int64_t kernel_evaluations() const { return 0; }
 };
 

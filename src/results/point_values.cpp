@@ -53,7 +53,7 @@ PointValues evaluate(const scene::Scene& scene, const regions::Discretization& d
         return fields(region, field);
       };
       evaluator = d.region(region).evaluator(solution, of_region, with_stress);
-      evaluator->look_from_right(side.from_right);
+      evaluator->choose_right_face(side.from_right);
     }
     const regions::PointValue value = evaluator->at(place);
     if (!value.displacement.allFinite() || !value.stress.allFinite()) {

@@ -34,7 +34,7 @@ class BoundaryEvaluator final : public Evaluator {
     const auto rest = interior_.at(place);
     return {region_.id(), rest.displacement + beside, rest.stress + particular_.stress(place)};
   }
-  void look_from_right(bool right) override { interior_.look_from_right(right); }
+  void choose_right_face(bool right) override { interior_.choose_right_face(right); }
   std::int64_t kernel_evaluations() const override { return interior_.kernel_evaluations(); }
 
  private:

@@ -20,9 +20,9 @@ InteriorOfPieces::InteriorOfPieces(std::vector<bem::InteriorEvaluator> interiors
                      static_cast<std::size_t>(cracks.pieces.right_of(e.line))});
 }
 
-void InteriorOfPieces::look_from_right(bool right) {
+void InteriorOfPieces::choose_right_face(bool right) {
   from_right_ = right;
-  for (bem::InteriorEvaluator& interior : interiors_) interior.look_from_right(right);
+  for (bem::InteriorEvaluator& interior : interiors_) interior.choose_right_face(right);
 }
 
 std::int64_t InteriorOfPieces::kernel_evaluations() const {

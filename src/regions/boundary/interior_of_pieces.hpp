@@ -20,7 +20,7 @@ class InteriorOfPieces {
   bem::InteriorEvaluator::Value at(const Point& x) const { return interiors_[piece_at(x)].at(x); }
   Point displacement_at(const Point& x) const { return interiors_[piece_at(x)].displacement_at(x); }
   // Chooses the right face of cracks, also of those between pieces.
-  void look_from_right(bool right);
+  void choose_right_face(bool right);
   std::int64_t kernel_evaluations() const;
 
  private:
