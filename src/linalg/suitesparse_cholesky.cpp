@@ -157,7 +157,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
                          int known) const override {
     assert(has_factor_ && factor_->is_super && transposed.cols() == diagonal_.size());
     const SupernodalFactor factor(*factor_.get());
-    const std::vector<char> asked = factor.asked_by(places);
+    const std::vector<char> asked = factor.supernodes_needed_for(places);
     factor.solve_backward(transposed, known, &asked);
   }
 

@@ -83,7 +83,7 @@ class Factorization {
       }
       if (!eliminate(s)) return false;
       done_[s] = columns(s);
-      hand_on(s);
+      queue_at_ancestor(s);
     }
     return true;
   }
@@ -129,7 +129,7 @@ class Factorization {
       for (int r = j; r < high; ++r) column[target_[r]] -= product[r];
     }
     done_[d] = to;
-    hand_on(d);
+    queue_at_ancestor(d);
   }
 
   // Computes the first `wide` columns of A A^T, where A is `high` rows of a panel.
@@ -168,7 +168,7 @@ class Factorization {
   }
 
   // Hands supernode d on to the one that its next rows belong to.
-  void hand_on(int d) {
+  void queue_at_ancestor(int d) {
     if (done_[d] >= rows(d)) return;
     const int ancestor = supernode_of_[row_[rows_begin_[d] + done_[d]]];
     next_[d] = head_[ancestor];

@@ -94,7 +94,7 @@ void SupernodalFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> x) {
   }
 }
 
-std::vector<char> SupernodalFactor::asked_by(const std::vector<int>& places) const {
+std::vector<char> SupernodalFactor::supernodes_needed_for(const std::vector<int>& places) const {
   std::vector<char> marked(static_cast<std::size_t>(supernodes_), 0);
   for (int place : places) {
     for (;;) {

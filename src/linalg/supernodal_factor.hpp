@@ -47,7 +47,7 @@ class SupernodalFactor {
   void solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                       const std::vector<char>* marked = nullptr) const;
   // Marks the supernodes that solutions in these places depend on: their own ones and all on the path to the root.
-  std::vector<char> asked_by(const std::vector<int>& places) const;
+  std::vector<char> supernodes_needed_for(const std::vector<int>& places) const;
 
  private:
   int columns_of(std::ptrdiff_t s) const { return first_column_[s + 1] - first_column_[s]; }
