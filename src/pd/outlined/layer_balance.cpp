@@ -75,7 +75,7 @@ class PartBalance {
   }
 
   // Projects the multipliers off the Killing tensor fields, whose rounding would drown the nearly as soft waves.
-  void keep_off_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
+  void set_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
     const Eigen::MatrixXd fields = killing_tensors(ordered);
@@ -216,7 +216,7 @@ class PartBalance {
     if (groups_ == 2) q += slack_.cwiseProduct(p);
     return q;
   }
-  void leave_kernel(VectorXd& x) const {
+  void project_off_kernel(VectorXd& x) const {
     if (kernel_.size() == 0) return;
     const VectorXd along = kernel_.transpose() * x;
     x -= kernel_ * along;
@@ -224,9 +224,9 @@ class PartBalance {
   // Preconditioner: F^-1 with the factor F. If the kernel is not projected out, it is F^-1 N F^-1 as soon as the
   // residual is so small that its rounding in the kernel of N would drown the rest (linalg/minimum_norm.hpp).
   VectorXd precondition(VectorXd r) const {
-    leave_kernel(r);
+    project_off_kernel(r);
     normal_->solve_in_place(r);
-    leave_kernel(r);
+    project_off_kernel(r);
     if (is_rough_ || kernel_.size() > 0) return r;
     r = product(r);
     normal_->solve_in_place(r);
@@ -286,7 +286,7 @@ bool balance_layer(const std::vector<Point>& surface, const std::vector<double>&
   parallel_for(all.parts.size(), threads, [&](std::size_t p) {
     const LayerParts::Part& part = all.parts[p];
     PartBalance balance(bonds, part, all.number, missing, lower);
-    if (!places.empty()) balance.keep_off_kernel(part.points, places);
+    if (!places.empty()) balance.set_kernel(part.points, places);
     if (!balance.solve()) return;
     done[p] = 1;
     for (std::size_t k = 0; k < part.bonds.size(); ++k) {
