@@ -41,7 +41,7 @@ scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack cra
 std::vector<Point> points_met(const scene::Crack& crack, const Discretization& d) {
   std::vector<Point> met;
   for (const auto& region : d.regions) {
-    const std::vector<Point> some = region->points_met_by(crack);
+    const std::vector<Point> some = region->points_on_crack(crack);
     met.insert(met.end(), some.begin(), some.end());
   }
   return met;
@@ -64,7 +64,7 @@ bool runs_along_boundary(const Scene& scene, const scene::Crack& crack, const Di
 }
 
 // Shifts a crack in the first direction in which it meets no material point; leaves it where it is if there is none.
-void pass_points_by(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
+void shift_off_points(const Scene& scene, const Discretization& d, int number, LatticeCracks& found) {
   scene::Crack& crack = found.cracks[static_cast<std::size_t>(number) - 1];
   const std::vector<Point> met = points_met(crack, d);
   if (met.empty() || runs_along_boundary(scene, crack, d, met)) return;
@@ -92,7 +92,7 @@ LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, co
   for (const PartedCrack& parted : d.cracks) found.cracks.push_back(parted.crack);
   for (std::size_t c = 0; c < found.cracks.size(); ++c)
     if (d.cracks[c].cuts_bonds() && found.cracks[c].points.size() > 1)
-      pass_points_by(scene, d, static_cast<int>(c) + 1, found);
+      shift_off_points(scene, d, static_cast<int>(c) + 1, found);
   if (options.text_value("pd.crack_tip") == "ahead") return found;
   for (std::size_t c = 0; c < found.cracks.size(); ++c) {
     const std::vector<Point> points = found.cracks[c].points;

@@ -242,7 +242,7 @@ class Region {
     return {tip, {}};
   }
   // Points on a crack through which it may not pass, as they would belong to neither of its faces.
-  virtual std::vector<Point> points_met_by(const scene::Crack& /*crack*/) const { return {}; }
+  virtual std::vector<Point> points_on_crack(const scene::Crack& /*crack*/) const { return {}; }
   // Adds the scene's bonds that crack number `crack` cuts.
   virtual void cut(const scene::Crack& /*crack*/, int /*number*/, std::vector<int>& /*bonds*/,
                    std::vector<std::string>& /*warnings*/) const {}

@@ -114,7 +114,7 @@ std::vector<Point> BondedRegion::on_grid(const scene::Crack& crack) const {
   return polyline;
 }
 
-std::vector<Point> BondedRegion::points_met_by(const scene::Crack& crack) const {
+std::vector<Point> BondedRegion::points_on_crack(const scene::Crack& crack) const {
   std::vector<Point> met;
   if (cracks_may_meet_points()) return met;
   for (const int point : pd::points_on(points_, on_grid(crack))) met.push_back(position(point));

@@ -39,7 +39,7 @@ class BondedRegion : public Region {
   std::optional<pd::TipLaw> tip_law(const scene::Options& options) const override;
   std::vector<double> shares_of_cells() const override { return cell_shares(); }
   pd::FeltEnd end_felt_at(const Point& tip, const Point& direction, double backward) const override;
-  std::vector<Point> points_met_by(const scene::Crack& crack) const override;
+  std::vector<Point> points_on_crack(const scene::Crack& crack) const override;
   void cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
            std::vector<std::string>& warnings) const override;
   std::optional<std::span<const pd::Bond>> bonds() const override {
