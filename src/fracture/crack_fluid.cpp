@@ -26,7 +26,7 @@ bool meet(const Point& a, const Point& b, const Point& c, const Point& d, double
 
 }  // namespace
 
-CrackFluid::CrackFluid(pd::FluidWays ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
+CrackFluid::CrackFluid(pd::FluidPaths ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
                        const std::vector<Point>& positions)
     : ways_(std::move(ways)),
       cut_(std::move(cut)),

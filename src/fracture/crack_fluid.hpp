@@ -10,7 +10,7 @@
 #include "coupling/terms.hpp"
 #include "geometry/point.hpp"
 #include "linalg/adjacency.hpp"
-#include "pd/fluid_ways.hpp"
+#include "pd/fluid_paths.hpp"
 
 namespace bempd::fracture {
 
@@ -24,7 +24,7 @@ class CrackFluid {
  public:
   CrackFluid() = default;
   // `cut`: by crack, the bonds that it parts at first.
-  CrackFluid(pd::FluidWays ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
+  CrackFluid(pd::FluidPaths ways, std::map<int, std::vector<int>> cut, const coupling::Terms& terms,
              const std::vector<Point>& positions);
 
   bool empty() const { return cut_.empty(); }
@@ -39,7 +39,7 @@ class CrackFluid {
   void reach_facets(int crack, const std::vector<char>& intact, std::vector<int>& owner) const;
   const std::vector<int>& crossed_by(int bond, const coupling::Terms& terms) const;
 
-  pd::FluidWays ways_;
+  pd::FluidPaths ways_;
   std::map<int, std::vector<int>> cut_;
   std::vector<Point> positions_;
   std::vector<int> facet_of_;    // term

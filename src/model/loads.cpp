@@ -2,7 +2,7 @@
 
 #include "error.hpp"
 #include "model/model.hpp"
-#include "regions/fluid_ways.hpp"
+#include "regions/fluid_paths.hpp"
 #include "regions/swelling.hpp"
 
 // Values of loads and supports, and when they take effect.
@@ -59,7 +59,7 @@ void Model::add_crack_fluid(PreparedScene& p) const {
   }
   const coupling::Terms& terms = p.system->terms();
   p.evolution->add_crack_fluid(
-      {regions::fluid_ways(scene_, p.discretization, terms), std::move(cut), terms, p.discretization.positions});
+      {regions::fluid_paths(scene_, p.discretization, terms), std::move(cut), terms, p.discretization.positions});
 }
 
 fracture::CrackPressures Model::pressures_of(const regions::DofConditions& conditions) {

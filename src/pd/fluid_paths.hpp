@@ -16,7 +16,7 @@ struct CrackFacet {
 };
 
 // Paths of a fluid in cracks among bonds, and its forces.
-struct FluidWays {
+struct FluidPaths {
   std::vector<CrackFacet> facets;  // of all bonds one spacing long, whole or not
   // Force along each term by the pressure, under a pressure on all sides of the body [N/Pa]. As bond forces do for any
   // constant stress, the forces of the terms across any line have the resultant of the pressure there. So a pressure in

@@ -1,9 +1,8 @@
-#include "regions/fluid_ways.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "regions/fluid_paths.hpp"
 #include "regions/node_registry.hpp"
 
 namespace bempd::regions {
@@ -42,8 +41,8 @@ std::vector<double> pushes(const Discretization& d, const coupling::Terms& terms
 
 }  // namespace
 
-pd::FluidWays fluid_ways(const scene::Scene& scene, const Discretization& d, const coupling::Terms& terms) {
-  pd::FluidWays ways{{}, pushes(d, terms)};
+pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& d, const coupling::Terms& terms) {
+  pd::FluidPaths ways{{}, pushes(d, terms)};
   double least = std::numeric_limits<double>::infinity();
   for (const auto& region : d.regions)
     if (region->bonds()) least = std::min(least, scene.region(region->id()).resolution());

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "pd/fluid_ways.hpp"
+#include "pd/fluid_paths.hpp"
 #include "regions/discretization.hpp"
 
 namespace bempd::regions {
 
 // Paths of a fluid through bonds of the scene, which are these terms.
-pd::FluidWays fluid_ways(const scene::Scene& scene, const Discretization& discretization, const coupling::Terms& terms);
+pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& discretization,
+                           const coupling::Terms& terms);
 
 }  // namespace bempd::regions
