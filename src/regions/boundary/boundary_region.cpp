@@ -142,7 +142,7 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
   number_nodes(contributions.registry);
-  if (cracks_) cracks_->tell_of_gap(mesh_, contributions.warnings);
+  if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
   // The operator of a region before that differs by a translation only is taken over.
   for (const auto& other : preparation.regions) {
     if (other.get() == this) break;

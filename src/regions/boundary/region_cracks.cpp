@@ -119,7 +119,7 @@ void RegionCracks::require_memory(const BoundaryMesh& boundary, const scene::Opt
                      options);
 }
 
-void RegionCracks::tell_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const {
+void RegionCracks::warn_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const {
   const double elements = static_cast<double>(boundary.elements.size() + mesh_.elements.size());
   if (elements < elements_to_tell_of) return;
   const bem::NarrowGap gap = sizes_.narrowest_gap();

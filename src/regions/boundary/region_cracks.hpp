@@ -41,7 +41,7 @@ class RegionCracks {
   // Throws Error (argument) if the operator on the boundary and the cracks needs more memory than there is.
   void require_memory(const BoundaryMesh& boundary, const scene::Options& options) const;
   // Adds a warning if a narrow gap needs so many elements that preparing takes long.
-  void tell_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const;
+  void warn_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const;
 
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
