@@ -9,12 +9,10 @@ from typing import Any, Protocol, Union
 
 import numpy as np
 import numpy.typing as npt
-from matplotlib.path import Path
-from matplotlib.tri import Triangulation
-
-from ._names import FieldName
+from ._faces import mesh_of, rim_of
+from ._names import Face, FieldName
 from ._sketch import Sketch
-from .reports import Bonds, BondState, PointValues
+from .reports import Bonds, BondState, PathVertex, PointValues
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int32]
@@ -40,6 +38,12 @@ class Drawable(Protocol):
 
     def evaluate(self, points: npt.ArrayLike, *, stress: bool = True) -> PointValues: ...
 
+    def evaluate_in(self, region: int, points: npt.ArrayLike, *, face: Face = "left", stress: bool = True) -> PointValues: ...
+
+    def crack_count(self) -> int: ...
+
+    def crack_path(self, crack: int) -> list[PathVertex]: ...
+
     def write_history(self, path: Union[str, "os.PathLike[str]"]) -> None: ...
 
 
@@ -52,11 +56,13 @@ class Body:
     stress: FloatArray  #: shape (n, 3)
     damage: FloatArray  #: shape (n,); zero in BEM regions
     triangles: IntArray  #: shape (m, 3)
-    outline: list[IntArray]  #: closed loops of points of a BEM region; empty for a lattice
+    outline: list[IntArray]  #: lines of points along the boundary of a BEM region; empty for a lattice
     nodes: IntArray  #: those of the points that are nodes
     cells: IntArray  #: shape (c, 4): lattice cells, and triangles with their last corner twice; empty in BEM regions
     cut: npt.NDArray[np.bool_]  #: shape (c,): cells that a crack cuts
     crack: FloatArray  #: shape (k, 2, 2): segments of the crack
+    across: float  #: stress across the plane over xx + yy: Poisson's ratio in plane strain, 0 in plane stress; NaN if not known
+    faces: list[IntArray] = dataclasses.field(default_factory=list)  #: lines of points along faces of cracks of a BEM region
 
     @property
     def is_lattice(self) -> bool:
@@ -89,7 +95,7 @@ def lattice_body(model: Drawable, region: int, cells: IntArray, resolution: int)
     sides = [pairs.index(side) for side in ((0, 1), (1, 2), (2, 3), (0, 3))]
     return Body(points, model.field(region, "displacement"), model.field(region, "stress"),
                 model.field(region, "damage"), halves(cells), [], np.arange(len(points), dtype=np.int32), cells, cut,
-                crack_segments(points, cells, broken[:, sides]))
+                crack_segments(points, cells, broken[:, sides]), model._sketch.across_plane(region))
 
 
 def pair_keys(pairs: IntArray, count: int) -> npt.NDArray[np.int64]:
@@ -143,42 +149,14 @@ def neighbours(cells: IntArray, left_out: npt.NDArray[np.bool_], count: int) -> 
 
 
 def boundary_body(model: Drawable, region: int, elements: IntArray, resolution: int) -> Body:
-    """A region of boundary elements, with values at places inside."""
+    """A region of boundary elements, with values at places inside and on both faces of its cracks."""
     nodes = model.field(region, "position")
     step = float(np.ptp(nodes, axis=0).min()) / resolution
-    outline, shape = boundary_places(nodes, elements, step)
-    rim = shape @ nodes
-    rim_values = shape @ np.hstack([model.field(region, "displacement"), model.field(region, "stress")])
-    inner = interior_places(rim, outline, step)
-    found = model.evaluate(inner) if len(inner) else None
-    inner_values = np.empty((0, 5)) if found is None else np.hstack([found.displacement, np.asarray(found.stress)])
-    points, values = np.vstack([rim, inner]), np.vstack([rim_values, inner_values])
-    triangles = Triangulation(*points.T).triangles
-    # Triangles that join boundary points only are left out if they lie in notches, in holes or along edges.
-    corners = points[triangles]
-    area = np.abs(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
-    kept = inside(corners.mean(axis=1), rim, outline) & (area > 1e-9 * step**2)
-    return Body(points, values[:, :2], values[:, 2:], np.zeros(len(points)), triangles[kept].astype(np.int32),
-                [np.append(loop, loop[0]) for loop in outline], node_places(shape), np.empty((0, 4), dtype=np.int32),
-                np.zeros(0, dtype=bool), np.empty((0, 2, 2)))
-
-
-def boundary_places(nodes: FloatArray, elements: IntArray, step: float) -> tuple[list[IntArray], FloatArray]:
-    """Loops of places on the boundary, and the weights of the nodes at each place."""
-    weights: list[FloatArray] = []
-    loops: list[list[int]] = []
-    previous = -1
-    for start, middle, end in elements:
-        if start != previous:
-            loops.append([])
-        parts = max(2, int(np.ceil(np.linalg.norm(nodes[end] - nodes[start]) / step)))
-        for t in np.arange(parts) / parts:
-            row = np.zeros(len(nodes))
-            row[[start, middle, end]] = (1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)
-            loops[-1].append(len(weights))
-            weights.append(row)
-        previous = end
-    return [np.array(loop, dtype=np.int32) for loop in loops], np.array(weights)
+    rim = rim_of(nodes, elements, step)
+    values = np.hstack([model.field(region, "displacement"), model.field(region, "stress")])
+    mesh = mesh_of(model, region, rim, nodes, values, step)
+    return Body(mesh.points, mesh.values[:, :2], mesh.values[:, 2:], np.zeros(len(mesh.points)), mesh.triangles, rim.lines,
+                node_places(rim.shape), np.empty((0, 4), dtype=np.int32), np.zeros(0, dtype=bool), mesh.cracks, model._sketch.across_plane(region), mesh.faces)
 
 
 def node_places(weights: FloatArray) -> IntArray:
@@ -186,24 +164,12 @@ def node_places(weights: FloatArray) -> IntArray:
     return np.flatnonzero(np.isclose(weights.max(axis=1), 1)).astype(np.int32)
 
 
-def interior_places(rim: FloatArray, outline: list[IntArray], step: float) -> FloatArray:
-    """Points of a grid inside, not closer to the boundary than half a step."""
-    low, high = rim.min(axis=0), rim.max(axis=0)
-    counts = np.ceil((high - low) / step).astype(int)
-    axes = [low[k] + (high[k] - low[k]) * np.arange(1, counts[k]) / counts[k] for k in range(2)]
-    grid = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
-    grid = grid[inside(grid, rim, outline)]
-    far = np.array([np.min(np.hypot(*(rim - place).T)) > 0.6 * step for place in grid], dtype=bool)
-    kept: FloatArray = grid[far]
-    return kept
-
-
-def inside(places: FloatArray, rim: FloatArray, outline: list[IntArray]) -> npt.NDArray[np.bool_]:
-    """Whether places lie inside an odd number of loops."""
-    result = np.zeros(len(places), dtype=bool)
-    for loop in outline:
-        result ^= Path(rim[np.append(loop, loop[0])], closed=True).contains_points(places)
-    return result
+def von_mises(body: Body) -> FloatArray:
+    """The equivalent stress, with the stress across the plane; NaN where that is not known."""
+    xx, yy, xy = body.stress.T
+    zz = body.across * (xx + yy)
+    found: FloatArray = np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * xy**2)
+    return found
 
 
 def quantity_values(body: Body, quantity: str) -> Any:
@@ -219,5 +185,7 @@ def quantity_values(body: Body, quantity: str) -> Any:
         "stress yy": yy,
         "stress xy": xy,
         "stress principal": (xx + yy) / 2 + radius,
+        "stress smallest principal": (xx + yy) / 2 - radius,
         "stress shear": radius,
+        "stress von Mises": von_mises(body),
     }[quantity]

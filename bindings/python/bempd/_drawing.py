@@ -11,13 +11,14 @@ from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
 from ._bodies import Body, free_sides, halves, quantity_values
+from .errors import ArgumentError
 
 BODY_FACE, BODY_EDGE, CURVE, MARK = "#e9ebee", "#6d737c", "#1f4e79", "#b3261e"
 # Signed quantities get two colours that part at zero.
 SIGNED, UNSIGNED = "RdBu_r", "viridis"
 COLOURS = {"damage": "YlOrRd", "displacement": UNSIGNED, "displacement x": SIGNED, "displacement y": SIGNED,
            "stress xx": SIGNED, "stress yy": SIGNED, "stress xy": SIGNED, "stress principal": SIGNED,
-           "stress shear": UNSIGNED}
+           "stress smallest principal": SIGNED, "stress shear": UNSIGNED, "stress von Mises": UNSIGNED}
 QUANTITIES = ("outline", "lattice", *COLOURS)
 UNITS = {"damage": "-", "displacement": "m", "stress": "Pa"}
 Limits = Tuple[float, float]
@@ -58,6 +59,9 @@ def colour_scale(found: list[Body], quantity: str, limits: Optional[Limits]) -> 
         return None
     unit = UNITS[quantity.split()[0]]
     values = np.concatenate([quantity_values(body, quantity) for body in found])
+    if np.isnan(values).any():
+        raise ArgumentError(f"draw: the {quantity[7:]} stress of a heated region in plane strain is not known here: the temperature "
+                            "changes the stress across the plane; draw 'stress shear' or 'stress principal'")
     if limits is not None:
         low, high = limits
     elif quantity == "damage":
@@ -116,14 +120,14 @@ def paint(axes: Any, found: list[Body], colours: Optional[ColourScale], magnific
             draw_lattice(axes, points, cells)
         elif mesh:
             axes.plot(*points[body.nodes].T, ".", color=MARK, markersize=3, zorder=5)
-        outline: Any = free_sides(cells) if body.is_lattice else body.outline
+        outline: Any = free_sides(cells) if body.is_lattice else body.outline + (body.faces if magnification else [])
         lines = [points[line] for line in outline]
         axes.add_collection(LineCollection(lines, colors=BODY_EDGE, linewidths=0.8, zorder=4))
     return mapped
 
 
 def draw_cracks(axes: Any, found: list[Body], factor: float, colour: str) -> None:
-    """Lines along broken bonds, in the undeformed shape."""
+    """Lines along cracks and broken bonds, in the undeformed shape."""
     segments = [segment for body in found for segment in factor * body.crack]
     axes.add_collection(LineCollection(segments, colors=colour, linewidths=1.2, capstyle="round", zorder=5))
 

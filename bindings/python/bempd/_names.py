@@ -13,6 +13,6 @@ Face = Literal["left", "right"]
 Until = Literal["values", "event", "separated"]
 FieldName = Literal["position", "displacement", "stress", "damage", "traction", "bond_stretch", "element_stress", "stress_order"]
 Quantity = Literal["outline", "lattice", "damage", "displacement", "displacement x", "displacement y", "stress xx", "stress yy",
-                   "stress xy", "stress principal", "stress shear"]
+                   "stress xy", "stress principal", "stress smallest principal", "stress shear", "stress von Mises"]
 #: An edge by its number, from 1, or by its name, which must be that of one edge.
 Edge = Union[int, str]

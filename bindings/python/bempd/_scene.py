@@ -67,7 +67,7 @@ class Scene:
             if value is not None:
                 setattr(material, name, arguments.real(f"add_material: {name}", value))
         number = self._added("bempd_add_material", material)
-        self._sketch.materials += 1
+        self._sketch.materials[number] = plane, float(poisson_ratio)
         return number
 
     def add_bem_region(self, material: int, vertices: Union[npt.ArrayLike, Outline], element_length: float, *,
@@ -86,7 +86,7 @@ class Scene:
         bends = arguments.bulge_array("add_bem_region: bulges", bulges, len(points))
         region = self._added("bempd_add_bem_region_with_arcs", material, len(points), arguments.doubles(points),
                              arguments.doubles(bends), element_length)
-        self._sketch.regions[region] = Region("BEM", arguments.pairs(points))
+        self._sketch.regions[region] = Region("BEM", arguments.pairs(points), material)
         self._sketch.regions[region].bend(1, bends)
         return region
 
@@ -94,7 +94,7 @@ class Scene:
         """Add a round region treated by boundary elements, of four quarter circles; returns its id."""
         place = arguments.place("add_bem_disc: centre", centre)
         region = self._added("bempd_add_bem_disc", material, *place, radius, element_length)
-        self._sketch.add_circle(region, place, radius, hole=False)
+        self._sketch.add_circle(region, place, radius, material=material)
         return region
 
     def add_pd_region(self, material: int, vertices: Union[npt.ArrayLike, Outline], spacing: float, horizon_ratio: int = 0, *,
@@ -113,7 +113,7 @@ class Scene:
         bends = arguments.bulge_array("add_pd_region: bulges", bulges, len(points))
         region = self._added("bempd_add_pd_region_with_arcs", material, len(points), arguments.doubles(points),
                              arguments.doubles(bends), spacing, horizon_ratio)
-        self._sketch.regions[region] = Region("PD", arguments.pairs(points))
+        self._sketch.regions[region] = Region("PD", arguments.pairs(points), material)
         self._sketch.regions[region].bend(1, bends)
         return region
 
@@ -252,7 +252,7 @@ class Scene:
         """Cut a circular hole into a region; returns the number of its first edge, a quarter circle."""
         place = arguments.place("add_circular_hole: centre", centre)
         edge = self._added("bempd_add_circular_hole", region, *place, radius)
-        self._sketch.add_circle(region, place, radius, hole=True)
+        self._sketch.add_circle(region, place, radius)
         return edge
 
     def set_edge_arc(self, region: int, edge: Edge, point: Sequence[float]) -> None:
@@ -451,7 +451,9 @@ class Scene:
 
     def add_temperature(self, region: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Change the temperature [K] of a whole region; returns the id of the load."""
-        return self._added("bempd_add_temperature", region, constant, proportional)
+        load = self._added("bempd_add_temperature", region, constant, proportional)
+        self._sketch.regions[region].heated = True
+        return load
 
     def add_temperature_function(self, region: int, function: BoundaryFunction) -> int:
         """Change the temperature [K] of a region by a function f(x, y), asked once for each place; returns the id of the
@@ -460,7 +462,9 @@ class Scene:
         It returns the part that is multiplied by the load factor and, unused, 0, or two pairs, constant and
         proportional, of which the first numbers count. In a BEM region it has to be linear.
         """
-        return self._added("bempd_add_temperature_function", region, self._kept(function), ffi.NULL)
+        load = self._added("bempd_add_temperature_function", region, self._kept(function), ffi.NULL)
+        self._sketch.regions[region].heated = True
+        return load
 
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:

@@ -55,8 +55,9 @@ def arc_of_bulge(start: Place, end: Place, bulge: float) -> Arc:
 class Region:
     """Loops of vertices; edges are numbered through all of them from 1."""
 
-    def __init__(self, kind: str, loop: Sequence[Place]) -> None:
-        self.kind = kind
+    def __init__(self, kind: str, loop: Sequence[Place], material: int) -> None:
+        self.kind, self.material = kind, material
+        self.heated = False  # by a load, so that strain is not stress alone
         self.loops = [list(loop)]
         self.arcs: dict[int, Arc] = {}
         self.names: dict[int, str] = {}  # of edges
@@ -132,7 +133,7 @@ class Sketch:
     """A scene as it was described."""
 
     def __init__(self) -> None:
-        self.materials = 0
+        self.materials: dict[int, tuple[str, float]] = {}  # plane and Poisson's ratio
         self.regions: dict[int, Region] = {}
         self.cracks: dict[int, list[Place]] = {}
         self.supports: dict[int, Mark] = {}
@@ -168,14 +169,21 @@ class Sketch:
 
         return re.sub(r"\bedge (\d+)\b(?: of region (\d+))?", named, sentence)
 
-    def add_circle(self, region: int, centre: Place, radius: float, *, hole: bool) -> None:
-        """Four quarter circles, as a hole of a region or as a region of its own."""
+    def across_plane(self, region: int) -> float:
+        """Stress across the plane over the sum of those in the plane; NaN where heat adds to it."""
+        sketched = self.regions[region]
+        plane, poisson_ratio = self.materials[sketched.material]
+        return 0.0 if plane == "stress" else math.nan if sketched.heated else poisson_ratio
+
+    def add_circle(self, region: int, centre: Place, radius: float, *, material: int = 0) -> None:
+        """Four quarter circles, as a region of its own if it has a material, else as a hole of a region."""
+        hole = material == 0
         sides = [(1, 0), (0, -1), (-1, 0), (0, 1)] if hole else [(1, 0), (0, 1), (-1, 0), (0, -1)]
         loop = [(centre[0] + radius * x, centre[1] + radius * y) for x, y in sides]
         if hole:
             self.regions[region].loops.append(loop)
         else:
-            self.regions[region] = Region("BEM", loop)
+            self.regions[region] = Region("BEM", loop, material)
         last = sum(map(len, self.regions[region].loops))
         self.regions[region].arcs.update({edge: Arc(centre, not hole) for edge in range(last - 3, last + 1)})
 
@@ -183,7 +191,7 @@ class Sketch:
         """What there is, counted."""
         kinds = [region.kind for region in self.regions.values()]
         detail = ", ".join(f"{kinds.count(kind)} {kind}" for kind in FACES if kind in kinds)
-        parts = [counted(self.materials, "material"), counted(len(kinds), "region") + (f" ({detail})" if kinds else ""),
+        parts = [counted(len(self.materials), "material"), counted(len(kinds), "region") + (f" ({detail})" if kinds else ""),
                  counted(len(self.cracks), "crack"), counted(len(self.supports), "support"), counted(len(self.loads), "load")]
         return ", ".join(parts)
 

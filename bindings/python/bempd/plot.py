@@ -19,6 +19,8 @@ from __future__ import annotations
 
 import os
 import pathlib
+import shutil
+import subprocess
 import tempfile
 from typing import Any, Literal, Optional, Union
 
@@ -34,7 +36,7 @@ from ._drawing import COLOURS, CURVE, MARK, QUANTITIES, Limits, colour_scale, dr
 from ._drawing import add_colour_bar, round_magnification
 from ._names import Component, Quantity
 from ._results import read_history
-from .errors import ArgumentError, OrderError
+from .errors import ArgumentError, FileError, OrderError
 
 STYLE = {
     "font.size": 9,
@@ -57,7 +59,8 @@ def draw(model: Drawable, quantity: Quantity = "damage", *, axes: Any = None, ma
     """Draw the body at the present load factor; returns matplotlib's axes.
 
     quantity       "outline", "lattice" (cells and nodes), "damage", "displacement" (magnitude), "displacement x" and
-                   "y", "stress xx", "yy", "xy", "principal" (largest), "shear" (largest in the plane).
+                   "y", "stress xx", "yy", "xy", "principal" (largest in the plane), "smallest principal", "shear" (largest in
+                   the plane), "von Mises" (with the stress across the plane in plane strain).
     axes           where to draw; a figure of its own if not given.
     magnification  of the displacements in the deformed shape; 0 for the undeformed one, "auto" for a round number.
     limits         of the colours, in SI units; else from the values, without the outermost percent of stresses.
@@ -95,7 +98,7 @@ def draw_bodies(found: list[Body], load_factor: float, quantity: Quantity, axes:
     axes.set_xlabel(f"x [{unit}]")
     axes.set_ylabel(f"y [{unit}]")
     deformed = f", displacements x {magnification:g}" if magnification else ""
-    axes.set_title(f"{quantity.capitalize()}, load factor {load_factor:.6g}{deformed}")
+    axes.set_title(f"{quantity[0].upper()}{quantity[1:]}, load factor {load_factor:.6g}{deformed}")
     if colour_bar and mapped is not None and colours is not None:
         add_colour_bar(axes, mapped, f"{quantity} [{colours.unit}]")
     return axes, factor
@@ -195,7 +198,7 @@ def load_curve(history: Any, imposed: Any, before: Any, after: Any) -> tuple[Any
 
 
 class Movie:
-    """A GIF of a run: add a frame whenever there is something to see.
+    """A film of a run, as GIF or, with the program ffmpeg, as MP4: add a frame whenever there is something to see.
 
     with bempd.plot.Movie("crack.gif", model, magnification=20) as movie:
         for load_factor in range(100, 200, 5):
@@ -204,17 +207,22 @@ class Movie:
 
     Options are those of draw(). The file is drawn by close(), in one view that holds what moves in any frame (a loose
     piece up to half the body's size away) and with one scale of colours; damage goes from 0 to 1. The last frame stays for
-    `hold` seconds before the film begins again.
+    `hold` seconds before the film begins again. The ending of the path, .gif or .mp4, says what is written; others are refused,
+    and so is .mp4 where ffmpeg (Debian: ffmpeg) is missing.
     """
 
     def __init__(self, path: Union[str, "os.PathLike[str]"], model: Drawable, quantity: Quantity = "damage", *,
                  frames_per_second: float = 10, hold: float = 2.0, **options: Any) -> None:
+        arguments.choice("Movie: quantity", quantity, dict.fromkeys(QUANTITIES))
+        self._path = os.fspath(path)
+        self._write = writer_of(self._path)
         self._model, self._quantity, self._options = model, quantity, options
         if quantity == "damage":
             options.setdefault("limits", (0.0, 1.0))
-        self._frames_per_second = frames_per_second
+        self._frames_per_second = arguments.real("Movie: frames_per_second", frames_per_second)
+        if not 0.1 <= self._frames_per_second <= 100:
+            raise ArgumentError(f"Movie: frames_per_second is {frames_per_second!r}; give 0.1 to 100")
         self._hold = arguments.real("Movie: hold", hold)
-        self._path = os.fspath(path)
         self._frames: list[tuple[list[Body], float]] = []
 
     def add_frame(self) -> None:
@@ -246,15 +254,46 @@ class Movie:
             axes.set_ylim(factor * low[1], factor * high[1])
             canvas.draw()
             pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB"))
-        usual = round(1000 / self._frames_per_second)
-        durations = [usual] * (len(pictures) - 1) + [max(usual, round(1000 * self._hold))]
-        pictures[0].save(self._path, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0)
+        self._write(self._path, pictures, self._frames_per_second, self._hold)
 
     def __enter__(self) -> Movie:
         return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def writer_of(path: str) -> Any:
+    """What writes pictures to a file of this ending; an error if there is none."""
+    ending = pathlib.PurePath(path).suffix.lower()
+    if ending == ".gif":
+        return write_gif
+    if ending != ".mp4":
+        raise ArgumentError(f"Movie: {path} ends in {ending or 'nothing'}; a film is written as .gif or .mp4")
+    if shutil.which("ffmpeg") is None:
+        raise ArgumentError(f"Movie: {path} needs the program ffmpeg, which is not found; install it (Debian: apt install ffmpeg), or "
+                            "write a .gif")
+    return write_mp4
+
+
+def write_gif(path: str, pictures: list[Any], frames_per_second: float, hold: float) -> None:
+    """Write a film that begins again."""
+    usual = round(1000 / frames_per_second)
+    durations = [usual] * (len(pictures) - 1) + [max(usual, round(1000 * hold))]
+    pictures[0].save(path, format="GIF", save_all=True, append_images=pictures[1:], duration=durations, loop=0)
+
+
+def write_mp4(path: str, pictures: list[Any], frames_per_second: float, hold: float) -> None:
+    """Write a film in H.264, which needs even numbers of dots; the last picture is repeated while it stays."""
+    width, height = (size // 2 * 2 for size in pictures[0].size)
+    repeated = pictures + [pictures[-1]] * max(0, round(hold * frames_per_second) - 1)
+    command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}",
+               "-r", f"{frames_per_second:g}", "-i", "-", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
+               "-f", "mp4", path if os.path.isabs(path) else os.path.join(".", path)]
+    run = subprocess.run(command, input=b"".join(picture.crop((0, 0, width, height)).tobytes() for picture in repeated),
+                         capture_output=True)
+    if run.returncode != 0:
+        raise FileError(f"Movie: ffmpeg could not write {path}: {run.stderr.decode(errors='replace').strip()}")
 
 
 def view_of(found: list[Body], magnification: float) -> tuple[Any, Any]:

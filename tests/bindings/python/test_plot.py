@@ -30,7 +30,7 @@ def test_every_quantity_is_drawn_to_scale(strip, quantity, magnification, tmp_pa
     strip.model.step_to_next_event(1e4)
     axes = strip.model.plot(quantity, magnification=magnification)
     axes.figure.savefig(tmp_path / "picture.png")
-    assert axes.get_aspect() == 1 and axes.get_xlabel() == "x [mm]" and quantity in axes.get_title().lower()
+    assert axes.get_aspect() == 1 and axes.get_xlabel() == "x [mm]" and quantity.lower() in axes.get_title().lower()
     left, right = axes.get_xlim()
     assert left < 0 and right > 60
     labels = [bar.get_ylabel() for bar in axes.child_axes]
@@ -76,6 +76,97 @@ def test_the_crack_line_lies_on_the_crack():
 def test_the_line_of_an_inclined_crack_is_near_it():
     segments = crack_of([(0.2, 0.4), (9.3, 9.5)])
     assert len(segments) > 8 and np.abs(segments[..., 1] - segments[..., 0] - 0.2).max() <= 1
+
+
+def cracked_plate(*cracks, cut=False):
+    """A plate of boundary elements, 2 by 4, pulled upwards; its cracks stay as they are."""
+    model = bempd.Model(log=None)
+    glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2)
+    plate = model.add_bem_region(glass, rectangle(-1, -2, 1, 2), element_length=0.5)
+    for points in cracks:
+        model.add_crack(points)
+    model.fix_edge(plate, 1)
+    if cut:
+        model.prescribe_edge(plate, 3, "x", 0.0)
+        model.prescribe_edge(plate, 3, "y", 1e-4)
+    else:
+        model.add_traction(plate, 3, "y", 1e6)
+    model.step(1)
+    return model, plate
+
+
+CRACKED = {"inside": [[(-0.4, -0.1), (0.3, 0.1)]], "edge": [[(-1, 0), (-0.3, 0)]], "from the right": [[(1, 0), (0.5, 0.2), (0.2, 0.2)]],
+           "branch": [[(-0.4, 0), (0.4, 0)], [(0, 0), (0.2, 0.4)]], "cut": [[(-1, 0), (1, 0.3)]]}
+
+
+@pytest.mark.parametrize("kind", CRACKED)
+def test_cracks_in_boundary_elements_part_the_picture(kind):
+    model, plate = cracked_plate(*CRACKED[kind], cut=kind == "cut")
+    found = body(model, plate)
+    assert areas(found).sum() == pytest.approx(8, rel=1e-6), "triangles fill the body"
+    lengths = np.hypot(*(found.crack[:, 1] - found.crack[:, 0]).T)
+    assert lengths.sum() == pytest.approx(sum(np.hypot(*np.diff(np.array(points), axis=0).T).sum() for points in CRACKED[kind]))
+    # No triangle joins the two faces: just above the first crack everything has moved further up than just below it.
+    (a, b), centres = np.array(CRACKED[kind][0][:2]), found.points[found.triangles].mean(axis=1)
+    along = (centres - a) @ (b - a) / np.dot(b - a, b - a)
+    side = np.cross(b - a, centres - a) * np.sign(b[0] - a[0]) / np.hypot(*(b - a))
+    near = (along > 0.35) & (along < 0.65) & (np.abs(side) < 0.12)
+    moved = found.displacement[found.triangles][..., 1]
+    assert (near & (side > 0)).any() and (near & (side < 0)).any()
+    assert moved[near & (side > 0)].min() > moved[near & (side < 0)].max()
+    assert len(model.plot("displacement", magnification="auto").collections) > 1
+
+
+def test_faces_in_the_picture_open_as_the_crack_does():
+    model, plate = cracked_plate(CRACKED["edge"][0])
+    found = body(model, plate)
+    left, right = found.faces
+    at = (found.points[left][:, 0] + 1) / 0.7
+    opening = model.crack_opening(1, at[1:-1]).normal
+    jump = found.displacement[left][1:-1, 1] - found.displacement[right][1:-1, 1]
+    np.testing.assert_allclose(jump, opening, rtol=1e-6, atol=1e-3 * opening.max())
+    # The mouth is open: the outline begins on one of its lips and ends on the other, and no line closes it.
+    (outline,) = found.outline
+    lips = found.points[outline[[0, -1]]]
+    np.testing.assert_allclose(lips, [(-1, 0), (-1, 0)], atol=1e-12)
+    moved = found.displacement[outline[[0, -1]], 1]
+    assert abs(moved[0] - moved[1]) > jump[0] and {int(left[0]), int(right[0])} == set(outline[[0, -1]].tolist())
+
+
+def test_a_crack_that_grows_is_drawn_as_it_is():
+    model = bempd.Model()
+    glass = model.add_material(young_modulus=70e9, poisson_ratio=0.2, fracture_energy=8)
+    plate = model.add_bem_region(glass, rectangle(-1, -2, 1, 2), element_length=0.5)
+    model.add_crack([(-1, 0), (-0.3, 0)])
+    model.fix_edge(plate, 1)
+    model.add_traction(plate, 3, "y", 1e6)
+    for _ in range(2):
+        model.grow_cracks(0.1)
+    found = body(model, plate)
+    assert np.hypot(*(found.crack[:, 1] - found.crack[:, 0]).T).sum() == pytest.approx(model.crack_length())
+    assert areas(found).sum() == pytest.approx(8, rel=1e-6)
+
+
+@pytest.mark.parametrize("plane, across", [("stress", 0), ("strain", 0.3)])
+def test_principal_and_von_mises_stress(plane, across):
+    model = bempd.Model()
+    steel = model.add_material(young_modulus=2e11, poisson_ratio=0.3, plane=plane)
+    plate = model.add_bem_region(steel, rectangle(0, 0, 2, 1), element_length=0.5)
+    model.fix_edge(plate, 4, "x"), model.fix_point((0, 0), "y")
+    model.add_traction(plate, 2, "x", 2e8)
+    model.step(1)
+    found = body(model, plate)
+    expected = 2e8 * np.sqrt(1 - across + across**2)
+    np.testing.assert_allclose(_bodies.quantity_values(found, "stress von Mises"), expected, rtol=1e-6)
+    np.testing.assert_allclose(_bodies.quantity_values(found, "stress smallest principal"), 0, atol=200)
+    hot = bempd.Model()
+    region = hot.add_pd_region(hot.add_material(young_modulus=1, poisson_ratio=0.3, plane=plane, thermal_expansion=1), rectangle(0, 0, 4, 4), 1)
+    hot.fix_edge(region, 4), hot.add_temperature(region, 1)
+    if across:
+        with pytest.raises(bempd.ArgumentError, match="von Mises stress of a heated region in plane strain"):
+            hot.plot("stress von Mises")
+    else:
+        hot.plot("stress von Mises")
 
 
 def test_limits_and_given_axes(strip):
@@ -184,3 +275,23 @@ def test_a_movie_has_its_frames(strip, tmp_path):
     with plot.Movie(tmp_path / "none.gif", strip.model):
         pass
     assert not (tmp_path / "none.gif").exists()
+
+
+def test_a_movie_is_what_its_name_says(strip, tmp_path, monkeypatch):
+    import shutil
+
+    for name in ("crack.avi", "crack"):
+        with pytest.raises(bempd.ArgumentError, match="a film is written as .gif or .mp4"):
+            plot.Movie(tmp_path / name, strip.model)
+    if shutil.which("ffmpeg"):
+        with plot.Movie(tmp_path / "crack.mp4", strip.model, hold=0.5) as movie:
+            for _ in range(2):
+                strip.model.step_to_next_event(1e4)
+                movie.add_frame()
+        assert (tmp_path / "crack.mp4").read_bytes()[4:8] == b"ftyp"
+        with pytest.raises(bempd.FileError, match="ffmpeg could not write"):
+            with plot.Movie(tmp_path / "no folder" / "crack.mp4", strip.model) as movie:
+                movie.add_frame()
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(bempd.ArgumentError, match="needs the program ffmpeg.*apt install ffmpeg.*or write a .gif"):
+        plot.Movie(tmp_path / "crack.mp4", strip.model)
