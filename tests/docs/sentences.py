@@ -1,4 +1,5 @@
-"""No sentence of README.md and of the pages for users has more than 30 words; docs/research and the pages named below are left out.
+"""No sentence of what users read has more than 30 words: README.md, pages of docs, examples and bindings. docs/research and the
+pages named below are left out.
 
     sentences.py ROOT
 """
@@ -10,10 +11,11 @@ import re
 import sys
 
 MOST_WORDS = 30
+PLACES = ["README.md", "CONTRIBUTING.md", "docs/*.md", "examples/*/README.md", "bindings/*/README.md"]
 # Pages that list facts one by one, or are written by a program from the library's own texts.
 LEFT_OUT = {"options.md", "architecture.md", "cracks.md", "directions.md", "mixed_cracks.md"}
 CODE = re.compile(r"^(```|~~~).*?^\1|\$\$.*?\$\$|^    .*?$|<!--.*?-->", re.DOTALL | re.MULTILINE)
-ENDS = re.compile(r"(?<=[.!?])[)\"*]*\s+(?=[\"'(*`\[$]*[A-Z0-9`$])")
+ENDS = re.compile(r"(?<=[.!?])[)\"*]*\s+(?=[\"'(*`\[$]*(?:[A-Z0-9`$]|bempd|code_aster|dolfinx))")
 
 
 def words(sentence: str) -> int:
@@ -32,6 +34,8 @@ def paragraphs(text: str) -> list[tuple[int, str]]:
         elif bare.startswith("|"):
             found += [(number, cell) for cell in bare.strip("|").split(" | ")]
             fresh = True
+        elif line.startswith("    ") and fresh:
+            continue  # code
         elif fresh or re.match(r"(?:[*-]|\d+\.|>)\s", bare):
             found.append((number, re.sub(r"^(?:[*-]|\d+\.|>)\s+", "", bare)))
             fresh = False
@@ -54,7 +58,8 @@ def long_sentences(text: str) -> list[tuple[int, int, str]]:
 
 def main() -> int:
     root = pathlib.Path(sys.argv[1]).resolve()
-    pages = [root / "README.md", *(page for page in sorted((root / "docs").glob("*.md")) if page.name not in LEFT_OUT)]
+    found_pages = (page for place in PLACES for page in sorted(root.glob(place)))
+    pages = [page for page in found_pages if page.name not in LEFT_OUT]
     found = [f"{page.relative_to(root)}:{number}: {count} words: {sentence}" for page in pages
              for number, count, sentence in long_sentences(page.read_text(encoding="utf-8"))]
     print("\n".join(found) or f"no sentence of {len(pages)} pages has more than {MOST_WORDS} words")
