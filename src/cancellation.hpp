@@ -6,7 +6,7 @@
 
 namespace bempd {
 
-// A request of the host to stop, heard by whatever a call does for long: loops poll it through check_cancelled(), which
+// Scope of a call in which a host's request to cancel is heard: long loops poll it through check_cancelled(), which
 // costs two loads. Each thread knows the request of the call that it works for.
 class CancellationScope {
  public:

@@ -6,7 +6,7 @@
 
 namespace bempd {
 
-// What the caller can do about a failure.
+// Kind of a failure, by what the caller can do about it.
 enum class Failure { argument, order, unsolvable, convergence, cancelled, io };
 
 class Error : public std::runtime_error {
@@ -18,7 +18,7 @@ class Error : public std::runtime_error {
   Failure failure_;
 };
 
-// Text from pieces, numbers with the digits a person wants to read.
+// Text from pieces, with as many digits of numbers as a reader needs.
 template <class... Parts>
 std::string text(const Parts&... parts) {
   std::ostringstream stream;

@@ -9,14 +9,14 @@
 
 namespace bempd {
 
-// FNV-1a, 64 bits.
+// Hash by FNV-1a, 64 bits.
 class Hash {
  public:
   void add_bytes(const void* data, std::size_t size) {
     const auto* bytes = static_cast<const std::uint8_t*>(data);
     for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 1099511628211ULL;
   }
-  // Whole numbers and flags; those of any width that are equal count alike.
+  // Adds whole numbers and flags; equal ones of any width count alike.
   template <class T>
   requires std::is_integral_v<T> || std::is_enum_v<T>
   void add(T number) {

@@ -6,14 +6,14 @@
 
 namespace bempd {
 
-// Energies that no number can hold are told as the largest one, and Model warns of them.
+// Energy as a number: one beyond the range of doubles becomes the largest double, and Model warns of it.
 inline double in_range(double value) {
   constexpr double largest = std::numeric_limits<double>::max();
   return std::isnan(value) ? largest : std::clamp(value, -largest, largest);
 }
 
-// Exponent of 2 by which numbers of this size are to be divided before they are squared, and their squares: 0 but for
-// sizes whose squares no number holds. Dividing alters no digit.
+// Exponent of 2 by which numbers of this size, and their squares, are to be divided before they are squared: 0 except
+// for sizes whose squares no double holds. The division changes no digit.
 inline int far_exponent(double size) {
   constexpr int far = 200;
   if (!(size > 0) || !std::isfinite(size)) return 0;

@@ -5,7 +5,7 @@
 
 namespace bempd {
 
-// Is told how far a long part of a call is; what it throws ends the call.
+// Listener that is told how far a long part of a call is; an exception that it throws ends the call.
 class PhaseListener {
  public:
   virtual ~PhaseListener() = default;
@@ -29,7 +29,7 @@ class ListeningScope {
   PhaseListener* before_;
 };
 
-// A long part of a call, of so much work in all.
+// Long part of a call, with its total amount of work.
 class Phase {
  public:
   explicit Phase(const char* name, double work = 1) : name_(name), work_(work) { reach(0); }

@@ -6,7 +6,7 @@ namespace bempd::crack {
 
 namespace {
 
-// What is compared: overloaded tips come first, and then the smaller key.
+// Rank of a candidate: overloaded tips come first, and then the smaller key.
 struct Rank {
   bool waits;
   double key;
@@ -24,7 +24,7 @@ Rank rank_of(const Candidate& candidate, bool upwards) {
 
 }  // namespace
 
-// Ties are those with the very first one, so that they do not depend on the order of the candidates.
+// First candidate. Ties are those with the very first one, so that they do not depend on the order of the candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards) {
   if (candidates.empty()) return std::nullopt;
   Rank first = rank_of(candidates.front(), upwards);

@@ -8,10 +8,10 @@
 
 namespace bempd::crack {
 
-// Load factors or ratios that differ by less than this share are a tie: rounding may put either first.
+// Relative difference of load factors or ratios below which they are a tie: rounding may put either first.
 constexpr double tie_share = 1e-9;
 
-// A tip that may grow next.
+// Tip that may grow next.
 struct Candidate {
   TipId tip;
   double load_factor = 0;   // at which it grows
@@ -24,9 +24,10 @@ struct FirstToGrow {
   int ties;           // others that would grow as soon, but for rounding
 };
 
-// The tip that grows first. Of overloaded tips it is the one with the largest ratio; otherwise the one with the nearest
-// load factor on the way. Of tips that tie it is that of the crack with the smallest id, and the start of a crack
-// before its end, so that neither rounding nor the turn of a body decides. Null without candidates.
+// Tip that grows first. Of overloaded tips it is the one with the largest ratio; otherwise the one with the nearest
+// load factor in the direction of the load path. Of tips that tie it is that of the crack with the smallest id, and the
+// start of a crack before its end, so that neither rounding nor the orientation of a body decides. Empty without
+// candidates.
 std::optional<FirstToGrow> first_to_grow(std::span<const Candidate> candidates, bool upwards);
 
 }  // namespace bempd::crack

@@ -4,7 +4,7 @@
 
 namespace bempd::crack {
 
-// An end of a crack. Cracks that the host described have the ids that it received for them; cracks that begin in a run
+// End of a crack. Cracks that the host described have the ids that it received for them; cracks that begin in a run
 // have the next ids, in the order in which they begin.
 struct TipId {
   int crack = 0;  // id
@@ -13,7 +13,7 @@ struct TipId {
   auto operator<=>(const TipId&) const = default;
 };
 
-// What became of an end of a crack.
+// State of an end of a crack.
 enum class TipState {
   grows = 0,         // it is a tip, and grows where its toughness is reached
   at_edge = 1,       // it has reached the outer boundary of the body
