@@ -248,7 +248,7 @@ def add_part(model: Any, region: int, rim: Rim, loops: list[IntArray], runs: lis
     centres = places[corners].mean(axis=1)
     first_side, second_side = places[corners[:, 1]] - places[corners[:, 0]], places[corners[:, 2]] - places[corners[:, 0]]
     size = np.abs(first_side[:, 0] * second_side[:, 1] - first_side[:, 1] * second_side[:, 0])
-    # Of those that join boundary points only, the ones in notches, holes and along edges are not of the body.
+    # Triangles that join boundary points only are left out if they lie in notches, in holes or along edges.
     kept = inside(centres, edge, loops) & (size > 1e-9 * step**2)
     chosen = np.array(used, dtype=np.int32)[corners[kept]]
     for k, (row, centre) in enumerate(zip(chosen, centres[kept])):
