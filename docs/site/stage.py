@@ -66,6 +66,8 @@ All of it can be imported from `bempd` itself, but for the pictures, which are i
 
 .. automodule:: bempd.outline
 
+.. automodule:: bempd.tables
+
 .. automodule:: bempd.plot
 ```
 """

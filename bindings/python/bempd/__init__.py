@@ -59,13 +59,14 @@ from .reports import (
     TipState,
 )
 from .state import State
+from .tables import Rows, Table, table
 
 __version__ = version()
 
 __all__ = [
     "ArgumentError", "BondState", "Bonds", "CancelledError", "Convergence", "ConvergenceError", "ConvergenceTable", "CrackExtension", "CrackOpening",
     "CrackTip", "EdgeNodes", "EdgePlaces", "EdgeReaction", "Error", "FileError", "Growth", "InternalError", "Model", "OptionInfo", "Options", "OrderError",
-    "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Singularity", "SingularityKind", "State", "Statistics",
-    "StepReport", "StopReason", "SupportHistory", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
-    "build_info", "converge", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "version",
+    "OutOfMemoryError", "PathVertex", "Piece", "PointValues", "ProgressBar", "Rows", "Singularity", "SingularityKind", "State", "Statistics",
+    "StepReport", "StopReason", "SupportHistory", "Table", "TipEnd", "TipMethod", "TipRecord", "TipState", "UnknownOptionError", "UnsolvableError",
+    "build_info", "converge", "describe_options", "library_path", "outline", "progress_bar", "read_history", "rectangle", "table", "version",
 ]

@@ -42,7 +42,7 @@ class Edges:
         added = ffi.new("int32_t *")
         self._open().call("bempd_add_edge_forces", region, edge, *arguments.fraction_pair("add_edge_forces: part", part),
                           added)
-        self._sketch.loads[int(added[0])] = Mark(region, edge)
+        self._sketch.loads[int(added[0])] = Mark(region, edge, does="forces on the nodes")
         return int(added[0])
 
     def set_support_nodal_values(self, support: int, proportional: Optional[npt.ArrayLike] = None, *,

@@ -16,6 +16,7 @@ from ._names import Edge, Face, FieldName
 from ._library import call, ffi, lib, new_struct
 from ._sketch import Sketch
 from .errors import ArgumentError
+from .tables import Rows
 from .reports import (
     Bonds,
     CrackExtension,
@@ -258,7 +259,7 @@ class Results:
         [('CORNER', 1.0, 1.0, 0.5445), ('POINT', 0.0, 0.0, 0.0)]
         """
         count = int(self._number("bempd_singularity_count", "int64_t"))
-        found = []
+        found: Rows[Singularity] = Rows()
         for index in range(count):
             struct = new_struct("bempd_singularity", "bempd_singularity_init")
             self._open().call("bempd_get_singularity", index, struct)
@@ -280,7 +281,7 @@ class Results:
         ['1.487e+06', '1.487e+06']
         """
         count = int(self._number("bempd_tip_count", "int64_t"))
-        found = []
+        found: Rows[CrackTip] = Rows()
         for index in range(count):
             struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
             self._open().call("bempd_tip", index, struct)
@@ -303,7 +304,7 @@ class Results:
         [(1.0, '1.487e+06'), (2.0, '2.975e+06')]
         """
         event, broken, factor = ffi.new("int64_t *"), ffi.new("int64_t *"), ffi.new("double *")
-        records = []
+        records: Rows[TipRecord] = Rows()
         for index in range(int(self._number("bempd_tip_history_count", "int64_t"))):
             struct = new_struct("bempd_crack_tip", "bempd_crack_tip_init")
             self._open().call("bempd_get_tip_history", index, event, broken, factor, struct)
@@ -326,7 +327,7 @@ class Results:
 
     def extensions(self) -> list[CrackExtension]:
         """What every tip did at every event, in order."""
-        found = []
+        found: Rows[CrackExtension] = Rows()
         for index in range(int(self._number("bempd_extension_count", "int64_t"))):
             struct = new_struct("bempd_crack_extension", "bempd_crack_extension_init")
             self._open().call("bempd_extension", index, struct)
@@ -359,7 +360,7 @@ class Results:
         """
         count = ffi.new("int64_t *")
         self._open().call("bempd_crack_path_count", crack, count)
-        found = []
+        found: Rows[PathVertex] = Rows()
         for index in range(int(count[0])):
             struct = new_struct("bempd_path_vertex", "bempd_path_vertex_init")
             self._open().call("bempd_crack_path", crack, index, struct)

@@ -345,13 +345,13 @@ class Scene:
         """Fix a whole edge; returns the id of the support."""
         edge = self._sketch.edge("fix_edge", region, edge)
         chosen = arguments.choice("fix_edge: component", component, COMPONENTS)
-        return self._support(self._added("bempd_fix_edge", region, edge, chosen), Mark(region, edge))
+        return self._support(self._added("bempd_fix_edge", region, edge, chosen), Mark(region, edge, does=held(component)))
 
     def fix_point(self, point: Sequence[float], component: Components = "both") -> int:
         """Fix the node or material point at a place; returns the id of the support."""
         place = arguments.place("fix_point: point", point)
         chosen = arguments.choice("fix_point: component", component, COMPONENTS)
-        return self._support(self._added("bempd_fix_point", *place, chosen), Mark(point=place))
+        return self._support(self._added("bempd_fix_point", *place, chosen), Mark(point=place, does=held(component)))
 
     def prescribe_edge(self, region: int, edge: Edge, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
                        constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -361,7 +361,8 @@ class Scene:
         count, *values = arguments.samples("prescribe_edge", constant, proportional)
         support = self._added("bempd_prescribe_edge", region, edge, *arguments.fraction_pair("prescribe_edge: part", part),
                               arguments.choice("prescribe_edge: component", component, ONE_COMPONENT), count, *values)
-        return self._support(support, Mark(region, edge, component=component, proportional=arguments.one_number(proportional)))
+        return self._support(support, Mark(region, edge, component=component, proportional=arguments.one_number(proportional),
+                                           does=f"{component} prescribed"))
 
     def prescribe_edge_function(self, region: int, edge: Edge, function: BoundaryFunction, component: Components = "both", *,
                                 part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -373,7 +374,8 @@ class Scene:
         ends = arguments.fraction_pair("prescribe_edge_function: part", part)
         chosen = arguments.choice("prescribe_edge_function: component", component, COMPONENTS)
         support = self._added("bempd_prescribe_edge_function", region, edge, *ends, chosen, self._kept(function), ffi.NULL)
-        return self._support(support, Mark(region, edge, component=component if component != "both" else None))
+        return self._support(support, Mark(region, edge, component=component if component != "both" else None,
+                                           does=("x and y" if component == "both" else component) + " prescribed by a function"))
 
     def prescribe_point(self, point: Sequence[float], component: Component, proportional: float = 0.0, *,
                         constant: float = 0.0) -> int:
@@ -382,7 +384,8 @@ class Scene:
         support = self._added("bempd_prescribe_point", *place,
                               arguments.choice("prescribe_point: component", component, ONE_COMPONENT), constant,
                               proportional)
-        return self._support(support, Mark(point=place, component=component, proportional=arguments.one_number(proportional)))
+        return self._support(support, Mark(point=place, component=component, proportional=arguments.one_number(proportional),
+                                           does=f"{component} prescribed"))
 
     def add_traction(self, region: int, edge: Edge, component: Component, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -391,7 +394,7 @@ class Scene:
         count, *values = arguments.samples("add_traction", constant, proportional)
         load = self._added("bempd_add_traction", region, edge, *arguments.fraction_pair("add_traction: part", part),
                            arguments.choice("add_traction: component", component, ONE_COMPONENT), count, *values)
-        return self._load(load, Mark(region, edge))
+        return self._load(load, Mark(region, edge, does=f"traction along {component}"))
 
     def add_pressure(self, region: int, edge: Edge, proportional: Optional[npt.ArrayLike] = None, *,
                      constant: Optional[npt.ArrayLike] = None, part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -399,7 +402,8 @@ class Scene:
         edge = self._sketch.edge("add_pressure", region, edge)
         count, *values = arguments.samples("add_pressure", constant, proportional)
         ends = arguments.fraction_pair("add_pressure: part", part)
-        return self._load(self._added("bempd_add_pressure", region, edge, *ends, count, *values), Mark(region, edge))
+        return self._load(self._added("bempd_add_pressure", region, edge, *ends, count, *values),
+                          Mark(region, edge, does="pressure"))
 
     def add_traction_function(self, region: int, edge: Edge, function: BoundaryFunction, *,
                               part: Sequence[float] = WHOLE_EDGE) -> int:
@@ -416,14 +420,15 @@ class Scene:
         edge = self._sketch.edge("add_traction_function", region, edge)
         ends = arguments.fraction_pair("add_traction_function: part", part)
         load = self._added("bempd_add_traction_function", region, edge, *ends, self._kept(function), ffi.NULL)
-        return self._load(load, Mark(region, edge))
+        return self._load(load, Mark(region, edge, does="traction by a function"))
 
     def add_crack_traction(self, crack: int, component: FaceComponent, proportional: Optional[npt.ArrayLike] = None, *,
                            constant: Optional[npt.ArrayLike] = None) -> int:
         """Add "pressure" or "shear" [Pa] on both faces of a crack in a BEM region; returns the id of the load."""
         count, *values = arguments.samples("add_crack_traction", constant, proportional)
         chosen = arguments.choice("add_crack_traction: component", component, FACE_COMPONENTS)
-        return self._load(self._added("bempd_add_crack_traction", crack, chosen, count, *values), Mark(crack=crack))
+        return self._load(self._added("bempd_add_crack_traction", crack, chosen, count, *values),
+                          Mark(crack=crack, does=f"{component} on both faces"))
 
     def add_point_force(self, point: Sequence[float], component: Component, proportional: float = 0.0, *,
                         constant: float = 0.0) -> int:
@@ -432,28 +437,31 @@ class Scene:
         load = self._added("bempd_add_point_force", *place,
                            arguments.choice("add_point_force: component", component, ONE_COMPONENT), constant,
                            proportional)
-        return self._load(load, Mark(point=place))
+        return self._load(load, Mark(point=place, does=f"force along {component}"))
 
     def add_body_force(self, region: int, component: Component, proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Add a force per volume [N/m^3] on a whole region, such as its weight; returns the id of the load."""
-        return self._added("bempd_add_body_force", region,
+        load = self._added("bempd_add_body_force", region,
                            arguments.choice("add_body_force: component", component, ONE_COMPONENT), constant,
                            proportional)
+        return self._load(load, Mark(region, does=f"body force along {component}"))
 
     def add_rotation(self, region: int, axis: Sequence[float], proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Let a region turn about an axis: density times angular velocity squared [N/m^4]; returns the id of the load."""
-        return self._added("bempd_add_rotation", region, axis[0], axis[1], constant, proportional)
+        load = self._added("bempd_add_rotation", region, axis[0], axis[1], constant, proportional)
+        return self._load(load, Mark(region, does="rotation"))
 
     def add_crack_pressure(self, crack: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Add a uniform pressure [Pa] in a crack that follows wherever it grows, in either kind of region; returns the id
         of the load."""
-        return self._added("bempd_add_crack_pressure", crack, constant, proportional)
+        load = self._added("bempd_add_crack_pressure", crack, constant, proportional)
+        return self._load(load, Mark(crack=crack, does="pressure that follows the crack"))
 
     def add_temperature(self, region: int, proportional: float = 0.0, *, constant: float = 0.0) -> int:
         """Change the temperature [K] of a whole region; returns the id of the load."""
         load = self._added("bempd_add_temperature", region, constant, proportional)
         self._sketch.regions[region].heated = True
-        return load
+        return self._load(load, Mark(region, does="temperature"))
 
     def add_temperature_function(self, region: int, function: BoundaryFunction) -> int:
         """Change the temperature [K] of a region by a function f(x, y), asked once for each place; returns the id of the
@@ -464,7 +472,7 @@ class Scene:
         """
         load = self._added("bempd_add_temperature_function", region, self._kept(function), ffi.NULL)
         self._sketch.regions[region].heated = True
-        return load
+        return self._load(load, Mark(region, does="temperature"))
 
     def set_load_values(self, load: int, proportional: Optional[npt.ArrayLike] = None, *,
                         constant: Optional[npt.ArrayLike] = None) -> None:
@@ -497,6 +505,11 @@ class Scene:
         callback = boundary_callback(handle.raised, function)
         handle.callbacks.append(callback)
         return callback
+
+
+def held(component: Components) -> str:
+    """What a support does that fixes components."""
+    return ("x and y" if component == "both" else component) + " held"
 
 
 def rectangle(left: float, bottom: float, right: float, top: float) -> list[tuple[float, float]]:

@@ -14,6 +14,7 @@ Place = tuple[float, float]
 FACES = {"BEM": "#e3e5e8", "PD": "#fff1c9"}
 EDGE, CRACK, HELD, LOADED = "#7d838c", "#b3261e", "#1f4e79", "#c05a00"
 WIDTH = 420  # pixels
+MOST_NUMBERED = 24  # edges of a region whose numbers are shown
 
 
 @dataclasses.dataclass(frozen=True)
@@ -108,6 +109,12 @@ class Region:
             return []
         return [*(self.arcs[edge].between(*ends) if edge in self.arcs else [ends[0]]), ends[1]]
 
+    def middle(self, edge: int) -> Place:
+        """The middle of an edge."""
+        way = self.way(edge)
+        a, b = way[(len(way) - 1) // 2], way[len(way) // 2]
+        return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
     def outlines(self) -> list[list[Place]]:
         """Loops as polygons."""
         shown, first = [], 1
@@ -127,6 +134,7 @@ class Mark:
     crack: int = 0
     component: Optional[str] = None  #: that is prescribed; None if only held
     proportional: Optional[float] = None  #: [m] per unit of the load factor, where that is one number
+    does: str = ""  #: what it does there, in words
 
 
 class Sketch:
@@ -208,16 +216,23 @@ class Sketch:
             at = [f"{20 + scale * (x - left):.1f} {height - 20 - scale * (y - low):.1f}" for x, y in line]
             return "M" + "L".join(at) + ("Z" if close else "")
 
-        drawn = []
+        def written(place: Place, words: str, colour: str, size: int = 10) -> str:
+            x, y = path([place])[1:].split()
+            return (f'<text x="{x}" y="{y}" font-size="{size}" text-anchor="middle" dominant-baseline="middle" paint-order="stroke" '
+                    f'stroke="white" stroke-width="3" fill="{colour}">{html.escape(words)}</text>')
+
+        drawn, labels = [], []
         for number, region in self.regions.items():
             outline = " ".join(path(loop, close=True) for loop in region.outlines())
             drawn.append(f'<path d="{outline}" fill="{FACES[region.kind]}" fill-rule="evenodd" stroke="{EDGE}">'
                          f"<title>region {number} ({region.kind})</title></path>")
+            labels += [written(region.middle(edge), region.names.get(edge, str(edge)), EDGE)
+                       for edge in range(1, region.edge_count + 1) if region.edge_count <= MOST_NUMBERED]
         for crack, line in self.cracks.items():
             drawn.append(f'<path d="{path(line)}" fill="none" stroke="{CRACK}" stroke-width="2"><title>crack {crack}</title></path>')
         for what, marks, colour in (("load", self.loads, LOADED), ("support", self.supports, HELD)):
             for number, mark in marks.items():
-                title = f"<title>{what} {number}</title>"
+                title = f"<title>{html.escape(f'{what} {number}: {mark.does}')}</title>"
                 if mark.point is not None:
                     x, y = path([mark.point])[1:].split()
                     drawn.append(f'<circle cx="{x}" cy="{y}" r="4" fill="{colour}">{title}</circle>')
@@ -225,13 +240,34 @@ class Sketch:
                     way = self.regions[mark.region].way(mark.edge)
                     if way:
                         drawn.append(f'<path d="{path(way)}" fill="none" stroke="{colour}" stroke-width="4">{title}</path>')
-        return f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" role="img">{"".join(drawn)}</svg>'
+        size = f"{right - left:g} x {high - low:g}, from ({left:g}, {low:g}) to ({right:g}, {high:g})"
+        labels.append(f'<text x="{WIDTH / 2:.0f}" y="{height - 5}" font-size="10" text-anchor="middle" fill="{EDGE}">{size}</text>')
+        return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" role="img">{"".join(drawn)}'
+                f'{"".join(labels)}</svg>')
+
+    def place_of(self, mark: Mark) -> str:
+        """Where a support or load is, in words."""
+        if mark.point is not None:
+            return f"point ({mark.point[0]:g}, {mark.point[1]:g})"
+        if mark.crack:
+            return f"crack {mark.crack}"
+        if not mark.edge:
+            return f"region {mark.region}"
+        name = self.regions[mark.region].names.get(mark.edge) if mark.region in self.regions else None
+        return f"edge {mark.edge}" + (f' ("{name}")' if name else "") + f" of region {mark.region}"
+
+    def marks(self) -> list[tuple[str, str, str]]:
+        """What each support and load is, where it is and what it does."""
+        return [(f"{what} {number}", self.place_of(mark), mark.does)
+                for what, marks in (("support", self.supports), ("load", self.loads)) for number, mark in sorted(marks.items())]
 
     def page(self, sentence: str) -> str:
-        """The picture above its sentence, for notebooks."""
+        """The picture above its sentence and a table of supports and loads, for notebooks."""
         keys = "".join(f'<span style="color:{colour}">&#9632;</span> {word} ' for word, colour in (
             ("held or moved", HELD), ("loaded", LOADED), ("crack", CRACK)))
-        return f"<div>{self.svg()}<div>{html.escape(sentence)}</div><div><small>{keys}</small></div></div>"
+        rows = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>" for row in self.marks())
+        table = f"<table>{rows}</table>" if rows else ""
+        return f"<div>{self.svg()}<div>{html.escape(sentence)}</div><div><small>{keys}</small></div>{table}</div>"
 
 
 def counted(number: int, word: str) -> str:

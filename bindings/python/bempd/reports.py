@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._library import ffi, members
+from .tables import table
 
 
 class StopReason(enum.IntEnum):
@@ -127,6 +128,9 @@ class Growth:
     length: float  #: sum of their ways [m]
     released_energy: float  #: by the body [J]
 
+    def _repr_html_(self) -> str:
+        return table(self)._repr_html_()
+
 
 @dataclasses.dataclass(frozen=True)
 class CrackExtension:
@@ -199,6 +203,9 @@ class StepReport:
     face_switches: int  #: how often such places have closed or opened in this step
     ties: int  #: tips and places of new cracks that would have grown in this step as soon as those that did
 
+    def _repr_html_(self) -> str:
+        return table(self)._repr_html_()
+
 
 @dataclasses.dataclass(frozen=True)
 class Piece:
@@ -214,6 +221,9 @@ class Piece:
     move_y: float
     rotation: float  #: counter-clockwise [rad]
     deviation: float  #: largest difference of a node's displacement from this motion [m]
+
+    def _repr_html_(self) -> str:
+        return table(self)._repr_html_()
 
 
 @dataclasses.dataclass(frozen=True)
@@ -242,6 +252,9 @@ class Statistics:
     seconds_update: float
     seconds_search: float
     reciprocal_condition: float  #: crude, of the worst equations solved so far; 1 if nothing was solved
+
+    def _repr_html_(self) -> str:
+        return table(self)._repr_html_()
 
 
 class Bonds(NamedTuple):

@@ -34,14 +34,23 @@ def test_html_has_the_picture_of_the_scene():
     model.fix_point((8, 2))
     page = model._repr_html_()
     assert page.count("<svg") == 1 and page.count("fill-rule") == 2
-    for title in (f"region {plate} (BEM)", f"region {disc} (BEM)", "crack 1", f"support {held}", f"load {load}"):
+    for title in (f"region {plate} (BEM)", f"region {disc} (BEM)", "crack 1", f"support {held}: x and y held",
+                  f"load {load}: traction along x"):
         assert f"<title>{title}</title>" in page
+    # Edges have their numbers, the scene its size, and a table tells where supports and loads are and what they do.
+    assert [f">{edge}</text>" in page for edge in range(1, 9)] == [True] * 8
+    assert re.search(r">9 x 2, from \(0, 0\) to \(9, 2\)</text>", page)
+    for row in (("support 1", "edge 4 of region 1", "x and y held"), ("support 2", "point (8, 2)", "x and y held"),
+                ("load 1", "edge 2 of region 1", "traction along x")):
+        assert "<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" in page
     # The hole is a second loop, of many pieces; nothing was prepared.
     outline = re.search(r'd="([^"]*)" fill="#e3e5e8"', page)[1]
     assert outline.count("Z") == 2 and outline.count("L") > 60
     model.remove_load(load)
     model.add_hole(plate, [(0.2, 0.2), (0.2, 0.4), (0.4, 0.4), (0.4, 0.2)])
-    assert f"<title>load {load}</title>" not in model._repr_html_()
+    assert f"<title>load {load}:" not in model._repr_html_()
+    model.name_edge(plate, 4, "clamp")
+    assert ">clamp</text>" in model._repr_html_() and "edge 4 (&quot;clamp&quot;) of region 1" in model._repr_html_()
     assert "<svg" not in bempd.Model()._repr_html_()
 
 
@@ -122,3 +131,19 @@ def test_arguments_come_in_the_order_of_c():
         assert places == sorted(places), (name, given, order)
         checked += 1
     assert checked > 40
+
+
+def test_reports_and_tips_are_tables(strip):
+    report = strip.model.step_to_next_event(1e4)
+    text = str(bempd.table(report))
+    assert re.search(r"^stop reason +EVENT$", text, re.MULTILINE) and re.search(r"^separated +no$", text, re.MULTILINE)
+    assert "<td>broken bonds</td>" in report._repr_html_()
+    tips = strip.model.tips()
+    assert isinstance(tips, list) and tips and "<th>K_I [Pa m^1/2]</th>" in tips._repr_html_()
+    assert str(bempd.table(tips)).splitlines()[0].split()[:3] == ["crack", "end", "x"]
+    assert str(bempd.table(tips, ["crack", "x"])).splitlines()[1].split()[0] == "1"
+    assert "none" in bempd.Model().extensions()._repr_html_() and str(bempd.table([])) == "none"
+    with pytest.raises(bempd.ArgumentError, match="CrackTip has no 'K1'; it has crack, end"):
+        bempd.table(tips, ["K1"])
+    with pytest.raises(bempd.ArgumentError, match="the list has a int"):
+        bempd.table([3])
