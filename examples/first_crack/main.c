@@ -19,7 +19,7 @@ int main(void) {
   glass.fracture_energy = 300;
   bempd_add_material(model, &glass, &id);
   bempd_add_bem_region(model, id, 4, left, 0.005, NULL);
-  bempd_add_pd_region(model, id, 4, middle, 0.001, 4, NULL); /* spacing, horizon ratio */
+  bempd_add_pd_region(model, id, 4, middle, 0.001, 4, NULL); /* spacing, horizon */
   bempd_add_bem_region(model, id, 4, right, 0.005, NULL);
   bempd_add_crack(model, 2, crack, NULL);
   bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL);

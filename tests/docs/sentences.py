@@ -11,6 +11,7 @@ import re
 import sys
 
 MOST_WORDS = 30
+MOST_COLUMNS = 88  # of code in README.md and docs, which the site shows without scrolling
 PLACES = ["README.md", "CONTRIBUTING.md", "docs/*.md", "examples/*/README.md", "bindings/*/README.md"]
 # Pages that list facts one by one, or are written by a program from the library's own texts.
 LEFT_OUT = {"options.md", "architecture.md", "cracks.md", "directions.md", "mixed_cracks.md"}
@@ -56,12 +57,26 @@ def long_sentences(text: str) -> list[tuple[int, int, str]]:
     return found
 
 
+def wide_code(text: str) -> list[tuple[int, int]]:
+    """Line and length of every line of code that is too long."""
+    found, inside = [], False
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.startswith("```"):
+            inside = not inside
+        elif inside and len(line) > MOST_COLUMNS:
+            found.append((number, len(line)))
+    return found
+
+
 def main() -> int:
     root = pathlib.Path(sys.argv[1]).resolve()
     found_pages = (page for place in PLACES for page in sorted(root.glob(place)))
     pages = [page for page in found_pages if page.name not in LEFT_OUT]
     found = [f"{page.relative_to(root)}:{number}: {count} words: {sentence}" for page in pages
              for number, count, sentence in long_sentences(page.read_text(encoding="utf-8"))]
+    found += [f"{page.relative_to(root)}:{number}: code of {columns} columns" for page in pages
+              if page.name == "README.md" and page.parent == root or page.parent.name == "docs"
+              for number, columns in wide_code(page.read_text(encoding="utf-8"))]
     print("\n".join(found) or f"no sentence of {len(pages)} pages has more than {MOST_WORDS} words")
     return int(bool(found) or len(pages) < 10)
 
