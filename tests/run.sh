@@ -20,7 +20,7 @@ esac
 # Debian's own tools before others of the same name: they see Debian's libraries and Python modules.
 export PATH="/usr/bin:/bin:$PATH"
 .ci/require_packages.sh cmake ninja-build gcc g++ pkg-config libeigen3-dev libsuitesparse-dev libopenblas-dev \
-  libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio python3-ezdxf python3-svgelements abigail-tools clang-format \
+  libgtest-dev libbenchmark-dev python3 python3-numpy python3-matplotlib python3-meshio python3-ezdxf python3-svgelements python3-yaml python3-jinja2 abigail-tools clang-format \
   clang libclang-rt-14-dev \
   python3-pycparser bindgen rustfmt cargo rustc gfortran valgrind dpkg-dev file \
   python3-cffi python3-pytest python3-pil python3-vtk9 mypy python3-pip python3-setuptools python3-wheel python3-venv

@@ -13,7 +13,7 @@ import sys
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s#]+)(#[^)\s]*)?\)")
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "docs/research/*.md", "examples/*/README.md",
-         "benchmarks/*/README.md", "bindings/*/README.md"]
+         "benchmarks/*/README.md", "bindings/*/README.md", "packaging/README.md"]
 BUILDS = ["docs/site", "bindings/python/bempd", "CMakeLists.txt"]
 MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-MML-AM_CHTML.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/input/TeX",
@@ -38,6 +38,7 @@ CHAPTERS = {
     "Learn": ["README", "docs/tutorial", "docs/cracks", "docs/mixed_cracks", "docs/import", "docs/converge", "docs/coupling",
               "docs/checkpoints", "docs/paraview", "docs/theory"],
     "Look up": ["docs/troubleshooting", "docs/limits", "docs/glossary", "docs/units", "docs/options", "docs/linking",
+                "packaging/README",
                 "docs/languages", "docs/cpp", "docs/reference/index", "docs/python_reference", "bindings/python/README",
                 "bindings/fortran/README", "bindings/rust/README"],
     "Examples": ["examples/*/README"],
