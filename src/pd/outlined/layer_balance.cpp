@@ -74,7 +74,7 @@ class PartBalance {
     normal_ = std::make_unique<ProfileCholesky>(first_group);
   }
 
-  // Projects the multipliers off the Killing tensor fields, whose rounding would drown the nearly as soft waves.
+  // Sets the kernel off which multipliers are projected: its rounding would drown waves, which are nearly as soft.
   void set_kernel(const std::vector<int>& points, const std::vector<Point>& places) {
     std::vector<Point> ordered;
     for (const int k : order_) ordered.push_back(places[points[k]]);
