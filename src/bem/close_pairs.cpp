@@ -39,7 +39,7 @@ void pick_point(const ElementPoints& points, int p, ElementPoints& one) {
 void PairIntegrator::split(const Side& side, const Singularities* singularities, std::size_t count,
                            std::vector<Piece>& pieces) const {
   constexpr int largest = static_cast<int>(regular_point_counts.size()) - 1;
-  constexpr double shortest = 1e-15;  // what parameters can still tell apart
+  constexpr double shortest = 1e-15;  // least difference of parameters
   const ElementGeometry& element = elements_[side.element];
   pieces.clear();
   for (double from = side.interval.from; from < side.interval.to;) {

@@ -52,7 +52,7 @@ class CrackSizes {
   // A crack or an edge near a place on a line.
   struct Neighbour {
     double gap;
-    double apart;  // way along the line to where it meets the thing; infinite if it does not lead there
+    double apart;  // distance along the line to the place where it meets the neighbour; infinite if it does not
     int line;      // -1: an edge of the boundary
   };
   std::vector<Neighbour> neighbours(int line, double way, const Point& x) const;
@@ -73,7 +73,7 @@ class CrackSizes {
   CrackGrading grading_;
   std::vector<MouthOnRow> mouths_;
   std::vector<std::vector<double>> ways_;  // of the points of each line
-  std::vector<double> targets_;            // of the elements on what each line has not grown
+  std::vector<double> targets_;            // length of elements on the part of each line that has not grown
   std::vector<Point> ends_;                // of gaps: where fields vary quickly along them
   std::vector<std::vector<double>> stations_;
 };

@@ -51,8 +51,8 @@ struct CrackMesh {
   int free_nodes = 0;  // openings that remain
 
   CrackPieces pieces;
-  std::vector<std::vector<int>> nodes_at_joint;  // those of the boundary
-  int first_face_panel = 0;                      // of panels on faces, which are the last ones
+  std::vector<std::vector<int>> nodes_at_joint;  // boundary nodes
+  int first_face_panel = 0;                      // first panel on a face; these are the last panels
 };
 
 // Meshes the cracks and splits the boundary's nodes at mouths: elements that start there get a new node, at the end of

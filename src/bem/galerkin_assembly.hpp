@@ -15,9 +15,9 @@ struct GalerkinElement {
   ElementGeometry geometry;
   std::array<int, 3> nodes;
   std::array<int, 3> traction_nodes;
-  std::array<int, 2> places;  // of its ends: what has one in common touches, be it without a common node
+  std::array<int, 2> places;  // numbers of its ends: elements with a common one touch, even without a common node
   bool crack = false;
-  int piece = 0;  // of the body, if cracks cut it: what lies on different ones does not see each other
+  int piece = 0;  // piece of a body that cracks cut: elements of different pieces have no integrals with each other
 };
 
 std::vector<GalerkinElement> boundary_galerkin_elements(const BoundaryMesh& mesh, const ScaledBoundary& boundary);

@@ -9,10 +9,10 @@ namespace bempd::bem {
 // Nodes that a body has in common with the body before its cracks changed: all elements around them are the same, so
 // their blocks in the matrices are the same, too.
 struct KeptNodes {
-  std::vector<int> nodes, traction_nodes;    // of the other body, by node; -1 for what is new
+  std::vector<int> nodes, traction_nodes;    // nodes of the other body, by node; -1 for new ones
   bool whole_boundary = false;               // with its traction nodes in their order
   int boundary_nodes = 0;                    // of `nodes`, the first ones
-  std::vector<int> pieces, traction_pieces;  // of the body, on which nodes lie
+  std::vector<int> pieces, traction_pieces;  // piece of the body that each node lies on
 
   bool has(const GalerkinElement& element) const;
   // Whether integrals over a pair of elements are known. Rows of B on boundary nodes need the whole boundary to be the

@@ -54,7 +54,7 @@ bempd_status catch_all(const char* function, Message& error, bool* broken, const
       return report(BEMPD_ERROR_INTERNAL, "internal error");
     }
   } catch (...) {
-    error.assign("out of memory");  // short enough for what every string has of its own
+    error.assign("out of memory");  // short enough for a string's internal buffer
     return BEMPD_ERROR_MEMORY;
   }
 }
@@ -97,7 +97,7 @@ bempd_status guarded(Handle* model, const char* function, const Body& body) noex
   });
   Use in_a_call = Use::in_a_call;
   if (!model->use.compare_exchange_strong(in_a_call, Use::idle)) {
-    thread_error().assign(model->error);  // what happened can still be asked for
+    thread_error().assign(model->error);  // the message can still be asked for
     delete model;
   }
   return status;

@@ -49,7 +49,7 @@ class Contacts {
 
   // Whether contact at the place is excluded, because it would only push a loose part away.
   bool is_barred(std::size_t i) const { return i < barred_.size() && barred_[i] != 0; }
-  std::size_t barred_count() const { return barred_.size(); }  // of those that are known to be barred or not
+  std::size_t barred_count() const { return barred_.size(); }  // number of places of which this is known
   const std::vector<char>& barred() const { return barred_; }
   void bar(std::vector<char> barred) { barred_ = std::move(barred); }
 

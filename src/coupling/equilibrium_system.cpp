@@ -209,7 +209,7 @@ double EquilibriumSystem::parts_of_support_motion(double load_factor) const {
 void EquilibriumSystem::condense() {
   if (condensed_ != Condensed::nothing) return;
   const Stopwatch watch(counters_.seconds_assembly);
-  operators_.clear();  // what an attempt that failed has left
+  operators_.clear();  // left by an attempt that failed
   operators_.reserve(pending_.size());
   for (const DenseOperator& op : pending_) {
     check_cancelled();

@@ -26,9 +26,9 @@ using PlacesMet = std::vector<std::vector<int>>;
 // Record of how a factor was made, from which it can be made again with the same digits: a changed factor has other
 // digits than a fresh one.
 struct FactorOrigin {
-  std::vector<StageChange> stages;    // of terms that were in other ones when it was made
-  std::size_t springs = 0;            // so many of the present ones were there
-  std::vector<Contact> closed;        // places of contact that pressed
+  std::vector<StageChange> stages;    // stages at that time of terms that have other ones now
+  std::size_t springs = 0;            // number of the present springs that existed then
+  std::vector<Contact> closed;        // places of contact that were closed
   PlacesMet places;                   // entries that the matrix had room for
   std::vector<FactorChange> changes;  // since
 };
@@ -40,7 +40,7 @@ struct FactorSource {
   std::vector<Contact> closed;
   std::vector<char> closed_faces;           // inside operators
   std::shared_ptr<const PlacesMet> places;  // null: none
-  bool is_awaited = false;                  // it is to be made of that, and then changed
+  bool is_awaited = false;                  // whether the factor is still to be made of this state, and then changed
   std::vector<FactorChange> to_repeat;
 
   bool has_matrix_of(const FactorSource& other) const {

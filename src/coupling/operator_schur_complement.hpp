@@ -87,7 +87,7 @@ class OperatorSchurComplement {
 
   std::shared_ptr<const FaceOpenings> openings_;
   Affine face_offsets_;                        // of all places
-  std::vector<char> free_faces_;               // those that private displacements or openings of their own can shut
+  std::vector<char> free_faces_;               // faces that private displacements or their own openings can close
   std::vector<Eigen::Index> pressing_, shut_;  // closed places; those of them that have openings of their own
   // Private displacements and gaps per contact force, and gaps per shared displacement; computed when first needed.
   Eigen::MatrixXd private_by_faces_, gaps_by_faces_, gaps_by_shared_;

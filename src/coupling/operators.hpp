@@ -31,7 +31,7 @@ struct DenseOperator {
   // is stiffness * (displacement - rest). Empty: 0.
   Affine rest = Affine(0, 2);
   std::shared_ptr<const FaceOpenings> openings = nullptr;  // null: without cracks that close
-  std::vector<BodyPiece> pieces = {};                      // that nothing joins; empty: all of it is one
+  std::vector<BodyPiece> pieces = {};                      // pieces that nothing joins; empty: the body is one piece
 };
 
 // Stress-free state of terms and operators: rest elongations of terms, constant and proportional parts, and the rest

@@ -47,7 +47,7 @@ class StiffnessAssembly {
   linalg::Adjacency partners(const Contacts& contacts) const;
   void make_pattern(const Contacts& contacts);
   std::vector<int> nodes_pulled(std::size_t term) const;
-  void add_node_pulled(int node, std::vector<int>& nodes) const;  // or those that it follows
+  void add_node_pulled(int node, std::vector<int>& nodes) const;  // or its masters
   std::vector<UnknownEntry> pull_of(const Contact& contact) const;
   bool is_general(std::size_t term) const;
   int place(int row, int column) const;  // -1: in the triangle left out

@@ -27,7 +27,7 @@ constexpr double suspicious_pivot_ratio = 1e-10;
 // of any factorization.
 constexpr double small_shift = 1e-12, safe_shift = 1e-9;
 constexpr int inverse_iterations = 8;
-constexpr double no_stiffness = 1e-16;  // of the largest: what stands for a diagonal entry without any
+constexpr double no_stiffness = 1e-16;  // share of the largest entry that replaces a zero on the diagonal
 
 FactorChange as_change(const Eigen::SparseMatrix<double>& columns, linalg::Change change) {
   const auto entries = columns.nonZeros();

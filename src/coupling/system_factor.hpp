@@ -18,7 +18,7 @@ enum class FactorState : char {
   none,        // nothing
   factorized,  // the present matrix, as it was factorized
   updated,     // the present matrix, after low-rank changes
-  stale        // an earlier matrix: it only preconditions
+  stale        // factor of an earlier matrix, which only preconditions
 };
 
 // Factor of a system's sparse matrix, which follows it through low-rank changes, and solutions by it.

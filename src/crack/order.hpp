@@ -14,7 +14,7 @@ constexpr double tie_share = 1e-9;
 // Tip that may grow next.
 struct Candidate {
   TipId tip;
-  double load_factor = 0;   // at which it grows
+  double load_factor = 0;   // load factor at which it grows
   double ratio = 1;         // of its equivalent factor to its toughness, at the present load factor
   bool overloaded = false;  // at the present load factor
 };

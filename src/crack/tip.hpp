@@ -15,12 +15,12 @@ struct TipId {
 
 // State of an end of a crack.
 enum class TipState {
-  grows = 0,         // it is a tip, and grows where its toughness is reached
-  at_edge = 1,       // it has reached the outer boundary of the body
-  at_hole = 2,       // it has reached a hole
-  at_crack = 3,      // it has reached a crack
-  at_interface = 4,  // it has stopped at another material, or where its region ends
-  separated = 5      // what lay ahead of it has come apart
+  grows = 0,         // a tip, which grows when it reaches its toughness
+  at_edge = 1,       // ended at the outer boundary of the body
+  at_hole = 2,       // ended at a hole
+  at_crack = 3,      // ended at another crack
+  at_interface = 4,  // stopped at another material, or at the border of its region
+  separated = 5      // no ligament is left ahead of it
 };
 
 constexpr bool has_ended(TipState state) { return state != TipState::grows; }

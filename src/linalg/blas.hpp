@@ -7,9 +7,9 @@ namespace bempd::linalg {
 
 // BLAS in use, which the host's system chooses when the program is loaded.
 struct Blas {
-  std::string name;  // with its version; "BLAS" if it does not say
-  std::string core;  // kind of processor that its kernels are made for; empty if it does not say
-  int threads = 0;   // 0 if it does not say
+  std::string name;  // name with version; "BLAS" if unknown
+  std::string core;  // kind of processor of its kernels; empty if unknown
+  int threads = 0;   // 0 if unknown
 };
 
 Blas running_blas();

@@ -17,7 +17,7 @@ using Exchange = int (*)(int);
 struct ThreadControl {
   Get get = nullptr;
   Set set = nullptr;
-  Exchange exchange = nullptr;  // MKL's: sets the number of this thread and says what it was
+  Exchange exchange = nullptr;  // function of MKL that sets the number of this thread and returns the old one
   bool whole_process = false;
 };
 

@@ -15,7 +15,7 @@ class BlasThreads {
   BlasThreads& operator=(const BlasThreads&) = delete;
 
  private:
-  int before_ = 0;  // of this thread, where it has a number of its own
+  int before_ = 0;  // number of this thread, where it has one of its own
 };
 
 }  // namespace bempd::linalg

@@ -126,7 +126,7 @@ class EigenCholesky final : public SparseCholesky {
   std::vector<int> wanted_order_, order_;  // unknown eliminated k-th
   int kept_last_ = 0;
   Eigen::VectorXd diagonal_;      // of the matrix last factorized
-  SparsityPattern<int> pattern_;  // what was analysed
+  SparsityPattern<int> pattern_;  // pattern that was analysed
   bool has_factor_ = false;
 };
 

@@ -158,7 +158,7 @@ LeastChangeResult solve_long_least_change(const LeastChange& problem) {
     check_cancelled();
     if (round >= rough_rounds) {
       const auto same = std::find(seen.begin(), seen.end(), held);
-      if (same != seen.end()) {  // for ever: what the last round would have is known
+      if (same != seen.end()) {  // the rounds would repeat for ever
         held = same[(last_round - round) % (seen.end() - same)];
         round = last_round;
       }

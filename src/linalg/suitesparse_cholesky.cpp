@@ -212,14 +212,14 @@ class SuiteSparseCholesky final : public SparseCholesky {
       order_.assign(static_cast<const int*>(analysis_->Perm), static_cast<const int*>(analysis_->Perm) + lower.cols());
       position_.resize(order_.size());
       for (std::size_t k = 0; k < order_.size(); ++k) position_[order_[k]] = static_cast<int>(k);
-      pattern_.assign(lower);  // last: where memory is missing before, all of it is done anew
+      pattern_.assign(lower);  // assigned last, so that all is done anew if memory is missing before
     }
     // A changed factor is simplicial; so the next one starts from the analysis again.
     if (!factor_ || !factor_->is_super) {
       factor_.reset(cholmod_copy_factor(analysis_.get(), common_.get()));
       common_.check();
       cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor_.get(), common_.get());
-      if (common_->status != CHOLMOD_OK) factor_.reset();  // without room for numbers it is no factor
+      if (common_->status != CHOLMOD_OK) factor_.reset();  // a factor without memory for its values is none
       common_.check();
       use_large_pages(factor_->x, factor_->xsize * sizeof(double));
     }
@@ -274,7 +274,7 @@ class SuiteSparseCholesky final : public SparseCholesky {
   CholmodFactor analysis_{common_}, factor_{common_};
   mutable CholmodDense solution_{common_}, work_y_{common_}, work_e_{common_};
   Eigen::VectorXd diagonal_;       // of the matrix last factorized
-  SparsityPattern<int> pattern_;   // what `analysis_` was made for
+  SparsityPattern<int> pattern_;   // pattern of `analysis_`
   std::vector<int> wanted_order_;  // empty: CHOLMOD's own
   int kept_last_ = 0;
   std::vector<int> order_, position_;  // unknown eliminated k-th, and the inverse

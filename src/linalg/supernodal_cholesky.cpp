@@ -181,8 +181,8 @@ class Factorization {
   int count_;
   std::vector<int> supernode_of_;  // per column
   std::vector<int> place_;         // of a row in the present supernode
-  std::vector<int> done_;          // rows of a supernode that later ones have taken
-  std::vector<int> head_, next_;   // of the list of those that a supernode takes from next
+  std::vector<int> done_;          // number of a supernode's rows that later ones have taken
+  std::vector<int> head_, next_;   // linked list of the supernodes that a supernode takes updates from
   std::vector<double> product_;
   std::vector<int> target_;
 };

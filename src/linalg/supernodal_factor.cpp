@@ -111,7 +111,7 @@ std::vector<char> SupernodalFactor::supernodes_needed_for(const std::vector<int>
 void SupernodalFactor::solve_backward(Eigen::Ref<Eigen::MatrixXd> transposed, int known,
                                       const std::vector<char>* marked) const {
   const int unknown = size_ - known;
-  Eigen::MatrixXd later;  // what a supernode's columns depend on
+  Eigen::MatrixXd later;  // rows of unknowns that a supernode's columns depend on
   for (std::ptrdiff_t s = supernodes_ - 1; s >= 0; --s) {
     const int columns = std::min(first_column_[s + 1], unknown) - first_column_[s];
     if (columns <= 0 || (marked && !(*marked)[static_cast<std::size_t>(s)])) continue;

@@ -13,9 +13,9 @@ struct StepResult {
   fracture::StopReason reason;
   std::int64_t events = 0;
   std::int64_t broken_bonds = 0;
-  std::int64_t unstable_event = 0;  // the first at which equilibrium was lost; 0: none
+  std::int64_t unstable_event = 0;  // number of the first event at which equilibrium was lost; 0: none
   std::int64_t face_switches = 0;   // places where faces have closed or opened
-  std::int64_t ties = 0;            // tips or places that would have grown as soon as those that did
+  std::int64_t ties = 0;            // tips or places that tied with one that grew
   bool hanging = false;             // separated, and nothing has come off
   double seconds_total = 0, seconds_solve = 0, seconds_update = 0, seconds_search = 0;
 };
@@ -36,8 +36,8 @@ struct Pieces {
 
 struct PieceState {
   std::int64_t nodes = 0;
-  int supports = 0, loads = 0;  // that hold and load it
-  int free_motions = 0;         // rigid ones that supports leave it
+  int supports = 0, loads = 0;  // numbers of those that hold and load the piece
+  int free_motions = 0;         // number of rigid motions that supports leave free
   coupling::RigidFit motion;
 };
 

@@ -14,7 +14,7 @@ struct PathVertex {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   Point place{0, 0};
-  std::int64_t event = 0;  // at which the crack grew to here; 0: it was described
+  std::int64_t event = 0;  // event of the growth to here; 0: the vertex was described
   int end = -1;            // that grew; -1: none
   double load_factor = unknown;
   Point factors{unknown, unknown};                             // K_I and K_II of the tip just before [Pa m^(1/2)]

@@ -49,7 +49,7 @@ Eigen::VectorXd Model::forces_from_outside(const std::vector<int>& body) {
     terms.insert(terms.end(), own.begin(), own.end());
     force += system.force_of_operator(d.region(id).nodes(), state.total_displacement, state.load_factor);
   }
-  if (body.size() > 1) {  // which share terms
+  if (body.size() > 1) {  // regions share terms
     std::sort(terms.begin(), terms.end());
     terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
   }

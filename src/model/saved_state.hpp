@@ -15,8 +15,8 @@ namespace bempd::model {
 
 // Values that act on a body: those that the host has set, or others before these take effect.
 enum class Acting : std::uint8_t {
-  values,   // what was set
-  others,   // what was set before: it has to be replaced before anything else is done
+  values,   // the values that the host has set
+  others,   // earlier values: they have to be replaced before anything else is done
   on_a_way  // values between, where a step on a straight line was left: results show them, steps replace them
 };
 
@@ -31,7 +31,7 @@ struct SavedState {
   std::optional<scene::SceneValues> in_force;
   Acting acting = Acting::values;
   double end_of_way = 0;
-  scene::SceneValues acting_values;        // under which the body is; functions are not among the bytes
+  scene::SceneValues acting_values;        // values that act on the body; functions are not written to bytes
   std::optional<scene::SceneValues> said;  // by the host, if the state is to bring them back
   std::vector<int> frozen;                 // crack and end of each tip that the host keeps, together with `said`
 };

@@ -10,7 +10,7 @@ namespace bempd::output {
 struct Character {
   char32_t code = 0;
   std::size_t bytes = 1;
-  bool valid = false;  // else the first byte begins no character of UTF-8
+  bool valid = false;  // false: the first byte begins no character of UTF-8
 };
 
 // Reads the first character; refuses what RFC 3629 refuses: longer forms than needed, halves of surrogate pairs, codes

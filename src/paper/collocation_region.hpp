@@ -10,7 +10,7 @@ struct CollocationRules {
   // Whether interface rows are t = -b dx of every node and its point (Yang and Liu 2021, Eqs. 26, 27); otherwise they
   // are the balance of nodal forces.
   bool pointwise_traction = false;
-  bool one_traction_at_corners = false;  // else one of each edge
+  bool one_traction_at_corners = false;  // false: one traction for each edge
 };
 
 // Boundary element region of the scheme `paper`: collocation, and every node on an interface is a material point.

@@ -78,7 +78,7 @@ class RowScaledLU final : public linalg::SparseFactorization {
            std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
   }
 
-  Matrix scaled_;  // what was factorized, or at least analysed; solvers may refer to it
+  Matrix scaled_;  // matrix that was factorized, or at least analysed; solvers may refer to it
   Solver solver_;
   Eigen::Index size_ = 0;
   Eigen::ArrayXd row_scale_, column_scale_;

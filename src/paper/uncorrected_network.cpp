@@ -76,8 +76,7 @@ bool crosses_boundary(const Point& from, const Point& to, const std::vector<Face
                       const std::vector<int>& candidates) {
   const Point along = (to - from).normalized();
   const double length = (to - from).norm();
-  std::vector<std::pair<double, int>>
-      ends;  // place on the bond of a face's end, side to which the face goes from there
+  std::vector<std::pair<double, int>> ends;  // place of a face's end on the bond, and side to which the face leads
   for (const int f : candidates) {
     const Point &a = faces[f][0], &b = faces[f][1];
     const int a_side = sign(cross(along, a - from)), b_side = sign(cross(along, b - from));

@@ -165,7 +165,7 @@ std::vector<int> bonds_cut_by(const std::vector<Point>& points, const std::vecto
 FeltEnd end_felt_at(const std::vector<Point>& points, const std::vector<Bond>& bonds, const Point& tip,
                     const Point& direction, int horizon_ratio, double backward) {
   constexpr double largest_move = 1.5, same_place = 1e-6, whole = 1e-3;
-  constexpr double weakened_more = 0.03;  // spacings by which a bond holds more than its share does, measured
+  constexpr double weakened_more = 0.03;  // spacings by which a weakened bond counts more than its share, measured
   constexpr std::size_t fewest = 20;
   double reach = 3 * horizon_ratio;
   std::vector<LineCrossing> crossings = crossings_of_line(points, bonds, tip, direction, reach);

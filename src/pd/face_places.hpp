@@ -36,7 +36,7 @@ class FacePlaces {
   struct Body {
     FaceLattice lattice;
     double stiffness;        // thickness times the modulus of a uniaxial stress in the plane [N/m]
-    std::vector<int> nodes;  // at its points; those that do not lie on its rows are left out
+    std::vector<int> nodes;  // nodes at its points, except those off its rows
   };
   FacePlaces(const std::vector<Point>& positions, const std::vector<Body>& bodies);
   FacePlaces() = default;
@@ -85,7 +85,7 @@ class FacePlaces {
 
   std::vector<Point> positions_;
   std::vector<Lattice> lattices_;
-  std::vector<int> lattice_at_;  // of every node, one of those that it is in; -1: none
+  std::vector<int> lattice_at_;  // a lattice of every node; -1: none
 };
 
 }  // namespace bempd::pd

@@ -28,7 +28,7 @@ struct DofConditions {
   // Swelling of materials, by the ids of regions; it is not part of `force`.
   std::map<int, std::vector<Swelling>> swelling;
 
-  std::vector<std::vector<int>> held_dofs;  // per support: with those that count for another one
+  std::vector<std::vector<int>> held_dofs;  // degrees of freedom of each support, also those that count for another one
 
   // Gaps that loads inside regions cause at cracks that can close, by regions.
   coupling::Affine face_offsets{0, 2};

@@ -56,7 +56,7 @@ struct Solution {
   const coupling::Affine* parts = nullptr;  // of the displacement
   const std::vector<CrackLoad>* crack_loads = nullptr;
   double load_factor = 0;
-  const std::vector<std::uint8_t>* stages = nullptr;  // of bonds in their laws; null: they are intact or gone
+  const std::vector<std::uint8_t>* stages = nullptr;  // stages of bonds in their laws; null: bonds are intact or broken
 
   // Closed places on the cracks of each region; empty if there are none.
   std::vector<std::vector<char>> closed_faces = {};

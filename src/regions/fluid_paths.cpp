@@ -1,8 +1,9 @@
+#include "regions/fluid_paths.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "regions/fluid_paths.hpp"
 #include "regions/node_registry.hpp"
 
 namespace bempd::regions {
@@ -47,7 +48,7 @@ pd::FluidPaths fluid_paths(const scene::Scene& scene, const Discretization& d, c
   for (const auto& region : d.regions)
     if (region->bonds()) least = std::min(least, scene.region(region->id()).resolution());
   NodeRegistry places(scene.bounding_box().min(), same_place * least);
-  int asked = 0;  // every question is one of another region, so that all places are compared
+  int asked = 0;  // each query takes a new region, so that all places are compared
   for (const auto& region : d.regions) {
     const auto bonds = region->bonds();
     if (!bonds) continue;

@@ -122,7 +122,7 @@ void WedgeFinder::cut_by_cracks(const Point& place, std::vector<Sector>& sectors
         return is_of_region(s) && turn > same_angle && turn < s.opening - same_angle;
       };
       const auto cut = std::find_if(sectors.begin(), sectors.end(), holds);
-      if (cut == sectors.end()) continue;  // it lies on another one
+      if (cut == sectors.end()) continue;  // the ray lies on another one
       const Sector whole = *cut;
       const double turn = turn_between(whole.from.angle, crack.angle);
       *cut = {region, whole.from, crack, turn};

@@ -64,16 +64,16 @@ struct TipValues {
   double energy_release_rate = unknown;      // of growth straight on [J/m^2]
   double stress_along = unknown;             // T [Pa]
   double error = unknown;                    // of the factors [Pa m^(1/2)]
-  Point constant_factors{unknown, unknown};  // what the constant part of the loads makes of K_I and K_II
+  Point constant_factors{unknown, unknown};  // K_I and K_II of the constant part of the loads
   Point proportional_factors{unknown, unknown};
   double toughness = 0;      // K_I at which it grows straight on; 0: it does not [Pa m^(1/2)]
   double plane_modulus = 0;  // [Pa]
 
   // Values by the growth criterion in force (Model::complete()); the largest double, or minus it, where it never grows.
   double kink_angle = unknown;                 // from the direction, counter-clockwise, at the present loads [rad]
-  double critical_load_factor = unknown;       // at which the tip grows while the load factor rises
-  double critical_load_factor_down = unknown;  // and while it falls
-  double critical_kink_angle = unknown;        // by which it turns at the former [rad]
+  double critical_load_factor = unknown;       // load factor at which the tip grows while it rises
+  double critical_load_factor_down = unknown;  // load factor at which the tip grows while it falls
+  double critical_kink_angle = unknown;        // angle by which it turns at critical_load_factor [rad]
   double straight_load_factor = unknown;       // smallest >= 0 at which G of growth straight on is the fracture energy
 
   // Members from here on belong to tips among bonds.
@@ -132,7 +132,7 @@ struct SnapshotBlock {
 struct RegionStatistics {
   std::int64_t boundary_nodes = 0, boundary_elements = 0, material_points = 0, kernel_evaluations = 0;
   double seconds_boundary = 0, seconds_lattice = 0;
-  std::set<const void*> counted;  // what regions share counts once
+  std::set<const void*> counted;  // shared data counts once
 };
 
 // Region as operators on the scene's nodes. Its own nodes are numbered from 0; `nodes()` gives their numbers in the

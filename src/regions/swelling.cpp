@@ -30,7 +30,7 @@ void swell(Discretization& d, const SwellingOfRegions& swelling) {
 std::array<std::vector<double>, 2> swell_again(Discretization& d, const SwellingOfRegions& swelling,
                                                const coupling::Terms& terms) {
   LatticeSwelling lattices(d.positions);
-  coupling::Terms rests;  // what lattices need of them to say how long they want to be
+  coupling::Terms rests;  // data of terms from which lattices find their rest elongations
   rests.length = terms.length;
   for (const auto& region : d.regions) region->swell(swelling_of(swelling, region->id()), lattices);
   for (const auto& region : d.regions)

@@ -48,7 +48,7 @@ struct Condition {
   std::shared_ptr<const Place> place;  // null: it was removed
   int components = 0;
   Values values;
-  std::size_t sample_count = 0;  // with which it was made; 0: by a function
+  std::size_t sample_count = 0;  // number of samples at its creation; 0: values by a function
 
   bool removed() const { return place == nullptr; }
   BoundaryValue value(const Point& where, double fraction_of_part) const;

@@ -18,7 +18,7 @@ struct OptionDescription {
   double default_value, minimum, maximum;
   const char* choices;  // of a text option, separated by " | "
   const char* default_text;
-  bool shapes_operators = false;  // a state only fits scenes that agree in it
+  bool shapes_operators = false;  // states fit only scenes with the same value
   // Word that is in effect where the option leaves the choice to other options; null where it never does.
   std::string (*in_effect)(const Options& options) = nullptr;
 };

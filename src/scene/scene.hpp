@@ -70,7 +70,7 @@ class Scene {
   const Material& material(int id) const;
   const Region& region(int id) const;
   int region_count() const { return static_cast<int>(regions_.size()); }  // with removed ones
-  std::vector<int> region_ids() const;                                    // of those there are
+  std::vector<int> region_ids() const;                                    // ids of regions that were not removed
   const Material& material_of(int region_id) const { return material(region(region_id).material()); }
   const Crack& crack(int id) const;
   const std::vector<Crack>& cracks() const { return cracks_; }

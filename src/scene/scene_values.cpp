@@ -104,7 +104,7 @@ std::vector<Values> zeros(const std::vector<Values>& like) {
 bool are_alike(const Values& one, const Values& other) {
   const auto* samples = std::get_if<SampledValues>(&one);
   const auto* others = std::get_if<SampledValues>(&other);
-  const auto are_none = [](const SampledValues* s) { return s && s->constant.empty(); };  // of what was removed
+  const auto are_none = [](const SampledValues* s) { return s && s->constant.empty(); };  // a removed condition
   if (are_none(samples) || are_none(others)) return are_none(samples) && are_none(others);
   if (samples && others) return samples->constant.size() == others->constant.size();
   const auto* function = std::get_if<BoundaryFunction>(&one);

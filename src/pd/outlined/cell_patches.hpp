@@ -18,7 +18,7 @@ void for_each_edge(const std::array<int, 4>& cell, const Visit& visit) {
 // longest edges, and a triangle that is left over belongs to a pair beside it.
 struct CellPatches {
   std::vector<std::vector<int>> cells;           // of each patch
-  std::vector<std::vector<int>> behind_an_edge;  // patches beside those that have points on the outline
+  std::vector<std::vector<int>> behind_an_edge;  // patches beside each patch that has points on the outline
 };
 
 CellPatches make_patches(const std::vector<Point>& points, const FillingCells& cells, int outline_count);

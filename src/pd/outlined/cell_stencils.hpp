@@ -19,7 +19,7 @@ struct CellStencils {
   std::vector<Eigen::Vector2d> gradient;             // G
   std::vector<double> share;                         // of the patch's area that its point takes
   std::vector<double> area;
-  std::vector<int> bond;  // with the first of which what a patch carries is gone
+  std::vector<int> bond;  // bonds of patches; a patch is lost when its first bond breaks
   double max_residual = 0;
 
   std::size_t count() const { return area.size(); }

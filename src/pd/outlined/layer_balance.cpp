@@ -88,7 +88,7 @@ class PartBalance {
   bool solve() {
     constexpr int most_rounds = 20;
     bool rough = true;
-    std::vector<std::vector<char>> known;  // what has been held
+    std::vector<std::vector<char>> known;  // sets of values held before
     for (int round = 0; round < most_rounds; ++round) {
       if (!factorize()) return false;
       start_over();
@@ -116,7 +116,7 @@ class PartBalance {
   struct Bond {
     int first, second;
     Vector4d moment;      // of the kernel's stiffness
-    Vector4d even[2];     // what it adds to the even moments of either end
+    Vector4d even[2];     // contribution to the even moments of either end
     double start, value;  // over the kernel's
     bool held;
   };
@@ -269,7 +269,7 @@ class PartBalance {
   std::vector<Bond> bonds_;
   std::vector<int> order_;  // of the part's points
   VectorXd target_, lambda_, slack_;
-  Eigen::MatrixXd kernel_;  // orthonormal; empty where it is not left
+  Eigen::MatrixXd kernel_;  // orthonormal; empty if it is not projected out
   std::unique_ptr<ProfileCholesky> normal_;
   bool is_rough_ = true;
 };

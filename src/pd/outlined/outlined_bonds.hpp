@@ -16,8 +16,7 @@ struct OutlinedBond {
 };
 
 struct OutlinedBonds {
-  std::vector<BondOffset>
-      offsets;  // those of the lattice, turned, then one for each bond that has an end on the outline
+  std::vector<BondOffset> offsets;  // offsets of the lattice, turned, then one for each bond with an end on the outline
   std::vector<OutlinedBond> bonds;  // by first and second point
 };
 

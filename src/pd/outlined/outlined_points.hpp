@@ -11,7 +11,7 @@ namespace bempd::pd {
 struct LatticePlace {
   Point origin = Point::Zero();
   double angle = 0;    // [rad]
-  bool fixed = false;  // or it may be moved where no network is found
+  bool fixed = false;  // false: it may be moved where no network is found
 };
 
 // Material points of a body with any outline, in units of the spacing: first the nodes of its chords, then the points

@@ -150,7 +150,7 @@ class BoundaryRegion : public Region {
   std::unique_ptr<const bem::NormalOpenings> closing_;     // null unless cracks close
   Eigen::MatrixXd stiffness_;                              // on the mesh's nodes, if not the operator's own
   std::optional<FreeSwelling> free_swelling_;
-  coupling::Affine rest_{0, 2};      // of the region's nodes, if it has swollen
+  coupling::Affine rest_{0, 2};      // rest displacements of the region's nodes, if it swells
   bool middles_follow_ends_ = true;  // at grids that the elements follow
 };
 

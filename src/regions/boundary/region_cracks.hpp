@@ -14,7 +14,7 @@ namespace bempd::regions {
 // Extent of a piece of a crack, as distances along the crack [m].
 struct CrackExtent {
   double start, length;             // of the piece's start; of all of the crack
-  double given_from, given_length;  // of what it was before it grew
+  double given_from, given_length;  // start and length of the crack before it grew
 };
 
 // Cracks of one boundary element region: their parts, elements on them, and the tractions on their faces.

@@ -13,7 +13,7 @@ namespace bempd::regions {
 // region before that acts as one with it has both ends, too.
 struct RegionBonds {
   std::shared_ptr<const pd::Network> network;  // shared by regions that are alike
-  std::size_t first = 0, listed = 0;           // where its row begins, and how long it is
+  std::size_t first = 0, listed = 0;           // start and length of its row
   std::vector<int> of_scene;                   // per bond; empty if all are in its row
   // Points of other regions where bonds end, numbered after its own.
   std::vector<int> far_nodes;     // of the scene
@@ -118,7 +118,7 @@ class BondedRegion : public Region {
   double spacing_;
   int horizon_ratio_;
   bool is_swollen_ = false;
-  std::optional<FreeSwelling> free_swelling_;  // none if it cannot follow
+  std::optional<FreeSwelling> free_swelling_;  // empty if the region cannot swell freely
 };
 
 }  // namespace bempd::regions

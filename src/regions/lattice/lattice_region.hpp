@@ -87,7 +87,7 @@ class LatticeRegion : public BondedRegion {
 
   LatticeOutline outline_;                 // of the cells
   std::unique_ptr<pd::CellLattice> grid_;  // points of the grid and the cells between them
-  std::shared_ptr<LatticeGroup> group_;    // null if it is alone, and when bonds are there
+  std::shared_ptr<LatticeGroup> group_;    // null if the region is alone, or once its bonds exist
 };
 
 }  // namespace bempd::regions

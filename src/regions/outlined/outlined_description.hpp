@@ -7,7 +7,7 @@ namespace bempd::regions {
 
 // Host's choice of the material points of a region.
 struct PointChoice {
-  bool on_outline = false;  // points on the outline even where it is one of lattice rows
+  bool on_outline = false;  // whether points lie on the outline even if it follows lattice rows
   double angle = 0;         // of the lattice's rows [rad]
   // Goal of the bonds near an outline with points on it.
   pd::OutlineBalance balance = pd::OutlineBalance::constant_stress;

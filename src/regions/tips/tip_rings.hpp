@@ -60,7 +60,7 @@ class TipRings {
   // Data that all rings around one place have in common.
   struct View {
     struct Dual {
-      double power;  // of what it picks out
+      double power;  // power of the term that the dual picks out
       std::complex<double> factor;
       std::vector<double> tensions;  // of the terms [N]
       Eigen::VectorXd face_forces;   // [N] at the nodes

@@ -12,7 +12,7 @@ struct LatticeTip {
   int region;      // id of the lattice that the crack ends in
   TipAxes axes;
   double horizon;
-  double clear;  // radius within which there is nothing but this tip and the straight crack behind it
+  double clear;  // radius that contains only this tip and the straight crack behind it
   bool grown;
   bool branched;  // other ways lead on from the crack, too
 };
