@@ -101,7 +101,6 @@ OTHER_WORDS: dict[str, str] = {
     "bempd_crack_tip": "CrackTip",
     "bempd_crack_extension": "CrackExtension",
     "bempd_history_entry": "row of Model.history()",
-    "bempd_history": "Model.history",
     "bempd_path_vertex": "PathVertex",
     "bempd_step_report": "StepReport",
     "bempd_option_info": "OptionInfo",
