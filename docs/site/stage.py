@@ -44,7 +44,7 @@ CHAPTERS = {
     "Examples": ["examples/*/README"],
     "What is measured": ["docs/measured", "docs/accuracy", "docs/verification", "docs/directions", "docs/materials",
                          "docs/outlines", "docs/separation", "docs/paper", "docs/scaling", "docs/reliability"],
-    "The project": ["CHANGELOG", "docs/citing", "CONTRIBUTING", "docs/architecture", "benchmarks/*/README", "docs/research/*"],
+    "The project": ["CHANGELOG", "docs/citing", "CONTRIBUTING", "docs/architecture", "benchmarks/*/README", "docs/research/README"],
 }
 PYTHON = """# Python reference
 
@@ -110,6 +110,9 @@ def stage(root: pathlib.Path, target: pathlib.Path) -> None:
     (target / "docs/python_reference.md").write_text(PYTHON, encoding="utf-8")
     with open(target / "docs/index.md", "a", encoding="utf-8") as index:
         index.write(contents(target))
+    notes = sorted(page.stem for page in target.glob("docs/research/*.md") if page.stem != "README")
+    with open(target / "docs/research/README.md", "a", encoding="utf-8") as index:
+        index.write("\n```{toctree}\n:hidden:\n\n" + "\n".join(notes) + "\n```\n")
     shutil.move(target / "docs/site/conf.py", target / "conf.py")
     for part in MATHJAX_PARTS:
         if (MATHJAX / part).exists():

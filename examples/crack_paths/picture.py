@@ -84,7 +84,7 @@ def draw_experiment(drawn, folder: pathlib.Path) -> pathlib.Path:
     for x, y, way in ((0, 35, 12), (140, 35, -12)):
         ax.annotate("", (x, y), (x - way, y), arrowprops={"arrowstyle": "-|>", "color": EDGE})
     ax.set_title("Crack path in a plate of acrylic glass, 140 x 70 mm, pressed at its ends", fontsize=8)
-    ax.legend(fontsize=7, loc="lower right", frameon=False)
+    ax.legend(fontsize=7, loc="upper left", bbox_to_anchor=(0.08, 0.95), frameon=False)
     figure.tight_layout()
     path = folder / "path_experiment.png"
     figure.savefig(path, dpi=120)
