@@ -66,6 +66,15 @@ elseif(WAY STREQUAL "cpp")
   run(${compile} -std=c++17 ${flags} -o "${consumer_build}/consumer")
   run_consumer("LD_LIBRARY_PATH=${prefix} moved/${LIBDIR}")
   run(${compile} -std=c++20 ${flags} -fsyntax-only)
+  # The program of docs/cpp.md compiles too.
+  file(READ "${CONSUMER_DIR}/../../../docs/cpp.md" page)
+  string(FIND "${page}" "```cpp\n" begin)
+  string(SUBSTRING "${page}" ${begin} -1 page)
+  string(FIND "${page}" "\n```\n" end)
+  math(EXPR length "${end} - 7")
+  string(SUBSTRING "${page}" 7 ${length} page)
+  file(WRITE "${consumer_build}/page.cpp" "${page}\n")
+  run("${CXX_COMPILER}" -Wall -Wextra -Werror -std=c++17 "${consumer_build}/page.cpp" ${flags} -fsyntax-only)
 elseif(WAY STREQUAL "linking_lines")
   # The lines of docs/linking.md for a prefix of one's own, as they stand there.
   run(bash "${CONSUMER_DIR}/../linking_lines.sh" "${CONSUMER_DIR}/../../.." "${prefix} moved" "${LIBDIR}"

@@ -186,9 +186,21 @@ def closed_loops(caller: str, pieces: list[Piece], gap: float) -> tuple[list[Loo
 def loop_of(chain: Sequence[Piece]) -> Loop:
     """The loop of pieces that follow each other; each piece begins where the one before ends."""
     vertices = [place for piece in chain for place in piece.places[:-1]]
-    return Loop(np.array(vertices), np.array([bulge for piece in chain for bulge in piece.bulges]),
+    loop = Loop(np.array(vertices), np.array([bulge for piece in chain for bulge in piece.bulges]),
                 tuple(piece.name for piece in chain for _ in piece.bulges),
                 tuple(piece.entity for piece in chain for _ in piece.bulges))
+    # Regions have three vertices at least; a circle of two arcs has not.
+    return loop if len(vertices) > 2 else halved(loop)
+
+
+def halved(loop: Loop) -> Loop:
+    """The same outline with every edge divided at its middle."""
+    ends = np.roll(loop.vertices, -1, axis=0)
+    chords = ends - loop.vertices
+    # A positive bulge lies on the right of the chord.
+    middles = 0.5 * (loop.vertices + ends) + 0.5 * loop.bulges[:, None] * np.stack([chords[:, 1], -chords[:, 0]], axis=1)
+    return Loop(np.stack([loop.vertices, middles], axis=1).reshape(-1, 2), np.repeat(np.tan(np.arctan(loop.bulges) / 2), 2),
+                tuple(name for name in loop.names for _ in range(2)), tuple(entity for entity in loop.entities for _ in range(2)))
 
 
 def joined_ends(pieces: list[Piece], gap: float) -> list[list[tuple[int, int]]]:

@@ -22,6 +22,7 @@ FloatArray = npt.NDArray[np.float64]
 SIDES = {"triangle": ((0, 1), (1, 2), (2, 0)), "quad": ((0, 1), (1, 2), (2, 3), (3, 0)),
          "triangle6": ((0, 3, 1), (1, 4, 2), (2, 5, 0)), "quad8": ((0, 4, 1), (1, 5, 2), (2, 6, 3), (3, 7, 0)),
          "quad9": ((0, 4, 1), (1, 5, 2), (2, 6, 3), (3, 7, 0))}
+QUARTER = math.tan(math.pi / 8)  # bulge of a quarter of a circle, the longest arc that is made of sides
 CORNER = math.radians(40)  # turns of the boundary by more are corners
 
 
@@ -126,8 +127,8 @@ def arc_of(points: FloatArray, tolerance: float) -> Optional[tuple[float, float]
     chord = math.dist(a, c)
     side = (c[0] - a[0]) * (b[1] - a[1]) - (c[1] - a[1]) * (b[0] - a[0])
     height = radius - math.copysign(math.sqrt(max(0.0, radius**2 - chord**2 / 4)), (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]))
-    if chord == 0 or height > chord / 2 * (1 + 1e-6):
-        return None  # more than half a circle
+    if chord == 0 or 2 * height > chord * QUARTER * (1 + 1e-6):
+        return None  # more than a quarter of a circle
     bulge = math.copysign(2 * height / chord, -side)
     deviation = float(distances_from_arc(points, points[0], points[-1], bulge).max())
     steps = np.hypot(*np.diff(points, axis=0).T)

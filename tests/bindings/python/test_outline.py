@@ -90,6 +90,16 @@ def test_ellipses_and_splines_become_arcs_within_the_tolerance(tmp_path):
     assert sum(angle > 0.15 for angle in tangents) <= 2
 
 
+def test_a_circle_of_two_arcs_has_enough_vertices_for_a_region(tmp_path):
+    document, space = drawing(unit=6)
+    space.add_lwpolyline([(-1, 0, 1), (1, 0, 1)], format="xyb", close=True)
+    found = outline.from_dxf(saved(document, tmp_path))
+    np.testing.assert_allclose(np.hypot(*found.vertices.T), 1)
+    assert areas(found) == [pytest.approx(math.pi, rel=2e-3)] and found.bulges == pytest.approx([QUARTER] * 4)
+    model, glass = glass_model()
+    assert model.add_bem_region(glass, found, element_length=0.5) == 1
+
+
 def test_mirrored_entities_and_blocks_are_where_they_are_seen(tmp_path):
     document, space = drawing()
     block = document.blocks.new("half")
@@ -251,6 +261,7 @@ def test_abaqus_sets_of_nodes_name_edges(tmp_path):
     found = outline.from_mesh(tmp_path / "plate.inp", unit="mm")
     assert len(found.bulges) == 4 and areas(found) == [pytest.approx(12e-6)]
     assert sorted(filter(None, found.names)) == ["LEFT", "TOP"]
+    assert outline.from_mesh(tmp_path / "plate.inp", part="PLATE").names == found.names
     with pytest.raises(bempd.FileError, match="cannot be read as a mesh"):
         (tmp_path / "none.msh").write_text("no mesh")
         outline.from_mesh(tmp_path / "none.msh")

@@ -24,8 +24,8 @@ def areas(found):
     return np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / 2
 
 
-@pytest.mark.parametrize("quantity", _drawing.QUANTITIES)
-@pytest.mark.parametrize("magnification", [0, "auto"])
+@pytest.mark.parametrize("quantity, magnification", [*((one, 0) for one in _drawing.QUANTITIES),
+                                                     *((one, "auto") for one in ("outline", "lattice", "damage", "displacement"))])
 def test_every_quantity_is_drawn_to_scale(strip, quantity, magnification, tmp_path):
     strip.model.step_to_next_event(1e4)
     axes = strip.model.plot(quantity, magnification=magnification)
