@@ -32,5 +32,6 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "${runtime_package} (>= ${PROJECT_VERSION}), python3 (>= 3.9), python3-cffi, python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pil")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-ezdxf, python3-svgelements, python3-meshio, ffmpeg")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module.")
 include(CPack)

@@ -137,8 +137,8 @@ class Model(Scene, Edges, Results):
     def log(self) -> Optional[Log]:
         """Where the library's log goes; `model.log = ...` and Model(log=...) choose it.
 
-        "warnings", the default: warnings become Python's, of the class bempd.Warning; the rest is dropped. Scenes of boundary
-        elements alone then warn of what prepare() finds, and steps are silent. A logging.Logger,
+        "warnings", the default: warnings become Python's, of the class bempd.Warning; the rest is dropped. Cracked scenes of
+        boundary elements alone then warn of what prepare() finds, and their steps are silent. A logging.Logger,
         or a function called as f(level, message), receives all of it: level 1 warning, 2 information, 3 detail. None: nothing
         is told.
 
@@ -321,8 +321,8 @@ class Model(Scene, Edges, Results):
         if start is not None:
             start(self.load_factor, goal)
         # Library 0.2 reads beyond an array when it tells its log of a separated body that has no bonds (Model::tell_of_hinge()).
-        # Steps of scenes without a peridynamic region therefore run without the log that nobody asked for.
-        silent = self._log == "warnings" and not self._sketch.has_lattice()
+        # Steps of cracked scenes without a peridynamic region therefore run without the log that nobody asked for.
+        silent = self._log == "warnings" and bool(self._sketch.cracks) and not self._sketch.has_lattice()
         try:
             if silent:
                 self._prepare_with_warnings()

@@ -99,6 +99,7 @@ def test_scenes_of_boundary_elements_warn_while_they_are_prepared():
     right = model.add_bem_region(glass, rectangle(4.001, 0, 8, 4), 1.0)
     model.fix_edge(left, 4)
     model.fix_edge(right, 2)
+    model.add_crack([(1, 2), (2, 2)])
     with pytest.warns(bempd.Warning) as seen:
         model.step(1)
     assert len(seen) == 1 and "0.001" in str(seen[0].message) and seen[0].filename == __file__
