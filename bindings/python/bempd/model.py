@@ -322,7 +322,8 @@ class Model(Scene, Edges, Results):
             start(self.load_factor, goal)
         # Library 0.2 reads beyond an array when it tells its log of a separated body that has no bonds (Model::tell_of_hinge()).
         # Steps of cracked scenes without a peridynamic region therefore run without the log that nobody asked for.
-        silent = self._log == "warnings" and bool(self._sketch.cracks) and not self._sketch.has_lattice()
+        silent = self._log == "warnings" and bool(self._sketch.cracks) and not (
+            self._sketch.has_lattice() or self._open().busy)
         try:
             if silent:
                 self._prepare_with_warnings()

@@ -104,3 +104,11 @@ def test_scenes_of_boundary_elements_warn_while_they_are_prepared():
         model.step(1)
     assert len(seen) == 1 and "0.001" in str(seen[0].message) and seen[0].filename == __file__
     assert model.log == "warnings"
+
+
+def test_a_step_inside_a_call_is_refused_under_its_own_name():
+    model = bempd.Model()
+    plate = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=1 / 3), rectangle(0, 0, 4, 4), 1.0)
+    model.add_crack([(1, 2), (2, 2)])
+    with pytest.raises(bempd.OrderError, match="^step: the model is in another call"):
+        model.add_traction_function(plate, 2, lambda x, y: model.step(1))
