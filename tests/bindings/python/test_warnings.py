@@ -110,5 +110,7 @@ def test_a_step_inside_a_call_is_refused_under_its_own_name():
     model = bempd.Model()
     plate = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=1 / 3), rectangle(0, 0, 4, 4), 1.0)
     model.add_crack([(1, 2), (2, 2)])
+    model.fix_edge(plate, 4)
     with pytest.raises(bempd.OrderError, match="^step: the model is in another call"):
         model.add_traction_function(plate, 2, lambda x, y: model.step(1))
+        model.prepare()
