@@ -11,10 +11,10 @@ namespace bempd::fracture {
 
 namespace {
 
-// Up to which directions are at right angles and lengths equal.
+// Tolerance within which directions are at right angles, and lengths equal.
 constexpr double same = 1e-9;
 
-// Sum of the squares of the weights of two bonds from which on they say too little of what lies across.
+// Largest sum of the squares of the weights of two bonds; an estimate beyond it is too inaccurate.
 constexpr double most_weight = 16;
 
 }  // namespace
@@ -53,8 +53,8 @@ void BondsAcross::add_at_right_angles(const coupling::Terms& terms, std::size_t 
   }
 }
 
-// Of all pairs the one with the least weights. A bond at the angle f to this one has the stretch
-// a cos^2 f + b sin^2 f + g sin f cos f, from which two eliminate the shear g.
+// Adds the estimate by two bonds, out of all pairs the one with the least weights. A bond at the angle f to this one
+// has the stretch a cos^2 f + b sin^2 f + g sin f cos f, so that two of them eliminate the shear g.
 void BondsAcross::add_by_two(const coupling::Terms& terms, std::size_t bond, std::span<const int> at_node) {
   std::optional<Estimate> best;
   double least = most_weight;

@@ -9,8 +9,8 @@
 
 namespace bempd::fracture {
 
-// What compression across bonds adds to their stretch by Poisson's effect, as shares of their critical stretch and
-// affine functions of the load factor. Negative where what lies across is pulled.
+// Relief of bonds: the contribution of compression across them to their stretch by Poisson's effect, as shares of their
+// critical stretch and affine functions of the load factor. It is negative under tension across them.
 struct AffineRelief {
   std::vector<double> constant, proportional;
 
@@ -18,12 +18,12 @@ struct AffineRelief {
   double at(std::size_t bond, double load_factor) const { return constant[bond] + load_factor * proportional[bond]; }
 };
 
-// What lies across a bond, from the bonds that begin or end where it does: with the strain a along it and b across it
-// the stress across it is C11 (b + nu a), nu = C12 / C11 being Poisson's ratio in the plane, and of the bond's strain
-// it makes -nu / (1 - nu^2) (b + nu a), by Hooke's law. b is the stretch of a bond at right angles that is as long;
-// where there is none at either end, what two bonds there and the bond itself say of it that is right for every
-// constant strain. The mean of all such estimates counts, of bonds that are there. Bonds are numbered by a list; those
-// that do not count it, and those without an estimate, have no relief.
+// Strain across each bond, from the bonds that share its ends. With the strain a along the bond and b across it, the
+// stress across it is C11 (b + nu a), where nu = C12 / C11 is Poisson's ratio in the plane, and the part of the bond's
+// strain due to it is -nu / (1 - nu^2) (b + nu a), by Hooke's law. b is the stretch of a bond of the same length at
+// right angles. If neither end has one, b is estimated from two bonds there and the bond itself, exactly for every
+// constant strain. The mean of all such estimates from intact bonds counts. Bonds are numbered by a list; bonds that do
+// not count the relief, and those without an estimate, have none.
 class BondsAcross {
  public:
   BondsAcross() = default;
@@ -31,21 +31,22 @@ class BondsAcross {
 
   bool empty() const { return contraction_.empty(); }
 
-  // Those of a list of them, `number[k]` being the k-th: what is across goes by `place_of`, -1 where it is not in the
-  // list. An estimate counts if all its bonds do; where one of these is not in the list the relief is not known.
+  // Strains across the bonds of a list, where `number[k]` is the k-th. Bonds in the estimates are found by `place_of`,
+  // which is -1 for bonds outside the list. An estimate counts if all its bonds count; if one of them is not in the
+  // list, the relief is unknown.
   BondsAcross chosen(std::span<const int> number, const std::function<int(int)>& place_of,
                      const std::function<bool(int)>& counts) const;
-  // Whether the bond's relief is what it is in the whole list; otherwise it is 0.
+  // Whether the bond's relief is the same as in the whole list; otherwise it is 0.
   bool is_known(std::size_t bond) const { return known_.empty() || known_[bond] != 0; }
 
-  // From stretches over critical stretches of all bonds, `scale` being what makes them of elongations. Estimates by
-  // bonds that are not present do not count.
+  // Computes the relief from stretches over critical stretches of all bonds; `scale` turns elongations into these.
+  // Estimates by bonds that are not present do not count.
   void relieve(const std::vector<double>& constant, const std::vector<double>& proportional,
                const std::vector<double>& scale, const std::vector<char>& present, AffineRelief& relief) const;
 
  private:
-  // b over the bond's critical stretch, where elongations of equal scales were asked of all bonds: weights of the bond
-  // itself and of up to two others, equal ones where it is one.
+  // Estimate of b over the bond's critical stretch, for elongations of equal scales of all bonds: weights of the bond
+  // itself and of up to two others, which are the same bond where there is one.
   struct Estimate {
     int bonds[2];
     double own, of[2];

@@ -7,7 +7,7 @@
 
 namespace bempd::fracture {
 
-// Which nodes hang together through intact terms and bodies that cannot break.
+// Connectivity of nodes through intact terms and bodies that cannot break.
 class Connectivity {
  public:
   explicit Connectivity(const coupling::EquilibriumSystem& system);
@@ -15,11 +15,11 @@ class Connectivity {
   // Pieces of the body: lists of nodes, each in ascending order, in the order of their first nodes.
   std::vector<std::vector<int>> pieces() const;
 
-  // True if all nodes of each term share an intact neighbour, so that without these terms the pieces are still the
-  // same. False means: unknown.
+  // Whether all nodes of each term share an intact neighbour, so that the pieces are the same without these terms.
+  // False means: unknown.
   bool still_joined(const std::vector<int>& removed) const;
 
-  // True if a path of intact terms and bodies that cannot break leads from one node to the other.
+  // Whether a path of intact terms and bodies that cannot break leads from one node to the other.
   bool are_joined(int node, int other) const;
 
   std::vector<int> intact_terms_at(int node) const;

@@ -11,10 +11,11 @@ namespace bempd::fracture {
 
 namespace {
 
-// How far outside of a facet or a bond both still meet, in spacings: bonds pass through places where facets join on.
+// Distance outside of a facet or a bond at which both still meet, in spacings: bonds pass through places where facets
+// join.
 constexpr double rounding = 1e-6;
 
-// Whether two segments meet, ends included; they are not parallel where they do.
+// Whether two segments meet, ends included; parallel ones do not.
 bool meet(const Point& a, const Point& b, const Point& c, const Point& d, double near) {
   const Point along = b - a, other = d - c;
   const double area = cross(along, other);

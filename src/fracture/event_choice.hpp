@@ -11,25 +11,23 @@
 
 namespace bempd::fracture {
 
-// Bonds among which the next break is chosen: all bonds of the body, or those that a window watches. A bond is named by
-// its place in this list.
+// Bonds among which the next break is chosen: all bonds of the body, or those that a window watches. A bond is
+// identified by its place in this list.
 struct BondList {
   const AffineRatios& ratios;
   const std::vector<char>& intact;
   const std::vector<int>* numbers = nullptr;  // of the bonds in the system; null: the list has all of them
-  // All constant parts are 0, and the ratios of broken bonds too; ways lead up, from load factors that are not
-  // negative.
+  // Whether all constant parts are 0, also of the ratios of broken bonds; paths then lead up, from load factors >= 0.
   bool is_proportional = false;
 };
 
-// The load factor at which the first of the bonds becomes critical on a way; null if none does.
+// Load factor at which the first of the bonds becomes critical on a path; empty if none does.
 std::optional<double> next_critical(const BondList& bonds, const LoadWay& way);
 
-// The most stretched bonds at a load factor, those within a relative band of the largest ratio; at most `limit`, 0:
-// all.
+// Most stretched bonds at a load factor, those within a relative band of the largest ratio; at most `limit`, 0 for all.
 std::vector<int> most_critical(const BondList& bonds, double load_factor, double band, int limit);
 
-// The event at which these bonds go into their next stage. What follows them is left to add
+// Event at which these bonds enter their next stage. The caller adds what follows them
 // (EquilibriumSystem::with_followers).
 Event break_of(const BondList& bonds, std::span<const int> chosen, double load_factor,
                const coupling::EquilibriumSystem& system);

@@ -12,20 +12,20 @@ namespace {
 
 using coupling::EquilibriumSystem;
 
-// Bodies with a hundred initial cracks have needed ten.
+// Largest number of rounds of holding; bodies with a hundred initial cracks have needed ten.
 constexpr int most_holds = 64;
 
 // Resistance, relative to the stiffest direction, below which a motion is free up to rounding.
 constexpr double free_motion_resistance = 1e-13;
 
-// A motion that lengthens a term, or bends a body, by more than this share of its largest displacement is merely soft:
-// a slender strip of length L and width h shows h / L^2 and 1.
+// Elongation of a term, or bending of a body, over a motion's largest displacement, from which on the motion is merely
+// soft: a slender strip of length L and width h has h / L^2 and 1.
 constexpr double free_elongation = 1e-9, free_bending = 1e-6;
 
-// Nodes that a free motion moves by less than this share of its largest displacement stay where they are.
+// Share of a free motion's largest displacement below which a node counts as staying where it is.
 constexpr double moved_share = 1e-6;
 
-// Nodes of a dense body that a motion of the sparse system tells about.
+// Nodes of a dense body whose motion the sparse system shows.
 std::vector<int> visible_nodes(const EquilibriumSystem& system, const std::vector<int>& body) {
   const auto is_visible = [&](int dof) { return system.is_unknown(dof) || system.is_prescribed(dof); };
   std::vector<int> nodes;
@@ -47,12 +47,12 @@ bool is_free(const EquilibriumSystem& system, const std::vector<Point>& position
   });
 }
 
-// Nodes with loads that nothing balances where they can move like this.
+// Nodes with unbalanced loads that a motion would move.
 std::vector<int> pushed_nodes(const EquilibriumSystem& system, const Eigen::VectorXd& motion) {
   std::vector<char> moves(system.node_count(), 0);
   const auto is_moved = [&](int node) { return motion.segment<2>(2 * node).norm() > moved_share; };
   for (int node = 0; node < system.node_count(); ++node) moves[node] = is_moved(node) ? 1 : 0;
-  // A body that cannot break moves as a whole.
+  // Bodies that cannot break move as a whole.
   for (const std::vector<int>& body : system.dense_bodies()) {
     if (std::none_of(body.begin(), body.end(), is_moved)) continue;
     for (int node : body) moves[node] = 1;

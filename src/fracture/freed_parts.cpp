@@ -14,13 +14,13 @@ using coupling::HeldDirection;
 using coupling::HoldingSpring;
 using coupling::RigidMotion;
 
-// Terms that pull on one line up to this share of their stiffness do not resist a motion across it.
+// Share of their stiffness up to which terms that pull on one line do not resist a motion across it.
 constexpr double collinearity_tolerance = 1e-10;
 
-// Forces whose work on a free motion is a smaller share of their size are in equilibrium without support.
+// Work of forces on a free motion, over their size, below which they are in equilibrium without support.
 constexpr double balance_tolerance = 1e-9;
 
-// Components of a motion that differ by less are equal, so that rounding does not choose what is held.
+// Difference below which components of a motion are equal, so that rounding does not choose what is held.
 constexpr double motion_rounding = 1e-6;
 
 }  // namespace
@@ -142,7 +142,7 @@ void FreedPartFinder::hold_piece(const std::vector<int>& nodes, const Eigen::Vec
       if (system_.is_unknown(2 * node + component)) holdable.push_back(direction);
     }
   }
-  // Springs must not carry loads, whether the loads were there before the springs or not.
+  // Loads count whether they were there before the springs or not, because springs must not carry any.
   const RigidMotion unsupported(positions_, nodes, held);
   if (unsupported.free_count() == 0) return;
   const bool pushed = is_pushed(unsupported, positions_, nodes, system_.force());

@@ -6,7 +6,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// Forces below this share of the largest one may be rounding.
+// Share of the largest force below which forces may be rounding.
 constexpr double rounding = 1e-9;
 
 }  // namespace

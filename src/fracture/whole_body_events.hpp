@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-// Events looked for among all terms of the body and performed on the whole of it (WholeBody). Where the body's
-// displacements are those of its state this source can always go on.
+// Source of events among all terms of the body, which are performed on the whole body (WholeBody). It can always
+// continue if the body's displacements are those of its state.
 class WholeBodyEvents final : public EventSource {
  public:
   explicit WholeBodyEvents(LoadedBody& body) : body_(body), system_(body.system()) {}

@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-// The places of faces that CrackFaces::follow() brings up to date: those of the body now, or those foretold for the
-// states that a window computes ahead. Places have the numbers of the system's contacts.
+// Places of crack faces that CrackFaces::follow() updates: those of the body now, or those forecast for the states that
+// a window computes ahead. Places have the numbers of the system's contacts.
 class FacePlaces {
  public:
   FacePlaces() = default;
@@ -17,12 +17,12 @@ class FacePlaces {
   FacePlaces& operator=(const FacePlaces&) = delete;
   virtual ~FacePlaces() = default;
 
-  // The number of the place that a broken term has made; null if it has made none.
+  // Number of the place that a broken term has made; empty if it has made none.
   virtual std::optional<std::size_t> place_of(int term) const = 0;
   virtual bool is_closed(std::size_t place) const = 0;
-  // A new place, which is open.
+  // Adds a place, which is open.
   virtual void add(const GrownFace& face, coupling::Contact contact) = 0;
-  // Another normal for an open place, if nothing speaks against it.
+  // Gives an open place another normal, unless its faces would overlap.
   virtual void renew(std::size_t place, const GrownFace& face, coupling::Contact contact) = 0;
 };
 

@@ -7,13 +7,13 @@
 
 namespace bempd::fracture {
 
-// The tip of a crack that grows as a line.
+// Tip of a crack that grows as a line.
 struct GrowingTip {
   Point place{0, 0}, direction{1, 0};  // of its last step
   int law = 0;                         // of the run's tip laws, that of the region in which it lies
   crack::TipId id;
   crack::TipState state = crack::TipState::grows;
-  // Of the last steps: energy released over the one that stress intensity factors made expect.
+  // Ratios of the last steps: energy released over the energy expected from stress intensity factors.
   std::vector<double> energy_ratios{};
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int rounds_for_kink = 8;
 
-// Load factors and intensities above are beyond what can be multiplied and squared.
+// Largest load factor and intensity that can still be multiplied and squared.
 constexpr double largest_ratio_of_loads = 1e150;
 
 Kink kink_at(const AffineIntensity& of, double load_factor) {
@@ -23,15 +23,16 @@ bool are_proportional(const AffineIntensity& intensity, const AffineIntensity& t
   return turning.one[0] == 0 && turning.two[0] == 0 && intensity.one[0] == 0 && intensity.two[0] == 0;
 }
 
-// A load factor beyond the one at which a tip reaches its toughness, if a larger one drives it more at all.
+// Load factor beyond the one at which a tip reaches its toughness; 0 if larger loads do not drive it more.
 double beyond_toughness(const AffineIntensity& intensity, double toughness) {
   const double slope = kink_of({intensity.one[1], intensity.two[1]}).equivalent_factor;
   const double size = toughness + std::hypot(intensity.one[0], intensity.two[0]);
   return slope > 0 ? load_ratio(4 * size, slope).value_or(0) : 0;
 }
 
-// Without constant loads the kink does not depend on the load factor. Else what drives the tip is convex in it, and has
-// tangents, one for each kink: where they rise they lead to its larger root.
+// Growth by the hoop stress. Without constant loads the kink does not depend on the load factor. Otherwise the
+// equivalent factor is convex in the load factor, with one tangent for each kink: rising tangents lead to its larger
+// root (Newton's method).
 class ByHoopStress {
  public:
   ByHoopStress(const AffineIntensity& intensity, const AffineIntensity& turning, const LineCriterion& criterion)
@@ -67,7 +68,7 @@ class ByHoopStress {
     return root.has_value();
   }
 
-  // Whether the tip is overloaded where the way begins, although it does not grow further on: where the load factor has
+  // Whether the tip is overloaded at the start of the path although it does not grow further on: the load factor has
   // turned, or the tangents lead to the smaller root.
   bool is_due(bool grows) const {
     const double present = criterion_.present, least = proportional_ ? 1 + ratio_rounding : 1;
@@ -97,7 +98,7 @@ std::optional<LineLoad> load_by_energy(const AffineIntensity& intensity, const A
     found.load_factor = present, found.constant = ratio_at(present);
   } else if (std::abs(range.highest) < largest_ratio_of_loads) {
     found.load_factor = range.highest;
-    // Through what it is here, if that is more.
+    // The line goes through the present ratio if the tip is overloaded now.
     const double ratio = holds_load && present > range.highest ? ratio_at(present) : 1;
     found.growing = ratio > 1 ? (ratio - 1) / (present - range.highest) : 0;
     found.constant = 1 - range.highest * found.growing;

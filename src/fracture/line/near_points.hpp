@@ -7,7 +7,7 @@
 
 namespace bempd::fracture {
 
-// Finds points near a place: they lie in square buckets.
+// Search for points near a place, by square buckets.
 class NearPoints {
  public:
   explicit NearPoints(const std::vector<Point>& points);

@@ -10,12 +10,12 @@ namespace bempd::fracture {
 
 namespace {
 
-// A face is made of pieces, each across the middle of a bond between neighbours and a bit longer than the way to the
-// next one.
+// Half length of the pieces of a face, each across the middle of a bond between neighbours and a little longer than the
+// distance to the next one.
 constexpr double half_piece = 0.55;  // in spacings
 
-// The bonds that a tip's own crack has broken between neighbours have their middles within half a spacing of it, which
-// goes back from the tip by 110 degrees at least.
+// Limits of the bonds broken by the tip's own crack: the middles of such bonds between neighbours lie within half a
+// spacing of the crack, which turns back from the tip by 110 degrees at least.
 constexpr double ahead_of_own = 0.75, beside_own = 1.5, ahead_of_kink = 0.25;  // in spacings
 
 bool lie_apart(const Point& from, const Point& to, const Point& a, const Point& b) {

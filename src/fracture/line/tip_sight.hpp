@@ -6,13 +6,13 @@
 
 namespace bempd::fracture {
 
-// What a tip sees: not what lies behind the face of another crack. Behind holes and beyond inward corners nothing is
-// asked, as points are taken the nearer the tip the nearer it is to an outline.
+// What a tip sees: everything except what the face of another crack hides. Holes and inward corners hide nothing here,
+// because points are taken the nearer the tip the nearer it is to an outline.
 class TipSight {
  public:
   TipSight(const Point& place, const Point& direction, double spacing);
 
-  // Of a bond between neighbours that is gone; what the tip's own crack has broken is left out.
+  // Adds a broken bond between neighbours; those that the tip's own crack has broken are left out.
   void add_gone(const Point& middle, const Point& along);
 
   double nearest_face() const { return nearest_face_; }  // infinite without one

@@ -9,27 +9,27 @@
 
 namespace bempd::fracture {
 
-// The flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows, with
-// rows of functions below: displacements on which no force acts. Changes of rank one are collected and added to it many
-// at a time: F is the matrix kept plus the pending columns times their transpose, each with its sign.
+// Flexibility F (displacements per force) of the whole body on the degrees of freedom that a window follows, with rows
+// of functions below: displacements on which no force acts. Changes of rank one are collected and added to it many at a
+// time: F is the stored matrix plus the pending columns times their transpose, each with its sign.
 class Flexibility {
  public:
   Flexibility(const coupling::Condensation& condensation, Eigen::Index functions);
 
   Eigen::Index size() const { return size_; }  // followed
-  // The functions' weights, of followed degrees of freedom, one column each.
+  // Sets the functions' weights of followed degrees of freedom, one column each.
   void set_functions(const Eigen::MatrixXd& weights);
 
-  // F b for some pulls.
+  // Responses F b to some pulls.
   Eigen::MatrixXd responses(std::span<const Pull> pulls) const;
-  // The displacement of what is followed to any force on it.
+  // Displacement of the followed degrees of freedom under any force on them.
   Eigen::VectorXd answer(const Eigen::VectorXd& force) const;
-  // Adds to one of the responses what has changed since only this many changes were pending.
+  // Adds the changes since only this many were pending to one of the responses.
   void update_response(const Pull& pull, Eigen::Index changes_known, Eigen::Ref<Eigen::VectorXd> response) const;
 
   Eigen::Index changes() const { return pending_count_; }
   void make_room(Eigen::Index count);  // for changes that can be taken back
-  // F gains the column times its transpose, or loses it (sign -1).
+  // Adds the column times its transpose to F, or subtracts it (sign -1).
   void add_change(const Eigen::Ref<const Eigen::VectorXd>& column, double sign) {
     signs_[pending_count_] = sign;
     pending_.col(pending_count_++) = column;
@@ -40,7 +40,7 @@ class Flexibility {
   void set_function_rows(const Eigen::MatrixXd& rows) { matrix_.bottomRows(functions_) = rows; }
   void subtract_from_function(Eigen::Index function, const Eigen::Ref<const Eigen::VectorXd>& values);
 
-  // Displacements of some followed degrees of freedom to forces on others.
+  // Displacements of some followed degrees of freedom under forces on others.
   Eigen::MatrixXd block(const std::vector<int>& rows, const std::vector<int>& columns) const;
   void keep(const std::vector<int>& followed);
 

@@ -21,7 +21,7 @@ class LinearForms {
     return {{place_.data() + start_[form], count}, {weight_.data() + start_[form], count}};
   }
 
-  // A form is what has been added since the one before was closed.
+  // Adds a weight to the form that is being built, which the next close() ends.
   void add(int place, double weight) {
     place_.push_back(place);
     weight_.push_back(weight);
@@ -37,7 +37,7 @@ class LinearForms {
     }
   }
 
-  // Goes on with these forms only.
+  // Keeps these forms only.
   void keep(const std::vector<char>& chosen) {
     std::size_t to = 0, entries = 0;
     for (std::size_t f = 0; f < chosen.size(); ++f) {

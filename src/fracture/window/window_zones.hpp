@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-// A rectangle around bonds that are about to break, longer towards where they are expected to break next. Lengths are
-// in the model's unit; `low` and `high` are coordinates along `axis` (0) and across it (1), from `centre`.
+// Rectangle around bonds that are about to break, longer in the direction in which the next ones are expected. Lengths
+// are in the model's unit; `low` and `high` are coordinates along `axis` (0) and across it (1), from `centre`.
 struct Zone {
   Point centre, axis;
   Point low, high;
@@ -23,19 +23,20 @@ struct Zone {
   bool is_inner(const Point& p) const;
 };
 
-// In lattice spacings.
+// Size of a zone in lattice spacings.
 struct ZoneShape {
   double ahead;
   double back = WindowSettings::back;
   double half_width = WindowSettings::half_width;
 };
 
-// Zones of the hot bonds at a load factor, one for every crowd of them. `spacing` is that of the lattice at a node.
+// Zones of the critical bonds at a load factor, one for every crowd of them. `spacing` is that of the lattice at a
+// node.
 std::vector<Zone> zones_of(const std::vector<int>& hot, const StretchRatios& ratios, double load_factor,
                            const std::vector<char>& intact, const std::vector<Point>& positions,
                            const std::vector<double>& spacing, const ZoneShape& shape);
 
-// The zone in front of a tip.
+// Zone in front of a tip.
 Zone zone_ahead(const Point& tip, const Point& direction, double spacing, const ZoneShape& shape);
 
 // Zones in front of both ends of the cracks that cut these bonds.
