@@ -62,7 +62,7 @@ void EventSources::go_on() {
   }
 }
 
-// From where the body was when the window was opened.
+// Opens the window again from where the body was when it was opened first.
 bool EventSources::open_again(const Continuation& continuation) {
   const WindowOrigin& window = *continuation.window;
   BodyState& state = body_.state();
@@ -85,7 +85,8 @@ bool EventSources::open_again(const Continuation& continuation) {
   return window_.open_again(window);
 }
 
-// As settle() would an open one; the state's displacements are those of its last event.
+// Does to the factor what settle() would do with an open window; the state's displacements are those of the window's
+// last event.
 void EventSources::close_awaited() {
   if (!awaited_) return;
   if (awaited_->window->has_changed_terms) body_.system().forget_factor();

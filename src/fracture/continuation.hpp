@@ -16,7 +16,7 @@ struct Continuation {
   int whole_body_events = 0;  // before the next window
   int patience = 1;
   int most_events = 0;  // that the next window computes at once, or the open one at first
-  PlaceMemory place;
+  WindowLocation place;
   coupling::PlacesMet places_met;
   std::vector<char> barred;  // of the places of contact, once that is known
   std::uint64_t changes_that_bar = 0;

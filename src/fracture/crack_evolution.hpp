@@ -45,7 +45,7 @@ enum class StopReason {
 // state to return to when a call fails.
 class CrackEvolution {
  public:
-  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are gone from the start.
+  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are broken from the start.
   CrackEvolution(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
                  std::vector<double> critical_stretch, const std::vector<int>& cut,
                  std::vector<std::vector<int>> reaction_dofs, ContactPlan contact = {});

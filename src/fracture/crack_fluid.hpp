@@ -18,7 +18,7 @@ namespace bempd::fracture {
 using CrackPressures = std::map<int, Eigen::RowVector2d>;
 
 // A fluid in cracks among bonds. It goes from where a crack is at first wherever open facets join on, and acts in place
-// of all terms that are gone there: those that the crack cuts, those that cross a facet that it has reached, and what
+// of all terms that are broken there: those that the crack cuts, those that cross a facet that it has reached, and what
 // follows these.
 class CrackFluid {
  public:
@@ -46,7 +46,7 @@ class CrackFluid {
   linalg::Adjacency facets_at_;  // place
   double spacing_ = 1;           // the least [m]
   std::unordered_map<Cell, std::vector<int>> facets_in_;
-  mutable std::unordered_map<int, std::vector<int>> crossed_;  // facets, of bonds that are gone
+  mutable std::unordered_map<int, std::vector<int>> crossed_;  // facets, of broken bonds
 };
 
 }  // namespace bempd::fracture

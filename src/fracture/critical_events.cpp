@@ -51,7 +51,7 @@ void StretchRatios::update(const coupling::Affine& displacement) {
 
 namespace {
 
-// Where a function is at least 1, in load factors times a direction.
+// The range in which a function is at least 1, in load factors times a direction.
 std::pair<double, double> at_least_one(double constant, double proportional, double direction) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double slope = proportional * direction;
@@ -107,7 +107,7 @@ LoadInterval AffineRatios::admissible(const std::vector<char>& intact, bool upwa
       const Span span = critical_span(b, 1);
       if (!(span.begin <= span.end)) continue;
       if (std::isinf(span.begin) && std::isinf(span.end)) return {infinity, -infinity};
-      // Of two ranges without a critical bond the one that the way comes from.
+      // The range without a critical bond that the way comes from counts, where there are two.
       if (std::isinf(span.begin) || (!upwards && !std::isinf(span.end))) {
         result.lowest = std::max(result.lowest, span.end);
       } else {

@@ -17,7 +17,7 @@ struct LoadInterval {
   double lowest, highest;
 
   bool is_empty() const { return lowest > highest; }
-  // Its end in a direction; null if there is none.
+  // The end of the interval in a direction; null if there is none.
   std::optional<double> next(bool upwards) const {
     const double end = upwards ? highest : lowest;
     return is_empty() || std::isinf(end) ? std::nullopt : std::optional(end);
@@ -42,10 +42,11 @@ struct AffineRatios {
   // next_break() upwards to any load factor, where all constant parts are 0, and the ratios of broken bonds too.
   std::optional<double> next_proportional_break(double from) const;
 
-  // Of two intervals, between which bonds are critical, the one that a way in this direction comes from.
+  // The interval without critical bonds; where critical bonds lie between two, the one that a way in this direction
+  // comes from.
   LoadInterval admissible(const std::vector<char>& intact, bool upwards = true) const;
-  // Where a bond that has reached its critical stretch at a load factor just reaches it; there, if it always exceeds
-  // it.
+  // The load factor at which a bond that has reached its critical stretch just reaches it; the given one if the bond
+  // always exceeds it.
   double critical_load_factor(std::size_t bond, double load_factor) const;
   double steepest() const;  // largest ratio at the load factor 1 without the constant parts
 
@@ -83,7 +84,7 @@ class StretchRatios : public AffineRatios {
   const coupling::CriticalScales& scales() const { return scales_; }
   const coupling::Terms& terms() const { return terms_; }
   const BondsAcross& across() const { return across_; }
-  // Of a term in one of its stages; infinite where it is gone.
+  // The critical stretch of a term in one of its stages; infinite where it is broken.
   double critical_stretch(std::size_t term, int stage) const {
     return critical_stretch_[term] * terms_.law_of(term).critical_share(stage);
   }

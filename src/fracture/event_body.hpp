@@ -39,7 +39,7 @@ class EventBody {
   EventBody& operator=(const EventBody&) = delete;
   virtual ~EventBody() = default;
 
-  // In the present stages of all terms, at a load factor.
+  // Energies and forces at a load factor, in the present stages of all terms.
   virtual double stored_energy(double load_factor) const = 0;
   virtual double unit_energy() const = 0;                               // of the proportional load alone
   virtual std::vector<double> reactions(double load_factor) const = 0;  // x and y of every support

@@ -20,7 +20,8 @@ struct Event {
   // The term of this ratio is stretched beyond what it bears, not just to it.
   bool is_out_of_balance() const { return ratio > 1 + ratio_rounding; }
 
-  // Of these terms and those that follow them, ascending; not told where the event lies beyond the target.
+  // Changes of the event's terms and of those that follow them, ascending; not told where the event lies beyond the
+  // target.
   std::vector<coupling::StageChange> changes;
 
   // Nothing breaks: faces of cracks close or open on the way.
@@ -29,7 +30,7 @@ struct Event {
 
   bool is_growth = false;  // nothing breaks: one of the tips grows that OtherTips knows
 
-  // By one of its terms.
+  // Notes the ratio of one of the event's terms, if it is the largest so far.
   void reach(double ratio_of_term, double critical_of_term) {
     if (ratio_of_term <= ratio) return;
     ratio = ratio_of_term;
@@ -45,7 +46,7 @@ struct LostBalance {
 
 // What an event did.
 struct Outcome {
-  std::int64_t broken = 0;    // terms that are gone
+  std::int64_t broken = 0;    // terms that break
   std::int64_t switches = 0;  // places of faces that have closed or opened
   double work_before = 0;     // of the loads on the way to the event
   double work = 0;            // of the event itself

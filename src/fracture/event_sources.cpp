@@ -139,7 +139,8 @@ void EventSources::mark() {
   }
 }
 
-// To the last bit: once more events are computed the same displacements come out with other rounding.
+// The present is kept to the last bit: once more events are computed the same displacements come out with other
+// rounding.
 void EventSources::keep_present() {
   mark();
   complete_mark();

@@ -11,23 +11,23 @@
 
 namespace bempd::fracture {
 
-// Which source the next event comes from: a window wherever one can be of use, the whole body otherwise. A window that
+// Chooses the source of the next event: a window wherever one can be of use, the whole body otherwise. A window that
 // finds nothing to do is not tried again at once, and each time later.
 class EventSources {
  public:
-  // Bonds in `cut` are gone from the start.
+  // Bonds in `cut` are broken from the start.
   EventSources(LoadedBody& body, const std::vector<int>& cut);
   EventSources(const EventSources&) = delete;
   EventSources& operator=(const EventSources&) = delete;
 
-  // From now on cracks grow as lines from the tips of the body's state.
+  // Makes cracks grow as lines from now on, from the tips of the body's state.
   void grow_lines(pd::TipLaws laws);
 
   // The next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
 
-  // Of cracks that grow as lines, of a state that is up to date; none where they do not.
+  // Prospects of tips of cracks that grow as lines, for a state that is up to date; none where they do not.
   bool grows_lines() const { return lines_.has_value(); }
   std::vector<TipProspect> tip_prospects() const { return lines_ ? lines_->prospects() : std::vector<TipProspect>(); }
 
@@ -54,7 +54,7 @@ class EventSources {
   void return_to_mark() noexcept;
 
  private:
-  // While the window is open in which it was set, a place in it stands for the large parts of the state.
+  // A mark that was set in a window: while this is open a place in it stands for the large parts of the state.
   struct Mark {
     BodyState state;
     std::optional<WindowEvents::Place> place;

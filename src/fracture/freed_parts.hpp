@@ -11,7 +11,7 @@
 
 namespace bempd::fracture {
 
-// What has to be held so that equilibrium stays unique after terms have gone.
+// What has to be held so that equilibrium stays unique after terms have broken.
 struct FreedParts {
   std::vector<coupling::HoldingSpring> springs;
   std::vector<int> nodes_with_lost_loads;  // their loads push a free part for which there is no equilibrium
@@ -32,7 +32,7 @@ class FreedPartFinder {
   // anchors new springs.
   FreedParts all_pieces(const Eigen::VectorXd& displacement) const;
 
-  // After these terms are gone from the system's intact ones.
+  // Parts that these terms free, which are broken in the system.
   FreedParts after_break(const std::vector<int>& removed, const Eigen::VectorXd& displacement) const;
 
   // True if after_break() would find nothing; mostly without a look at the whole body.

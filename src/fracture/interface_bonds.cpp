@@ -34,8 +34,8 @@ InterfaceBonds::InterfaceBonds(const coupling::EquilibriumSystem& system, const 
 }
 
 std::optional<int> InterfaceBonds::reached() const {
-  const auto gone = [&](const Bond& bond) { return !system_.intact()[bond.term]; };
-  const auto found = std::find_if(bonds_.begin(), bonds_.end(), gone);
+  const auto is_broken = [&](const Bond& bond) { return !system_.intact()[bond.term]; };
+  const auto found = std::find_if(bonds_.begin(), bonds_.end(), is_broken);
   return found == bonds_.end() ? std::nullopt : std::optional(found->node);
 }
 

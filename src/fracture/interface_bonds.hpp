@@ -14,7 +14,7 @@ class InterfaceBonds {
   // Those that are there now.
   InterfaceBonds(const coupling::EquilibriumSystem& system, const std::vector<Point>& positions);
 
-  // Node of the body at which one of them has gone since.
+  // Node of the body at which one of them has broken since.
   std::optional<int> reached() const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace bempd::fracture {
 
-// Which way the load factor goes, from where, and what is held on it.
+// The way of the load factor: where it begins, its direction, and what is held on it.
 struct LoadWay {
   double present;
   bool upwards = true;
@@ -17,7 +17,8 @@ struct LoadWay {
   double sense() const { return upwards ? 1 : -1; }
   double ahead(double load_factor) const { return sense() * load_factor; }  // grows on the way
   double end() const { return ahead(std::numeric_limits<double>::infinity()); }
-  // Where what is critical at a load factor happens: here, if that lies behind and the load factor is held.
+  // Load factor at which something happens that is critical at another one: the present, if that lies behind and the
+  // load factor is held.
   double place_of(double critical) const {
     return control == Control::load && ahead(critical) < ahead(present) ? present : critical;
   }

@@ -11,7 +11,7 @@ namespace bempd::fracture {
 
 namespace {
 
-// From this residual on a motion may have lost its resistance.
+// A motion may have lost its resistance from this residual on.
 constexpr double suspicious_residual = 1e-8;
 // What solving leaves of forces that nearly cancel, relative to them.
 constexpr double rounding_of_parts = 1e-12;
@@ -63,7 +63,7 @@ void LoadedBody::set_load(const Affine& force, const Affine& prescribed, const C
   Affine own_force = force, own_prescribed = prescribed, held = prescribed, carried = this->carried(force, pressures);
   CrackPressures own_pressures = pressures;
   std::vector<int> loaded = nodes_with_force(has_fluid() ? carried : force);
-  // From here on no memory is needed: either all of it happens or nothing.
+  // No memory is needed from here on: either all of it happens or nothing.
   force_ = std::move(own_force);
   prescribed_ = std::move(own_prescribed);
   pressures_.swap(own_pressures);
@@ -161,7 +161,7 @@ LoadedBody::FirstEquilibrium LoadedBody::find_equilibrium() {
   keep_held_parts_dry();
   update_ratios();
   result.work = absorb(state_.load_factor);
-  // Where faces close or open on the way from the loads before the trapezoid rule is none; what is done is stored.
+  // Faces that close or open on the way from the loads before make the trapezoid rule void; what is done is stored.
   if (had_contact || result.switches > 0) result.work = stored_energy() - stored_before;
   if (state_.first_unit_energy < 0) state_.first_unit_energy = unit_energy();
   state_.in_equilibrium = true;
@@ -202,7 +202,7 @@ double LoadedBody::absorb(double load_factor) {
   const Eigen::VectorXd displacement = evaluate(state_.displacement, load_factor);
   const Eigen::VectorXd force = system_.internal_force(displacement, load_factor);
   if (!displacement.allFinite() || !force.allFinite()) fail_out_of_range();
-  // On the straight way between two states the trapezoid rule is exact. In equilibrium internal forces equal the loads.
+  // The trapezoid rule is exact on the straight way between two states. In equilibrium internal forces equal the loads.
   double work = 0.5 * (state_.total_force + force).dot(displacement - state_.total_displacement);
   if (system_.has_offsets() && load_factor != state_.load_factor) {
     const double before = system_.energy_slope(state_.total_displacement, state_.load_factor);

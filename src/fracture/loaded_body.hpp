@@ -27,7 +27,7 @@ struct ActingLoads {
 // one. Between two breaks the response is linear in the load factor.
 class LoadedBody {
  public:
-  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are gone from the start. The state
+  // `reaction_dofs[s]` are the degrees of freedom of support s. Bonds in `cut` are broken from the start. The state
   // belongs to the caller, who saves it and gives it back.
   LoadedBody(coupling::EquilibriumSystem& system, const std::vector<Point>& positions,
              std::vector<double> critical_stretch, const std::vector<int>& cut,
@@ -45,7 +45,7 @@ class LoadedBody {
   BodyState& state() { return state_; }
   double& seconds_search() { return seconds_search_; }
 
-  // Before the first loads.
+  // Adds the fluid in cracks, before the first loads.
   void add_crack_fluid(CrackFluid fluid) { fluid_ = std::move(fluid); }
   bool has_fluid() const { return !fluid_.empty(); }
   // Constant and proportional part of what the host has said of a crack.
@@ -69,7 +69,7 @@ class LoadedBody {
     std::int64_t switches;   // places of faces that have closed or opened
     LostBalance lost_balance;
   };
-  // Under loads that are new, at the present load factor.
+  // Makes an equilibrium under loads that are new, at the present load factor.
   FirstEquilibrium find_equilibrium();
 
   void solve();          // the displacements of the present system
@@ -82,12 +82,12 @@ class LoadedBody {
     std::vector<int> held;                     // nodes of parts that could move freely
   };
   Settled settle_contacts(double direction);
-  // From where on a way in a direction places may be wrong again: the present load factor or, where they could only be
-  // settled for one a little farther on, that one.
+  // The load factor from which places may be wrong again on a way in a direction: the present one or, where they could
+  // only be settled for one a little farther on, that one.
   double settled_until(double direction) const;
-  // Places where terms have gone since; the displacements are those of the state.
+  // Brings places up to date where terms have broken since; the displacements are those of the state.
   void update_faces() { faces_.update(state_.total_displacement, state_.faces); }
-  // The same, and which of them may press.
+  // Brings places up to date, and tells which of them may press.
   void refresh_faces() {
     update_faces();
     bar_contacts_of_held_parts();
@@ -139,7 +139,7 @@ class LoadedBody {
   double farther_on(double share, double direction) const;
   std::vector<char> nodes_of_held_parts();
   coupling::Affine without_lost_loads(coupling::Affine force) const;
-  // What is left of them, and the forces of the fluid.
+  // Loads that are left after some have been lost, and the forces of the fluid.
   coupling::Affine carried(coupling::Affine force, const CrackPressures& pressures) const;
 
   coupling::EquilibriumSystem& system_;

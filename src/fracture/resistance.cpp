@@ -7,7 +7,7 @@ namespace bempd::fracture {
 namespace {
 
 // Share of the largest force below which forces may be rounding.
-constexpr double rounding = 1e-9;
+constexpr double rounding_of_forces = 1e-9;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ double borne_before(const Event& event, const Outcome& outcome) {
 void add(Resistance& r, const Event& event, const Outcome& outcome, bool separated_before) {
   const double before = outcome.resistance_before;
   if (!separated_before) r.peak = std::max(r.peak, borne_before(event, outcome));
-  if (before > rounding * r.peak) r.stiffness *= outcome.resistance / before;
+  if (before > rounding_of_forces * r.peak) r.stiffness *= outcome.resistance / before;
   r.present = outcome.resistance;
 }
 
@@ -26,6 +26,6 @@ bool is_lost(const Resistance& r, double share) {
   return r.peak > 0 && r.present <= share * r.peak && r.stiffness <= share;
 }
 
-bool hangs(const Resistance& r) { return r.present > rounding * r.peak; }
+bool hangs(const Resistance& r) { return r.present > rounding_of_forces * r.peak; }
 
 }  // namespace bempd::fracture

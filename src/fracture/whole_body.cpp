@@ -32,8 +32,8 @@ Elongation WholeBody::elongation(int term, double load_factor) const {
 bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
   const double f = body_.state().load_factor;
   const Eigen::VectorXd after = evaluate(body_.state().displacement, f);
-  // What follows, or a step of a line cuts besides, may have had no elongation of its own, where nothing is carried
-  // none of them.
+  // A term that follows, or that a step of a line cuts besides, may have had no elongation of its own; where nothing is
+  // carried none of them has.
   const double displacement = body_.state().total_displacement.lpNorm<Eigen::Infinity>();
   double largest = elongation_rounding * displacement;
   for (const ChangingTerm& one : terms) largest = std::max(largest, std::abs(one.before.elastic));
@@ -46,7 +46,7 @@ bool WholeBody::runs_away(std::span<const ChangingTerm> terms) const {
   return !std::all_of(terms.begin(), terms.end(), is_within);
 }
 
-// By places that have opened or closed at the event.
+// Energy released by places that have opened or closed at the event.
 double WholeBody::released_by_contacts(const Eigen::VectorXd& before) const {
   const coupling::Contacts& contacts = system_.contacts();
   const double* after = body_.state().total_displacement.data();
@@ -59,7 +59,8 @@ double WholeBody::released_by_contacts(const Eigen::VectorXd& before) const {
   return sum;
 }
 
-// By forces that shut places as if these were stiff: the limit of the above, gaps being those without them.
+// Energy released by forces that shut places inside operators as if these were stiff: the limit of the one above, gaps
+// being those without these forces.
 double WholeBody::released_by_faces() const {
   if (system_.closed_face_count() == 0 && forces_before_.isZero(0)) return 0;
   const BodyState& state = body_.state();

@@ -31,7 +31,7 @@ class WholeBody final : public EventBody {
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
   std::vector<char> closed_before_;  // of the places where faces meet
-  // Of those inside operators; without any, none.
+  // Forces and gaps of places inside operators; empty where there are none.
   Eigen::VectorXd forces_before_, gaps_before_;
 };
 

@@ -31,7 +31,7 @@ std::optional<double> WholeBodyEvents::next_load_factor(double target, const Ste
   if (!next || way.control == Control::path || options.mode == SteppingMode::events) return next;
   const Stopwatch watch(body_.seconds_search());
   if (const std::optional<double> increment = next_increment(target, options.increment)) return increment;
-  // Without a break up to the target there is one beyond it.
+  // The next break lies beyond the target if there is none up to it.
   return way.end();
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_solver.hpp"
 #include "fracture/window/window_certificate.hpp"
 
 namespace fracture_window_test {
@@ -86,8 +86,8 @@ class Window : public testing::TestWithParam<double> {
   Window() {
     first = plate.system.solve();
     condensation = std::make_unique<Condensation>(plate.system);
-    window = std::make_unique<ActiveWindow>(plate.system, *condensation, plate.ratios, first,
-                                            std::vector<ActiveWindow::Function>{});
+    window = std::make_unique<WindowSolver>(plate.system, *condensation, plate.ratios, first,
+                                            std::vector<WindowSolver::Function>{});
     certificate =
         std::make_unique<WindowCertificate>(plate.system, *condensation, *window, plate.ratios, GetParam() == 0);
     states = {window->displacement()};
@@ -150,7 +150,7 @@ class Window : public testing::TestWithParam<double> {
   EquilibriumSystem& whole = reference.system;
   Affine first;
   std::unique_ptr<Condensation> condensation;
-  std::unique_ptr<ActiveWindow> window;
+  std::unique_ptr<WindowSolver> window;
   std::unique_ptr<WindowCertificate> certificate;
   std::vector<Affine> states;
   std::vector<double> largest_outside;
@@ -192,14 +192,14 @@ TEST_P(Window, places_close_and_open_in_it_as_in_the_whole_plate) {
     whole.add_contact({pull, 4.0 + y});
   }
   const auto switch_both = [&](bool first_closes, bool second_closes) {
-    const std::vector<ActiveWindow::FaceSwitch> switches{{whole.contacts()[0], first_closes},
+    const std::vector<WindowSolver::FaceSwitch> switches{{whole.contacts()[0], first_closes},
                                                          {whole.contacts()[1], second_closes}};
     whole.switch_contacts(std::vector{0, 1});
     return window->switch_faces(switches);
   };
   whole.switch_contacts(std::vector{0});
   ASSERT_TRUE(window->follows(whole.contacts()[0]));
-  EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{whole.contacts()[0], true}}));
+  EXPECT_TRUE(window->switch_faces(std::vector<WindowSolver::FaceSwitch>{{whole.contacts()[0], true}}));
   EXPECT_LT(difference_from_whole(), 1e-11);
   EXPECT_GT((window->displacement() - open).norm(), 1e-4 * open.norm());
   const Eigen::VectorXd at = coupling::evaluate(whole.solve(), load_factor);
@@ -209,14 +209,14 @@ TEST_P(Window, places_close_and_open_in_it_as_in_the_whole_plate) {
   EXPECT_LT(difference_from_whole(), 1e-11);
   EXPECT_TRUE(switch_both(true, false));
   whole.switch_contacts(std::vector{0});
-  EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{whole.contacts()[0], false}}));
+  EXPECT_TRUE(window->switch_faces(std::vector<WindowSolver::FaceSwitch>{{whole.contacts()[0], false}}));
   EXPECT_LT((window->displacement() - open).norm(), 1e-11 * open.norm());
 }
 
 // Forces are balanced, too, with a place whose stiffness the window has gained, and with points left behind.
 TEST_P(Window, forces_are_in_balance_and_are_put_back_to_it) {
   const coupling::Contact place{{{Plate::node(6, 9), -1, 0}, {Plate::node(7, 9), 1, 0}}, 3};
-  EXPECT_TRUE(window->switch_faces(std::vector<ActiveWindow::FaceSwitch>{{place, true}}));
+  EXPECT_TRUE(window->switch_faces(std::vector<WindowSolver::FaceSwitch>{{place, true}}));
   std::vector<char> leaves;
   for (const int dof : condensation->dofs()) leaves.push_back(plate.positions[dof / 2].x() < 5.5 ? 1 : 0);
   window->narrow(leaves);

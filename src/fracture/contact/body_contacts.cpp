@@ -1,4 +1,4 @@
-// Which faces of a body's cracks press on each other at its load factor.
+// The faces of a body's cracks that press on each other at its load factor.
 #include <algorithm>
 #include <utility>
 
@@ -17,9 +17,9 @@ namespace {
 // Newton takes 1 to 6 for the places of contact; one by one each may be met several times.
 constexpr std::int64_t newton_rounds = 64, rounds_per_place = 16;
 
-// Where faces part or meet all at once, as under a pressure that just vanishes, what tells open places from closed ones
-// may be rounding, which has no solution. After so many rounds places are asked for as they are a little farther on the
-// way: by this share of the load factor at first, and ten times as far each time that this does not end either.
+// Faces may part or meet all at once, as under a pressure that just vanishes: what tells open places from closed ones
+// may then be rounding, which has no solution. After so many rounds places are asked for as they are a little farther
+// on the way: by this share of the load factor at first, and ten times as far each time that this does not end either.
 constexpr std::int64_t rounds_at_rounding = 256;
 constexpr double farther_at_first = 1e-8, farthest = 1e-6;
 
@@ -49,7 +49,7 @@ void hold_what_moves(const Eigen::VectorXd& motion, FreedPartFinder::Held& held)
 std::vector<char> LoadedBody::nodes_of_held_parts() {
   FreedPartFinder::Held held = freed_parts_.held_parts();
   if (!held.others.empty()) {
-    // Without the faces that press now, so that what may press does not depend on them.
+    // The faces that press now are left out, so that what may press does not depend on them.
     for (const Eigen::VectorXd& motion : system_.motions_held_by(held.others)) hold_what_moves(motion, held);
   }
   return std::move(held.nodes);
@@ -87,7 +87,8 @@ bool LoadedBody::unload_pushed_parts() {
 void LoadedBody::bar_contacts_of_held_parts() {
   const std::size_t count = system_.contacts().size(), springs = system_.springs().size();
   if (count == 0 || springs == 0) return system_.bar_contacts({});
-  // Neither springs nor broken terms become fewer. What a spring holds grows with terms that break.
+  // Springs and broken terms never become fewer, and what a spring holds grows with terms that break: their number
+  // tells whether the answer is still good.
   const auto broken = std::count(system_.intact().begin(), system_.intact().end(), 0);
   const std::size_t changes = springs + static_cast<std::size_t>(broken);
   if (system_.contacts().barred_count() == count && changes_that_bar_ == changes) return;
@@ -107,7 +108,8 @@ void LoadedBody::bar_contacts(std::vector<char> barred, std::size_t changes) {
   changes_that_bar_ = changes;
 }
 
-// By a share of the load factor or, near none, of the one at which both parts of the displacement are as large.
+// A load factor that lies farther on by a share of the present one or, near none, of the one at which both parts of the
+// displacement are as large.
 double LoadedBody::farther_on(double share, double direction) const {
   const double f = state_.load_factor, proportional = state_.displacement.col(1).lpNorm<Eigen::Infinity>();
   if (share == 0 || proportional == 0) return f;
@@ -136,7 +138,7 @@ LoadedBody::Settled LoadedBody::settle_contacts(double direction) {
     bar_contacts_of_held_parts();
     const coupling::Contacts& contacts = system_.contacts();
     std::vector<int> wrong = wrong_places(contacts, state_.displacement, at, direction);
-    // Where nothing else tells, loads grow.
+    // Loads count as growing where nothing else tells.
     std::vector<int> inside = wrong_faces(system_, state_.displacement, at, direction == 0 ? 1 : direction);
     if (wrong.empty() && inside.empty()) break;
     check_cancelled();

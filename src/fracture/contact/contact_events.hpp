@@ -14,7 +14,7 @@ class ContactEvents final : public EventSource {
  public:
   explicit ContactEvents(LoadedBody& body) : body_(body) {}
 
-  // That on the way to a target, or to an event that comes before it; null if there is none.
+  // The event of faces on the way to a target, or to an event that comes before the target; null if there is none.
   const Event* before(const Event* event, double target);
   bool is_before(double load_factor);
 

@@ -1,4 +1,4 @@
-// Which places are to open and close, and where.
+// Rules by which places open and close, and load factors at which they do.
 #include <algorithm>
 #include <cmath>
 

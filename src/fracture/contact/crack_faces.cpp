@@ -89,7 +89,8 @@ std::vector<int> CrackFaces::near(int term) const {
   return found;
 }
 
-// Across the principal axis of the middles of parted neighbours, towards the bond's second end.
+// The normal of a place lies across the principal axis of the middles of parted neighbours, and points towards the
+// bond's second end.
 Point CrackFaces::normal_at(int term, std::span<const int> others) const {
   const Point along(system_.terms().cosine[term], system_.terms().sine[term]);
   if (others.size() < 2) return along;

@@ -29,7 +29,7 @@ struct ContactPlan {
 // rule `rough` each broken bond is a place instead, and presses along itself.
 class CrackFaces {
  public:
-  // Bonds in `cut` are gone from the start.
+  // Bonds in `cut` are broken from the start.
   CrackFaces(coupling::EquilibriumSystem& system, const std::vector<Point>& positions, ContactPlan plan,
              const std::vector<int>& cut);
 
@@ -53,7 +53,7 @@ class CrackFaces {
   void forget_terms(std::span<const int> terms);
   // Makes the system's places those of a state, whose stages it has; what is pending there stays so.
   void restore(const FaceState& state);
-  // The same where the factor of another matrix is at work.
+  // Makes the system's places those of a state while the factor of another matrix is at work, as in a window.
   void go_on_from(const FaceState& state);
   coupling::Contacts contacts_of(const FaceState& state) const;
 
@@ -93,7 +93,7 @@ std::vector<int> wrong_places(const coupling::Contacts& places, const coupling::
 std::optional<double> next_switch(const coupling::Contacts& places, const coupling::Affine& displacement, double from,
                                   double to);
 
-// The same for faces inside the system's operators.
+// Wrong places and the next switch of faces inside the system's operators.
 std::vector<int> wrong_faces(const coupling::EquilibriumSystem& system, const coupling::Affine& displacement,
                              double load_factor, double direction);
 std::optional<double> next_face_switch(const coupling::EquilibriumSystem& system, const coupling::Affine& displacement,

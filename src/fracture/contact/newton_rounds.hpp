@@ -8,9 +8,10 @@
 
 namespace bempd::fracture {
 
-// Which places a round of Newton's method switches: all that are wrong, until it comes back to the same places; from
-// then on one at a time, by the least number, until fewer are wrong than ever before, and all again for some rounds.
-// One by one alone ends (Murty 1974), but after very many rounds; so both do after few (Judice and Pires 1994).
+// Newton's method for the places of contact: a round switches all places that are wrong, until it comes back to the
+// same closed places. From then on one place is switched at a time, the one of the least number, until fewer are wrong
+// than ever before, and all again for some rounds. One by one alone ends (Murty 1974), but after very many rounds; both
+// together do after few (Judice and Pires 1994).
 class NewtonRounds {
  public:
   // The places of contact and those inside operators, which are closed.

@@ -42,7 +42,7 @@ class LineSteps {
   // One for each tip whose way meets bonds and that something drives.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                             const LoadWay& way) const;
-  // Which tip grows first on a way (crack/order.hpp), and where: in the whole body and in windows.
+  // The tip that grows first on a way (crack/order.hpp), and where: in the whole body and in windows.
   struct Choice {
     std::vector<LineStep> steps;    // of all tips that could grow
     std::optional<LineStep> first;  // null if no tip grows
@@ -61,8 +61,8 @@ class LineSteps {
   // By how much a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
-  // After the event of a step, which has released an energy, its tip moves and remembers what was released, or ends.
-  // `displacement_at` tells the displacements after the event where moved tips ask for them.
+  // Moves the tip of a step after its event, which has released an energy; the tip remembers what was released, or
+  // ends. `displacement_at` tells the displacements after the event where moved tips ask for them.
   using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
   CrackExtension take(const LineStep& step, const Event& event, double released_energy,
                       const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
@@ -80,7 +80,7 @@ class LineSteps {
   std::vector<int> across(const Point& from, const Point& to, double horizon) const {
     return way_.across(from, to, horizon);
   }
-  // Marks as gone the terms near a tip that grows: they do not break by themselves.
+  // Marks as broken the terms near a tip that grows: they do not break by themselves.
   void spare(const GrowingTip& tip, std::vector<char>& intact) const;
 
   const TipStress& stress() const { return stress_; }

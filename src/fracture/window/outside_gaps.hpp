@@ -26,7 +26,7 @@ class OutsideGaps {
       return function.constant[part] + function.weights.dot(kept.col(part));
     }
   };
-  // Of faces inside operators, all of which are open where windows are.
+  // Gaps of faces inside operators, all of which are open where windows are.
   const std::vector<Gap>& faces() const { return faces_; }
 
  private:

@@ -23,7 +23,7 @@ std::vector<char> nodes_touched_outside(const coupling::EquilibriumSystem& syste
   return touched;
 }
 
-// Of the product of a triangular factor with its transpose, these rows and columns. The factor's rows end at their
+// Chosen rows and columns of the product of a triangular factor with its transpose. The factor's rows end at their
 // diagonal.
 Eigen::MatrixXd part_of_product(const Eigen::MatrixXd& factor, const std::vector<int>& chosen) {
   const Eigen::Index columns = chosen.empty() ? 0 : chosen.back() + 1;

@@ -19,7 +19,8 @@ class WindowBalance {
   WindowBalance(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                 const WindowTerms& terms, const coupling::Affine& rows);
 
-  // Of a place where faces meet, which has no number among the terms; a form of kept degrees of freedom.
+  // Notes the stiffness that a place of faces loses, which has no number among the terms; a form of kept degrees of
+  // freedom.
   void note_loss(const LinearForms& pull, double stiffness);
 
   // Loads less what resists at these displacements, kept and prescribed ones in their rows of the window, with the

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "fracture/contact/faces_ahead.hpp"
+#include "fracture/contact/face_forecast.hpp"
 #include "fracture/event_body.hpp"
 #include "fracture/loaded_body.hpp"
-#include "fracture/window/active_window.hpp"
 #include "fracture/window/window_functions.hpp"
+#include "fracture/window/window_solver.hpp"
 
 namespace bempd::fracture {
 
@@ -16,15 +16,15 @@ namespace bempd::fracture {
 // window's.
 class WindowBody final : public EventBody {
  public:
-  // `state`: number of the state that the next event leads to. `ahead`: the places of faces in these states; null where
-  // faces cannot meet. `displacement`: any one of the body, at which parts that come free would be held.
-  WindowBody(LoadedBody& body, ActiveWindow& window, const WindowFunctions& functions, FacesAhead* ahead, int state,
-             const Eigen::VectorXd& displacement)
+  // `state`: number of the state that the next event leads to. `face_forecast`: the places of faces in these states;
+  // null where faces cannot meet. `displacement`: any one of the body, at which parts that come free would be held.
+  WindowBody(LoadedBody& body, WindowSolver& window, const WindowFunctions& functions, FaceForecast* face_forecast,
+             int state, const Eigen::VectorXd& displacement)
       : body_(body),
         system_(body.system()),
         window_(window),
         functions_(functions),
-        ahead_(ahead),
+        face_forecast_(face_forecast),
         state_(state),
         displacement_(displacement) {}
 
@@ -53,9 +53,9 @@ class WindowBody final : public EventBody {
 
   LoadedBody& body_;
   coupling::EquilibriumSystem& system_;
-  ActiveWindow& window_;
+  WindowSolver& window_;
   const WindowFunctions& functions_;
-  FacesAhead* ahead_;
+  FaceForecast* face_forecast_;
   int state_;
   const Eigen::VectorXd& displacement_;
   std::vector<std::size_t> places_before_;  // of faces, before any has switched at the event

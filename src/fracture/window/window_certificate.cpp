@@ -11,7 +11,7 @@ namespace bempd::fracture {
 using coupling::Affine;
 
 WindowCertificate::WindowCertificate(const coupling::EquilibriumSystem& system,
-                                     const coupling::Condensation& condensation, const ActiveWindow& window,
+                                     const coupling::Condensation& condensation, const WindowSolver& window,
                                      const StretchRatios& ratios, bool proportional)
     : condensation_(condensation), window_(window), proportional_(proportional) {
   collect_bonds(system, ratios);

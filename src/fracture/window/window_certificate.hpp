@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "coupling/condensation.hpp"
-#include "fracture/window/active_window.hpp"
 #include "fracture/window/window_settings.hpp"
+#include "fracture/window/window_solver.hpp"
 
 namespace bempd::fracture {
 
@@ -22,7 +22,7 @@ namespace bempd::fracture {
 class WindowCertificate {
  public:
   WindowCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
-                    const ActiveWindow& window, const StretchRatios& ratios, bool proportional);
+                    const WindowSolver& window, const StretchRatios& ratios, bool proportional);
 
   // `states` are the kept displacements after 0, 1, ... events, `breaks` the bonds broken until each; `first` is the
   // state 0 of the whole body. Returns the first state with a check that fails, or the number of states.
@@ -56,7 +56,7 @@ class WindowCertificate {
   Eigen::VectorXd on_boundary(int state, double load_factor) const;
 
   const coupling::Condensation& condensation_;
-  const ActiveWindow& window_;
+  const WindowSolver& window_;
   bool proportional_;
   std::vector<int> first_, second_;    // of bonds outside that can break
   std::vector<double> cosine_, sine_;  // scaled so that ratios come out
@@ -64,7 +64,7 @@ class WindowCertificate {
   Classes compliance_;  // largest stretch ratio per root of energy, of each class
   double rounding_;
 
-  // Of the present question.
+  // Data of the present question.
   const std::vector<coupling::Affine>* states_ = nullptr;
   const coupling::Affine* whole_first_ = nullptr;
   std::vector<std::vector<OutsideCheck>> checks_;  // per state

@@ -43,16 +43,16 @@ WindowOptions options_of(const SteppingOptions& options) {
 }  // namespace
 
 WindowEvents::WindowEvents(LoadedBody& body, std::function<void()> before_forgetting)
-    : lookahead_(body), body_(body), before_forgetting_(std::move(before_forgetting)) {}
+    : forecast_(body), body_(body), before_forgetting_(std::move(before_forgetting)) {}
 
 bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   events_performed_ = 0;
   try {
     const WindowWatch watch(body_.seconds_search(), body_.system().counters());
-    const int most_events = lookahead_.most_events();
+    const int most_events = forecast_.most_events();
     const BodyState& state = body_.state();
-    if (!lookahead_.open(state, load_factor, options_of(options))) return false;
-    origin_ = {lookahead_.options(), state.load_factor, state.displacement, state.tips, state.faces, {}};
+    if (!forecast_.open(state, load_factor, options_of(options))) return false;
+    origin_ = {forecast_.options(), state.load_factor, state.displacement, state.tips, state.faces, {}};
     faces_have_switched_ = false;
     most_events_at_first_ = most_events;
     return true;
@@ -63,14 +63,14 @@ bool WindowEvents::open(double load_factor, const SteppingOptions& options) {
   }
 }
 
-bool WindowEvents::suits(const SteppingOptions& options) const { return lookahead_.options() == options_of(options); }
+bool WindowEvents::suits(const SteppingOptions& options) const { return forecast_.options() == options_of(options); }
 
 WindowOrigin WindowEvents::origin() const {
   WindowOrigin origin = origin_;
   origin.events_performed = events_performed_;
   origin.is_behind = is_behind_ || is_shown_;
-  origin.has_changed_terms = lookahead_.has_changed_terms();
-  origin.needs_whole_body = lookahead_.frees_a_motion();
+  origin.has_changed_terms = forecast_.has_changed_terms();
+  origin.needs_whole_body = forecast_.frees_a_motion();
   if (!faces_have_switched_) origin.faces.reset();
   return origin;
 }
@@ -79,18 +79,18 @@ bool WindowEvents::open_again(const WindowOrigin& origin) {
   events_performed_ = 0;
   is_behind_ = is_shown_ = false;
   origin_ = origin;
-  most_events_at_first_ = lookahead_.most_events();
+  most_events_at_first_ = forecast_.most_events();
   BodyState& state = body_.state();
   origin_.faces = state.faces;
   faces_have_switched_ = false;
-  lookahead_.open_again(state, origin.options);
+  forecast_.open_again(state, origin.options);
   for (const WindowOrigin::Look& look : origin.looks) {
     while (events_performed_ < look.after)
       if (!take_again()) return false;
-    if (!lookahead_.must_compute()) return false;
+    if (!forecast_.must_compute()) return false;
     state.load_factor = look.load_factor;
     state.largest_force = look.largest_force;
-    lookahead_.compute(state);
+    forecast_.compute(state);
   }
   while (events_performed_ < origin.events_performed)
     if (!take_again()) return false;
@@ -99,19 +99,19 @@ bool WindowEvents::open_again(const WindowOrigin& origin) {
 }
 
 bool WindowEvents::take_again() {
-  const ForeseenEvent* foreseen = lookahead_.next();
+  const ForecastEvent* foreseen = forecast_.next();
   if (!foreseen) return false;
   take(*foreseen);
   return true;
 }
 
-void WindowEvents::take(const ForeseenEvent& next) {
+void WindowEvents::take(const ForecastEvent& next) {
   BodyState& state = body_.state();
   const std::vector<coupling::StageChange>& changes = next.event.changes;
   for (const coupling::StageChange& c : changes) state.stages[c.term] = static_cast<std::uint8_t>(c.stage);
   const std::vector<int> broken = body_.system().terms().broken_by(changes);
   if (!state.tips.empty()) state.tips = next.tips;
-  lookahead_.take();
+  forecast_.take();
   if (next.faces) {
     take_faces(*next.faces);
   } else {
@@ -122,42 +122,42 @@ void WindowEvents::take(const ForeseenEvent& next) {
 
 void WindowEvents::close() {
   bring_up_to_date();
-  lookahead_.close();
+  forecast_.close();
 }
 
 void WindowEvents::forget() {
-  lookahead_.forget();
+  forecast_.forget();
   is_behind_ = is_shown_ = false;
 }
 
 void WindowEvents::abandon() noexcept {
-  lookahead_.close();
+  forecast_.close();
   is_behind_ = is_shown_ = false;
 }
 
 const Event* WindowEvents::next(double, const SteppingOptions&) {
   const WindowWatch watch(body_.seconds_search(), body_.system().counters());
-  if (lookahead_.must_compute()) {
+  if (forecast_.must_compute()) {
     before_forgetting_();
     // What was shown has other rounding than what the events computed next tell of the same state.
     is_behind_ = is_behind_ || is_shown_;
     is_shown_ = false;
     const BodyState& state = body_.state();
     origin_.looks.push_back({events_performed_, state.load_factor, state.largest_force});
-    lookahead_.compute(state);
+    forecast_.compute(state);
   }
-  const ForeseenEvent* foreseen = lookahead_.next();
+  const ForecastEvent* foreseen = forecast_.next();
   return foreseen ? &foreseen->event : nullptr;
 }
 
 Outcome WindowEvents::perform() {
-  const ForeseenEvent& foreseen = *lookahead_.next();
+  const ForecastEvent& foreseen = *forecast_.next();
   if (foreseen.faces) before_forgetting_();  // faces are of the present state only
   const Event& event = foreseen.event;
   BodyState& state = body_.state();
   Outcome outcome = foreseen.outcome;
   outcome.work_before = foreseen.before.at(event.load_factor) - foreseen.before.at(state.load_factor);
-  outcome.residual = lookahead_.residual();
+  outcome.residual = forecast_.residual();
   state.load_factor = event.load_factor;
   state.largest_force = std::max(state.largest_force, foreseen.largest_force);
   take(foreseen);
@@ -180,15 +180,14 @@ void WindowEvents::bring_up_to_date() {
 
 void WindowEvents::show() {
   if (!is_behind_) return;
-  body_.show(lookahead_.displacement(lookahead_.position()));
+  body_.show(forecast_.displacement(forecast_.position()));
   is_behind_ = false;
   is_shown_ = true;
 }
 
 WindowEvents::Place WindowEvents::place() const {
   const BodyState& state = body_.state();
-  return {lookahead_.position(), events_performed_, state.load_factor,
-          state.largest_force,   state.separated,   state.tips};
+  return {forecast_.position(), events_performed_, state.load_factor, state.largest_force, state.separated, state.tips};
 }
 
 BodyState WindowEvents::state_at(const Place& place) const {
@@ -199,10 +198,10 @@ BodyState WindowEvents::state_at(const Place& place) const {
   state.separated = place.separated;
   state.first_unit_energy = present.first_unit_energy;
   state.largest_force = place.largest_force;
-  state.displacement = lookahead_.displacement(place.position);
+  state.displacement = forecast_.displacement(place.position);
   state.total_displacement = coupling::evaluate(state.displacement, state.load_factor);
   state.total_force = body_.system().internal_force(state.total_displacement, state.load_factor);
-  state.stages = lookahead_.stages(place.position);
+  state.stages = forecast_.stages(place.position);
   state.springs = present.springs;
   state.unloaded = present.unloaded;
   state.faces = present.faces;
@@ -211,7 +210,7 @@ BodyState WindowEvents::state_at(const Place& place) const {
 }
 
 void WindowEvents::return_to(Place& place) noexcept {
-  lookahead_.return_to(place.position);
+  forecast_.return_to(place.position);
   BodyState& state = body_.state();
   state.load_factor = place.load_factor;
   state.largest_force = place.largest_force;

@@ -7,26 +7,27 @@
 
 #include "fracture/event_source.hpp"
 #include "fracture/loaded_body.hpp"
-#include "fracture/window/lookahead.hpp"
+#include "fracture/window/event_forecast.hpp"
 
 namespace bempd::fracture {
 
-// Events computed ahead in a window around what breaks, performed one by one. The body's displacements and forces fall
-// behind meanwhile: only its load factor and bonds are right until they are asked for.
+// The source of events that a window has computed ahead, which are performed one by one. The body's displacements and
+// forces fall behind meanwhile: only its load factor and bonds are right until they are asked for.
 class WindowEvents final : public EventSource {
  public:
   // Calls `before_forgetting` before places told so far lose their meaning.
   WindowEvents(LoadedBody& body, std::function<void()> before_forgetting);
 
-  // From now on events are steps of lines.
-  void follow(const LineSteps& lines) { lookahead_.follow(lines); }
+  // Makes events steps of lines from now on.
+  void follow(const LineSteps& lines) { forecast_.follow(lines); }
 
-  // Before the first solution: initial cracks, given by the bonds they cut.
-  void expect_cracks(const std::vector<int>& cut) { lookahead_.expect_cracks(cut); }
+  // Says before the first solution where initial cracks are, given by the bonds they cut.
+  void expect_cracks(const std::vector<int>& cut) { forecast_.expect_cracks(cut); }
 
-  // Around what is critical at the load factor of the next event. False if there is no window that would be of use.
+  // Opens a window around what is critical at the load factor of the next event. False if there is no window that would
+  // be of use.
   bool open(double load_factor, const SteppingOptions& options);
-  bool is_open() const { return lookahead_.is_open(); }
+  bool is_open() const { return forecast_.is_open(); }
   bool suits(const SteppingOptions& options) const;  // the window, once open
   void close();
   void forget();            // and where the window was; the body's state is no longer brought up to date
@@ -36,9 +37,9 @@ class WindowEvents final : public EventSource {
   // After remember() in the state in which the window was opened, open_again() leaves it as it was, with the body's
   // state; false if it does not come to the same.
   WindowOrigin origin() const;
-  PlaceMemory place_of_last() const { return lookahead_.place(); }
-  int most_events() const { return is_open() ? most_events_at_first_ : lookahead_.most_events(); }
-  void remember(PlaceMemory place, int most_events) { lookahead_.remember(std::move(place), most_events); }
+  WindowLocation place_of_last() const { return forecast_.place(); }
+  int most_events() const { return is_open() ? most_events_at_first_ : forecast_.most_events(); }
+  void remember(WindowLocation place, int most_events) { forecast_.remember(std::move(place), most_events); }
   bool open_again(const WindowOrigin& origin);
 
   // Null if the window has come to its end.
@@ -47,15 +48,15 @@ class WindowEvents final : public EventSource {
 
   std::int64_t events_performed() const { return events_performed_; }  // since the window was opened
   // True if the window has come to its end before an event that no window can perform.
-  bool needs_whole_body() const { return lookahead_.needs_whole_body(); }
-  // Because faces of cracks close or open after the events that it knew.
-  bool ended_at_faces() const { return lookahead_.ended_at_faces(); }
+  bool needs_whole_body() const { return forecast_.needs_whole_body(); }
+  // True if the window has come to its end because faces of cracks close or open after the events that it knew.
+  bool ended_at_faces() const { return forecast_.ended_at_faces(); }
 
   void bring_up_to_date();
-  // The same for someone who looks: the run goes on as if nobody had.
+  // Brings displacements up to date for someone who looks: the run goes on as if nobody had.
   void show();
 
-  // Where the body is among the events of the window.
+  // The place of the body among the events of the window.
   struct Place {
     int position;
     std::int64_t events_performed;
@@ -68,10 +69,10 @@ class WindowEvents final : public EventSource {
   void return_to(Place& place) noexcept;  // for the last time
 
  private:
-  Lookahead lookahead_;
+  EventForecast forecast_;
   LoadedBody& body_;
   std::function<void()> before_forgetting_;
-  void take(const ForeseenEvent& next);
+  void take(const ForecastEvent& next);
   void take_faces(FaceState faces);
   bool take_again();
 

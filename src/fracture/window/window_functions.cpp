@@ -8,7 +8,7 @@ namespace {
 constexpr Eigen::Index loads = 0, supports = 2, first_reaction = 4;
 
 // Force that the body returns where supports are displaced in this way; tied nodes follow their masters.
-ActiveWindow::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
+WindowSolver::Function force_of_supports(const coupling::EquilibriumSystem& system, Eigen::VectorXd moved) {
   system.ties().expand(moved);
   Eigen::VectorXd weights = system.internal_force(moved);
   return {std::move(weights), std::move(moved)};
@@ -16,8 +16,8 @@ ActiveWindow::Function force_of_supports(const coupling::EquilibriumSystem& syst
 
 }  // namespace
 
-std::vector<ActiveWindow::Function> WindowFunctions::list() const {
-  std::vector<ActiveWindow::Function> result;
+std::vector<WindowSolver::Function> WindowFunctions::list() const {
+  std::vector<WindowSolver::Function> result;
   const Eigen::Index dofs = 2 * system_.node_count();
   for (int part = 0; part < 2; ++part) {
     Eigen::VectorXd load = system_.force().col(part);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "coupling/equilibrium_system.hpp"
-#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_solver.hpp"
 
 namespace bempd::fracture {
 
@@ -23,11 +23,11 @@ class WindowFunctions {
   WindowFunctions(const coupling::EquilibriumSystem& system, const std::vector<std::vector<int>>& reaction_dofs)
       : system_(system), reaction_dofs_(reaction_dofs) {}
 
-  std::vector<ActiveWindow::Function> list() const;
+  std::vector<WindowSolver::Function> list() const;
 
-  // From the values of these functions.
+  // The stored energy, from the values of these functions.
   static EnergyForm energy(const Values& values);
-  // Of the loads where displacements jump at a load factor.
+  // Work of the loads where displacements jump at a load factor.
   static double work(const Values& before, const Values& after, double load_factor);
   std::vector<double> reactions(const Values& values, double load_factor) const;  // x and y of every support
 

@@ -12,8 +12,8 @@
 
 namespace bempd::fracture {
 
-// Where windows are, or were last.
-struct PlaceMemory {
+// The place of the present window, or of the last one.
+struct WindowLocation {
   std::vector<Zone> zones;
   std::vector<int> nodes;
   bool are_last = false;  // these nodes are eliminated last

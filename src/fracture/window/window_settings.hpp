@@ -12,8 +12,7 @@ struct WindowSettings {
   // cube once; the longer it is, the fewer factorizations of the whole body it takes, whose cost grows with the size of
   // the system to the power 1.5. Both sides balance where the length grows with the root of the size.
   static constexpr double length_at_20000_unknowns = 31, least_length = 8, most_length = 320;
-  // At the ends of initial cracks, where a straight run is to take one factorization, windows are longer by this
-  // factor.
+  // Windows at the ends of initial cracks are longer by this factor: a straight run is to take one factorization there.
   static constexpr double length_of_expected = 1.5;
   // Unknowns that a window may have: so many, or so many for each spacing of its length.
   static constexpr double least_most_unknowns = 2600, most_unknowns_per_length = 46;
@@ -31,19 +30,20 @@ struct WindowSettings {
   // Hot bonds nearer to each other than this are one crowd; broken bonds as near as the second tell on which side of a
   // crowd the crack is.
   static constexpr double crowd_distance = 6, crack_distance = 8;
-  // Of the largest ratio in a crowd: bonds in whose middle it is.
+  // Bonds with this share of the largest ratio in a crowd tell where its middle is.
   static constexpr double centre_share = 0.85;
-  // Which bonds tell in which direction a crack opens: those with this share of the largest ratio in a crowd, up to so
+  // Bonds that tell in which direction a crack opens: those with this share of the largest ratio in a crowd, up to so
   // many spacings from it. The few that are about to break would tell the next step of a path that goes to and fro.
   static constexpr double opening_share = 0.5, opening_reach = 16;
-  // Where bonds open in all directions alike, by this ratio of the least to the largest, the crack behind tells.
+  // The crack behind tells the direction where bonds open in all directions alike, by this ratio of the least to the
+  // largest.
   static constexpr double opening_all_around = 0.75;
 
   // Bonds broken between two looks at what can be left behind; the least share of what is followed that is worth it;
   // and where it lies: so far behind the bonds with this share of the largest ratio.
   static constexpr std::size_t breaks_between_narrowings = 96;
   static constexpr double least_narrowing = 0.15, hot_when_narrowing = 0.5, behind_hot = 1;
-  // Where terms follow others, how far they may reach beyond them.
+  // Distance that followers may reach beyond the terms that they follow.
   static constexpr double reach_of_followers = 1.5;
 
   // Events computed at once: few at first, in case the host wants few, then more, up to this many.
@@ -58,16 +58,16 @@ struct WindowSettings {
   // how many steps it has to save for the next one to be tried at once, which costs a factorization.
   static constexpr double least_way = 8, beside_way = 0.5;
   static constexpr int worthwhile_steps = 16;
-  // Of the load factor of an event, so that a tip that is driven then is driven in the whole body too.
+  // A tip counts as driven in the whole body too if it is by this share of the load factor of an event.
   static constexpr double surely_driven = 0.1;
 
-  // Below this pivot a term was the last resistance to some motion, or nearly so; and so it was if displacements grow
-  // by this factor.
+  // A term was the last resistance to some motion, or nearly so, below this pivot, or if displacements grow by this
+  // factor.
   static constexpr double smallest_pivot = 1e-7, most_growth = 1e6;
   // Columns collected before they are added to the flexibility: enough for a fast product, few enough to be cheap to
   // carry along.
   static constexpr int most_pending_changes = 96;
-  // Of a triangular factor, whose product with itself leaves out the rows above them.
+  // Columns of a triangular factor whose product with itself leaves out the rows above them.
   static constexpr int factor_columns_at_once = 96;
 
   // Bonds that may break between two states that are computed for the whole body; and rounds of the certificate, after
@@ -86,7 +86,7 @@ struct WindowSettings {
   // What rounding may do to what the certificate compares, and to energies, relative to the stiffness around a window.
   static constexpr double certificate_margin = 1e-9;
   static constexpr double energy_rounding = 1e-13;
-  // Of the energy of the undamaged scene: with less the body may be separated, and rounding may hide it.
+  // A body with less than this share of the energy of the undamaged scene may be separated, and rounding may hide it.
   static constexpr double doubtful_energy = 1e-7;
   // Worst residual with which computed events are taken; what is left is rounding.
   static constexpr double acceptable_residual = 1e-11;

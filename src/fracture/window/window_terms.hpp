@@ -35,10 +35,10 @@ class WindowTerms {
   // Whether all that its ratio depends on is watched; otherwise the ratio is too large rather than too small.
   bool ratio_is_known(std::size_t term) const { return across_.empty() || across_.is_known(term); }
 
-  // Where a term of the system is in this list; -1: it is not watched.
+  // The place of a term of the system in this list; -1: it is not watched.
   int place_of(int number) const;
 
-  // By its place in the list, `term` as well as that in `change`.
+  // Terms are named by their places in the list, also in `change`.
   void enter(const coupling::StageChange& change);
   int stage(std::size_t term) const { return stages_[term]; }
   double stiffness_after(const coupling::StageChange& change) const;

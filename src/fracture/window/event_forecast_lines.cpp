@@ -2,17 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/window/lookahead.hpp"
+#include "fracture/window/event_forecast.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
 using coupling::Affine;
 
-// Where the next ways are kept for a while.
-bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor) {
+// Chooses a window that keeps the next ways of tips for a while.
+bool EventForecast::choose_place_of_lines(const BodyState& state, double load_factor) {
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
-  std::vector<WindowPlace::Way> ways;
+  std::vector<WindowLocator::Way> ways;
   const LoadWay load_way{state.load_factor, true, options_.control};
   for (const LineStep& step : lines_->all(state.tips, state.displacement, load_way)) {
     if (!LineSteps::is_driven(step, load_way, load_factor)) continue;
@@ -23,20 +23,20 @@ bool Lookahead::choose_place_of_lines(const BodyState& state, double load_factor
     ways.push_back({from, step.direction, law.horizon, {}});
     ways.back().bonds = lines_->across(from, from + length * step.direction, law.horizon);
   }
-  return place_.choose(ways, options_.ahead);
+  return locator_.choose(ways, options_.ahead);
 }
 
-void Lookahead::begin_steps(const BodyState& state) {
+void EventForecast::begin_steps(const BodyState& state) {
   tips_ = state.tips;
   near_tips_ = displacement_near(tips_);
-  away_from_tips_ = std::make_unique<AwayFromTips>(system_, *condensation_, body_.ratios(), *lines_);
+  line_certificate_ = std::make_unique<LineCertificate>(system_, *condensation_, body_.ratios(), *lines_);
 }
 
-Affine Lookahead::displacement_near(const std::vector<GrowingTip>& tips) const {
+Affine EventForecast::displacement_near(const std::vector<GrowingTip>& tips) const {
   return condensation_->displacement_at(lines_->nodes_asked(tips), window_->displacement());
 }
 
-std::optional<LineSteps::Choice> Lookahead::choose_step(double from, ForeseenEvent& foreseen) const {
+std::optional<LineSteps::Choice> EventForecast::choose_step(double from, ForecastEvent& foreseen) const {
   const std::vector<GrowingTip>& tips = last_tips();
   const LoadWay way{from, true, options_.control};
   LineSteps::Choice choice = lines_->choose(tips, near_tips_, way);
@@ -50,8 +50,8 @@ std::optional<LineSteps::Choice> Lookahead::choose_step(double from, ForeseenEve
   return choice;
 }
 
-// After its event in the window.
-void Lookahead::take_step(const LineSteps::Choice& line, ForeseenEvent& foreseen) {
+// Moves the tip of a step after its event in the window.
+void EventForecast::take_step(const LineSteps::Choice& line, ForecastEvent& foreseen) {
   foreseen.tips = last_tips();
   foreseen.outcome.ties = line.ties;
   const auto displacement = [&](const auto& tips) -> const Affine& { return near_tips_ = displacement_near(tips); };
@@ -59,26 +59,26 @@ void Lookahead::take_step(const LineSteps::Choice& line, ForeseenEvent& foreseen
       lines_->take(*line.first, foreseen.event, foreseen.outcome.released_energy, displacement, foreseen.tips)};
 }
 
-void Lookahead::narrow(double load_factor) {
+void EventForecast::narrow(double load_factor) {
   if (!lines_) {
     narrowing_.narrow(*window_, condensation_->dofs(), load_factor);
     return;
   }
-  std::vector<Narrowing::Reach> tips;
+  std::vector<WindowNarrowing::Reach> tips;
   for (const GrowingTip& tip : last_tips())
     if (!LineSteps::has_ended(tip)) tips.push_back({tip.place, lines_->law_of(tip).horizon});
   narrowing_.narrow(*window_, condensation_->dofs(), tips);
 }
 
-// How many of the events come before a bond away from tips breaks; where nothing begins there, all.
-int Lookahead::steps_as_foreseen() const {
+// Number of the events that come before a bond away from tips breaks; all of them where no crack begins.
+int EventForecast::steps_as_foreseen() const {
   if (!lines_->laws().more_begin) return static_cast<int>(events_.size());
-  std::vector<AwayFromTips::Step> steps;
-  for (const ForeseenEvent& e : events_) steps.push_back({e.event.load_factor, e.growing, &e.event.changes});
-  return away_from_tips_->first_break(states_, steps);
+  std::vector<LineCertificate::Step> steps;
+  for (const ForecastEvent& e : events_) steps.push_back({e.event.load_factor, e.growing, &e.event.changes});
+  return line_certificate_->first_break(states_, steps);
 }
 
-Affine Lookahead::whole_in(int state) const {
+Affine EventForecast::whole_in(int state) const {
   return certificate_ ? certificate_->last_displacement(state) : condensation_->displacement(states_[state]);
 }
 

@@ -6,22 +6,22 @@
 
 #include "coupling/condensation.hpp"
 #include "fracture/critical_events.hpp"
+#include "fracture/window/dropped_dofs.hpp"
 #include "fracture/window/flexibility.hpp"
-#include "fracture/window/left_behind.hpp"
 #include "fracture/window/outside_stiffness.hpp"
 #include "fracture/window/window_balance.hpp"
 #include "fracture/window/window_terms.hpp"
 
 namespace bempd::fracture {
 
-// Terms between kept nodes and the flexibility F (displacements per force) of the whole body there. Where a term along
-// b loses the stiffness k, all of it or a part, F changes by a matrix of rank one: w = F b, gamma = 1 - k b.w,
-// F <- F + (k / gamma) w w^T, and the displacements by (k e / gamma) w, e being the term's elongation (Sherman and
-// Morrison 1950).
+// The equilibrium of a window: terms between kept nodes and the flexibility F (displacements per force) of the whole
+// body there. Where a term along b loses the stiffness k, all of it or a part, F changes by a matrix of rank one: w = F
+// b, gamma = 1 - k b.w, F <- F + (k / gamma) w w^T, and the displacements by (k e / gamma) w, e being the term's
+// elongation (Sherman and Morrison 1950).
 //
 // Functions of the displacements are carried along like displacements on which no force acts: rows of F. Where nothing
 // breaks any more, the window can stop following displacements from event to event; they are found afterwards.
-class ActiveWindow {
+class WindowSolver {
  public:
   // A function of all displacements u -> x^T K u, x being nonzero on prescribed degrees of freedom only (energies and
   // reactions), or u -> f^T u with loads f.
@@ -30,7 +30,7 @@ class ActiveWindow {
     Eigen::VectorXd moved;    // x, or empty
   };
 
-  ActiveWindow(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+  WindowSolver(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                const StretchRatios& ratios, const coupling::Affine& displacement,
                const std::vector<Function>& functions);
 
@@ -46,15 +46,15 @@ class ActiveWindow {
   // No longer follows the displacements of kept degrees of freedom that are marked, nor watches bonds that end on them.
   void narrow(const std::vector<char>& leaves);
   int followed() const { return static_cast<int>(size()); }
-  std::size_t breaks() const { return left_behind_.breaks(); }
+  std::size_t breaks() const { return dropped_.breaks(); }
 
   // Displacements of the kept degrees of freedom: at once, or those that are followed now and all of many states later.
   coupling::Affine displacement() const { return complete({state()}).front(); }
-  LeftBehind::State state() const;
-  std::vector<coupling::Affine> complete(const std::vector<LeftBehind::State>& states) const {
-    return left_behind_.complete(states, has_constant_part_);
+  DroppedDofs::State state() const;
+  std::vector<coupling::Affine> complete(const std::vector<DroppedDofs::State>& states) const {
+    return dropped_.complete(states, has_constant_part_);
   }
-  const LeftBehind& left_behind() const { return left_behind_; }
+  const DroppedDofs& dropped() const { return dropped_; }
 
   // Row k: value of the function k for the constant and the proportional part of the load.
   Eigen::Matrix<double, Eigen::Dynamic, 2> function_values() const { return rows_.middleRows(size(), functions_); }
@@ -66,8 +66,8 @@ class ActiveWindow {
     return terms_.stiffness(static_cast<std::size_t>(change.term)) - terms_.stiffness_after(change);
   }
 
-  // Of terms by their places; false, and nothing changed, if some motion would lose its resistance with these changes,
-  // or if one stiffens.
+  // Changes stages of terms, named by their places. False, and nothing changed, if some motion would lose its
+  // resistance with these changes, or if a term stiffens.
   bool change(std::span<const coupling::StageChange> changes);
 
   // Places where faces meet: whether all of their points are followed, their gaps, and their switches; false, and
@@ -87,7 +87,7 @@ class ActiveWindow {
   coupling::Affine unbalanced() const;
   void balance(coupling::Affine force);
 
-  // Where a term of the system is in the list; -1: it is not watched.
+  // The place of a term of the system in the list; -1: it is not watched.
   int place_of(int global_term) const { return terms_.place_of(global_term); }
 
   // The stiffness of all that is not a bond of the window, on those kept degrees of freedom that it touches.
@@ -102,7 +102,7 @@ class ActiveWindow {
   bool is_supported(const Pull& pull) const;
   void number_rows();
   Eigen::RowVector2d elongation(const Pull& pull) const;
-  void add_form(const Pull& pull, double scale, LeftBehind::Forms& forms) const;
+  void add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const;
   void keep_rows(const std::vector<int>& followed);
   void update_ratios() { terms_.update_ratios(rows_, has_constant_part_); }
   // A term or a place loses a stiffness, or gains it where that is negative.
@@ -126,7 +126,7 @@ class ActiveWindow {
   Flexibility flexibility_;
   WindowBalance balance_;
   std::vector<Eigen::VectorXd> moved_;  // of every function, at the prescribed ends of bonds; or empty
-  LeftBehind left_behind_;
+  DroppedDofs dropped_;
   std::vector<int> row_of_;  // of every degree of freedom; -1: it is not followed
 };
 

@@ -1,4 +1,4 @@
-#include "fracture/window/away_from_tips.hpp"
+#include "fracture/window/line_certificate.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,8 +8,8 @@
 
 namespace bempd::fracture {
 
-AwayFromTips::AwayFromTips(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
-                           const StretchRatios& ratios, const LineSteps& steps)
+LineCertificate::LineCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+                                 const StretchRatios& ratios, const LineSteps& steps)
     : condensation_(condensation), steps_(steps) {
   const coupling::Terms& terms = system.terms();
   for (std::size_t b = 0; b < terms.size(); ++b) {
@@ -22,18 +22,18 @@ AwayFromTips::AwayFromTips(const coupling::EquilibriumSystem& system, const coup
   }
 }
 
-bool AwayFromTips::is_spared(std::size_t bond, const Step& step) const {
+bool LineCertificate::is_spared(std::size_t bond, const Step& step) const {
   return std::any_of(step.growing.begin(), step.growing.end(),
                      [&](const GrowingTip& tip) { return steps_.is_spared(bonds_[bond], tip); });
 }
 
-int AwayFromTips::first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const {
+int LineCertificate::first_break(const std::vector<coupling::Affine>& states, const std::vector<Step>& steps) const {
   const int count = static_cast<int>(steps.size());
-  std::vector<int> gone_at(bonds_.size(), std::numeric_limits<int>::max());
+  std::vector<int> broken_at(bonds_.size(), std::numeric_limits<int>::max());
   for (int s = count; s-- > 0;) {
     for (const coupling::StageChange& change : *steps[static_cast<std::size_t>(s)].changes) {
       const auto at = std::lower_bound(bonds_.begin(), bonds_.end(), change.term);
-      if (at != bonds_.end() && *at == change.term) gone_at[static_cast<std::size_t>(at - bonds_.begin())] = s;
+      if (at != bonds_.end() && *at == change.term) broken_at[static_cast<std::size_t>(at - bonds_.begin())] = s;
     }
   }
   constexpr int batch = WindowSettings::states_swept_at_once;
@@ -44,15 +44,15 @@ int AwayFromTips::first_break(const std::vector<coupling::Affine>& states, const
     for (int k = 0; k < size; ++k) kept.col(k) = states[static_cast<std::size_t>(begin + k)].col(1);
     Eigen::MatrixXd whole = condensation_.expand(kept, std::vector<int>(static_cast<std::size_t>(size), 1));
     for (int k = 0; k < size; ++k) whole.row(k) *= steps[static_cast<std::size_t>(begin + k)].load_factor;
-    const int found = first_break(whole, begin, steps, gone_at);
+    const int found = first_break(whole, begin, steps, broken_at);
     if (found < count) return found;
   }
   return count;
 }
 
 // Each bond's ends are fetched once for all of these states.
-int AwayFromTips::first_break(const Eigen::MatrixXd& stretched, int begin, const std::vector<Step>& steps,
-                              const std::vector<int>& gone_at) const {
+int LineCertificate::first_break(const Eigen::MatrixXd& stretched, int begin, const std::vector<Step>& steps,
+                                 const std::vector<int>& broken_at) const {
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   constexpr double limit = 1 - WindowSettings::certificate_margin;
   Eigen::Array<double, batch, Eigen::Dynamic> u =
@@ -66,7 +66,7 @@ int AwayFromTips::first_break(const Eigen::MatrixXd& stretched, int begin, const
     if (ratio.maxCoeff() < limit) continue;
     for (int k = 0; k < static_cast<int>(stretched.rows()) && begin + k < found; ++k) {
       const int state = begin + k;
-      if (ratio[k] < limit || gone_at[b] < state) continue;
+      if (ratio[k] < limit || broken_at[b] < state) continue;
       if (!is_spared(b, steps[static_cast<std::size_t>(state)])) found = state;
     }
   }

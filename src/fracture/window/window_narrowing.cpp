@@ -1,4 +1,4 @@
-#include "fracture/window/narrowing.hpp"
+#include "fracture/window/window_narrowing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +8,14 @@
 
 namespace bempd::fracture {
 
-void Narrowing::restart() { next_ = WindowSettings::breaks_between_narrowings; }
+void WindowNarrowing::restart() { next_ = WindowSettings::breaks_between_narrowings; }
 
-void Narrowing::stop() { next_ = std::numeric_limits<std::size_t>::max(); }
+void WindowNarrowing::stop() { next_ = std::numeric_limits<std::size_t>::max(); }
 
-std::vector<double> Narrowing::rears(const ActiveWindow& window, double load_factor) const {
+std::vector<double> WindowNarrowing::rears(const WindowSolver& window, double load_factor) const {
   const AffineRatios& ratios = window.ratios();
   const coupling::Terms& bonds = system_.terms();
-  const std::vector<Zone>& zones = place_.zones();
+  const std::vector<Zone>& zones = locator_.zones();
   double largest = 0;
   for (std::size_t b = 0; b < window.bonds().size(); ++b) {
     if (window.intact()[b]) largest = std::max(largest, ratios.at(b, load_factor));
@@ -34,39 +34,39 @@ std::vector<double> Narrowing::rears(const ActiveWindow& window, double load_fac
   return rear;
 }
 
-bool Narrowing::is_needed(int node, const std::vector<double>& rear) const {
+bool WindowNarrowing::is_needed(int node, const std::vector<double>& rear) const {
   for (std::size_t z = 0; z < rear.size(); ++z) {
-    const Zone& zone = place_.zones()[z];
+    const Zone& zone = locator_.zones()[z];
     if (!zone.contains(positions_[node])) continue;
-    if (zone.coordinates(positions_[node]).x() > rear[z] - behind_hot_ * place_.spacing(node)) {
+    if (zone.coordinates(positions_[node]).x() > rear[z] - behind_hot_ * locator_.spacing(node)) {
       return true;
     }
   }
   return false;
 }
 
-bool Narrowing::is_due(const ActiveWindow& window) {
+bool WindowNarrowing::is_due(const WindowSolver& window) {
   if (window.breaks() < next_) return false;
   next_ = window.breaks() + WindowSettings::breaks_between_narrowings;
   return true;
 }
 
-void Narrowing::narrow(ActiveWindow& window, const std::vector<int>& dofs, double load_factor) {
+void WindowNarrowing::narrow(WindowSolver& window, const std::vector<int>& dofs, double load_factor) {
   if (is_due(window)) leave(window, dofs, rears(window, load_factor));
 }
 
-void Narrowing::narrow(ActiveWindow& window, const std::vector<int>& dofs, const std::vector<Reach>& tips) {
+void WindowNarrowing::narrow(WindowSolver& window, const std::vector<int>& dofs, const std::vector<Reach>& tips) {
   if (!is_due(window)) return;
-  std::vector<double> rear(place_.zones().size(), std::numeric_limits<double>::infinity());
+  std::vector<double> rear(locator_.zones().size(), std::numeric_limits<double>::infinity());
   for (std::size_t z = 0; z < rear.size(); ++z) {
-    const Zone& zone = place_.zones()[z];
+    const Zone& zone = locator_.zones()[z];
     for (const Reach& tip : tips)
       if (zone.contains(tip.place)) rear[z] = std::min(rear[z], zone.coordinates(tip.place).x() - tip.back);
   }
   leave(window, dofs, rear);
 }
 
-void Narrowing::leave(ActiveWindow& window, const std::vector<int>& dofs, const std::vector<double>& rear) const {
+void WindowNarrowing::leave(WindowSolver& window, const std::vector<int>& dofs, const std::vector<double>& rear) const {
   std::vector<char> leaves;
   int leaving = 0;
   for (int dof : dofs) {
@@ -74,8 +74,8 @@ void Narrowing::leave(ActiveWindow& window, const std::vector<int>& dofs, const 
     leaves.push_back(needed ? 0 : 1);
     leaving += needed ? 0 : 1;
   }
-  const int followed = window.followed(), gone = static_cast<int>(leaves.size()) - followed;
-  if (leaving - gone >= WindowSettings::least_narrowing * followed) window.narrow(leaves);
+  const int followed = window.followed(), dropped = static_cast<int>(leaves.size()) - followed;
+  if (leaving - dropped >= WindowSettings::least_narrowing * followed) window.narrow(leaves);
 }
 
 }  // namespace bempd::fracture

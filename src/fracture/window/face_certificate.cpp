@@ -1,17 +1,17 @@
-#include "fracture/window/face_watch.hpp"
+#include "fracture/window/face_certificate.hpp"
 
 #include <algorithm>
 
 #include "fracture/contact/gap_rule.hpp"
-#include "fracture/window/lookahead.hpp"
+#include "fracture/window/event_forecast.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
 
-FaceWatch::FaceWatch(const std::vector<WatchedPlace>& places, const std::vector<ForeseenEvent>& events, double from,
-                     bool proportional)
+FaceCertificate::FaceCertificate(const std::vector<WatchedPlace>& places, const std::vector<ForecastEvent>& events,
+                                 double from, bool proportional)
     : places_(places) {
-  // In proportion all load factors are alike.
+  // All load factors are alike where displacements are proportional.
   double arrival = proportional ? 1 : from;
   for (std::size_t e = 0; e <= events.size(); ++e) {
     const double departure = proportional || e == events.size() ? arrival : events[e].event.load_factor;
@@ -20,8 +20,8 @@ FaceWatch::FaceWatch(const std::vector<WatchedPlace>& places, const std::vector<
   }
 }
 
-bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double rate,
-                      const std::array<double, 2>& largest) const {
+bool FaceCertificate::holds(const WatchedPlace& place, int state, double gap, double rate,
+                            const std::array<double, 2>& largest) const {
   if (state < place.since || state >= place.until) return true;
   for (const double load_factor : load_factors_[static_cast<std::size_t>(state)]) {
     const double zero = gap_rounding(largest[0] + std::abs(load_factor) * largest[1]);
@@ -31,7 +31,7 @@ bool FaceWatch::holds(const WatchedPlace& place, int state, double gap, double r
   return true;
 }
 
-bool FaceWatch::overlaps(int state, double gap, double rate, const std::array<double, 2>& largest) const {
+bool FaceCertificate::overlaps(int state, double gap, double rate, const std::array<double, 2>& largest) const {
   const std::array<double, 2>& at = load_factors_[static_cast<std::size_t>(state)];
   return std::any_of(at.begin(), at.end(), [&](double load_factor) {
     const double zero = face_rounding(largest[0] + std::abs(load_factor) * largest[1]);
@@ -39,8 +39,8 @@ bool FaceWatch::overlaps(int state, double gap, double rate, const std::array<do
   });
 }
 
-int FaceWatch::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
-                                    const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
+int FaceCertificate::events_before_change(const std::vector<coupling::Affine>& kept, const std::vector<int>& dofs,
+                                          const coupling::EquilibriumSystem& system, const OutsideGaps& outside) const {
   int last = static_cast<int>(kept.size()) - 1;
   if (is_idle() && outside.faces().empty()) return last;
   const coupling::Affine& prescribed = system.prescribed();

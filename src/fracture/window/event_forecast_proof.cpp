@@ -1,10 +1,10 @@
-// Which of the events of a window are kept.
+// The proof by which events of a window are kept.
 #include <algorithm>
 #include <optional>
 
 #include "fracture/balance.hpp"
-#include "fracture/window/face_watch.hpp"
-#include "fracture/window/lookahead.hpp"
+#include "fracture/window/event_forecast.hpp"
+#include "fracture/window/face_certificate.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -13,7 +13,7 @@ using coupling::Affine;
 using coupling::evaluate;
 
 // No bond outside may break before the event, nor with it.
-void Lookahead::add_checks(double from, const Event& event) {
+void EventForecast::add_checks(double from, const Event& event) {
   const int state = static_cast<int>(events_.size());
   const double f = event.load_factor, limit = tie_limit(options_.tie_band) * event.ratio;
   if (proportional_) {
@@ -25,18 +25,19 @@ void Lookahead::add_checks(double from, const Event& event) {
 }
 
 // Keeps the events that the whole body would go through in the same way.
-void Lookahead::certify(double from) {
-  if (!events_.empty() && !lines_) keep_first(window_->left_behind().first_violation(states_, checks_));
+void EventForecast::certify(double from) {
+  if (!events_.empty() && !lines_) keep_first(window_->dropped().first_violation(states_, checks_));
   if (events_.empty()) return;
-  // Their bonds are gone while the events computed are not taken back.
-  if (ahead_) ahead_->forget_after(static_cast<int>(events_.size()));
-  const FaceWatch watch(ahead_ ? ahead_->places() : std::vector<WatchedPlace>(), events_, from, proportional_);
+  // Bonds of these events count as broken while the events computed are not taken back.
+  if (face_forecast_) face_forecast_->forget_after(static_cast<int>(events_.size()));
+  const FaceCertificate watch(face_forecast_ ? face_forecast_->places() : std::vector<WatchedPlace>(), events_, from,
+                              proportional_);
   const int unchanged = watch.events_before_change(states_, condensation_->dofs(), system_, outside_gaps_);
   faces_move_ = unchanged < static_cast<int>(events_.size());
   keep_first(unchanged);
   if (events_.empty()) return;
   std::vector<int> breaks{0};
-  for (const ForeseenEvent& foreseen : events_) {
+  for (const ForecastEvent& foreseen : events_) {
     breaks.push_back(breaks.back() + static_cast<int>(foreseen.event.changes.size()));
   }
   const int kept = lines_ ? steps_as_foreseen() : certificate_->first_violation(states_, breaks, checks_, whole_);
@@ -46,10 +47,10 @@ void Lookahead::certify(double from) {
 }
 
 // Forces of the whole body are known before the first and after the last of the events.
-void Lookahead::check_whole_body() {
+void EventForecast::check_whole_body() {
   const Affine before = std::move(whole_);  // in state 0
   whole_ = whole_in(static_cast<int>(events_.size()));
-  ForeseenEvent& last = events_.back();
+  ForecastEvent& last = events_.back();
   const Eigen::VectorXd force = internal_force_after_all(last.event.load_factor);
   last.largest_force = std::max(
       {last.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, last.event.load_factor)});
@@ -59,8 +60,8 @@ void Lookahead::check_whole_body() {
   whole_ = before;
 }
 
-Eigen::VectorXd Lookahead::internal_force_after_all(double load_factor) {
-  const auto last = std::find_if(events_.rbegin(), events_.rend(), [](const ForeseenEvent& e) { return e.faces; });
+Eigen::VectorXd EventForecast::internal_force_after_all(double load_factor) {
+  const auto last = std::find_if(events_.rbegin(), events_.rend(), [](const ForecastEvent& e) { return e.faces; });
   if (last == events_.rend()) return system_.internal_force(evaluate(whole_, load_factor));
   coupling::Contacts present = system_.contacts();
   system_.put_contacts(body_.faces().contacts_of(*last->faces));
@@ -69,7 +70,7 @@ Eigen::VectorXd Lookahead::internal_force_after_all(double load_factor) {
   return force;
 }
 
-void Lookahead::keep_first(int count) {
+void EventForecast::keep_first(int count) {
   if (count >= static_cast<int>(events_.size())) return;
   has_ended_ = true;
   needs_whole_body_ = false;

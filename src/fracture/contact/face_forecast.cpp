@@ -1,4 +1,4 @@
-#include "fracture/contact/faces_ahead.hpp"
+#include "fracture/contact/face_forecast.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +13,7 @@ constexpr int for_good = std::numeric_limits<int>::max();
 
 }  // namespace
 
-FacesAhead::FacesAhead(CrackFaces& faces, const FaceState& state) : faces_(faces), grown_(state.grown) {
+FaceForecast::FaceForecast(CrackFaces& faces, const FaceState& state) : faces_(faces), grown_(state.grown) {
   const coupling::Contacts& present = faces.places();
   for (std::size_t i = 0; i < present.size(); ++i) {
     latest_.push_back(i);
@@ -23,27 +23,27 @@ FacesAhead::FacesAhead(CrackFaces& faces, const FaceState& state) : faces_(faces
   for (const std::vector<int>& terms : faces.pending()) follow(terms, 0);
 }
 
-FacesAhead::~FacesAhead() { faces_.forget_terms(entered_); }
+FaceForecast::~FaceForecast() { faces_.forget_terms(entered_); }
 
-void FacesAhead::follow(std::span<const int> broken, int state) {
+void FaceForecast::follow(std::span<const int> broken, int state) {
   state_ = state;
   const std::vector<int> terms = faces_.follow(broken, *this);
   entered_.insert(entered_.end(), terms.begin(), terms.end());
 }
 
-std::optional<std::size_t> FacesAhead::place_of(int term) const {
+std::optional<std::size_t> FaceForecast::place_of(int term) const {
   const auto known = number_of_.find(term);
   return known == number_of_.end() ? std::nullopt : std::optional(known->second);
 }
 
-void FacesAhead::add(const GrownFace& face, coupling::Contact contact) {
+void FaceForecast::add(const GrownFace& face, coupling::Contact contact) {
   number_of_[face.term] = latest_.size();
   grown_.push_back(face);
   latest_.push_back(places_.size());
   places_.push_back({std::move(contact), false, false, state_, for_good, latest_.size() - 1, state_});
 }
 
-void FacesAhead::renew(std::size_t place, const GrownFace& face, coupling::Contact contact) {
+void FaceForecast::renew(std::size_t place, const GrownFace& face, coupling::Contact contact) {
   WatchedPlace& before = places_[latest_[place]];
   if (before.until == 0) return;  // barred
   before.until = state_;
@@ -53,7 +53,7 @@ void FacesAhead::renew(std::size_t place, const GrownFace& face, coupling::Conta
   places_.push_back({std::move(contact), false, false, std::max(state_ - 1, 0), for_good, place, state_});
 }
 
-void FacesAhead::switch_place(std::size_t place, int state) {
+void FaceForecast::switch_place(std::size_t place, int state) {
   WatchedPlace next = places_[place];
   next.closed = !next.closed;
   next.since = next.event = state;
@@ -62,14 +62,14 @@ void FacesAhead::switch_place(std::size_t place, int state) {
   places_.push_back(std::move(next));
 }
 
-void FacesAhead::forget_after(int state) {
+void FaceForecast::forget_after(int state) {
   std::erase_if(places_, [&](const WatchedPlace& place) { return place.event > state; });
   for (WatchedPlace& place : places_) {
     if (place.until > state) place.until = for_good;
   }
 }
 
-std::vector<std::size_t> FacesAhead::last() const {
+std::vector<std::size_t> FaceForecast::last() const {
   std::vector<std::size_t> result;
   for (const std::size_t place : latest_) {
     if (places_[place].until == for_good) result.push_back(place);
@@ -77,7 +77,7 @@ std::vector<std::size_t> FacesAhead::last() const {
   return result;
 }
 
-FaceState FacesAhead::last_state() const {
+FaceState FaceForecast::last_state() const {
   FaceState result;
   result.grown = grown_;
   for (const std::size_t place : latest_) result.closed.push_back(places_[place].closed ? 1 : 0);

@@ -1,4 +1,4 @@
-#include "fracture/window/lookahead.hpp"
+#include "fracture/window/event_forecast.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,15 @@ namespace bempd::fracture {
 using coupling::Affine;
 using coupling::evaluate;
 
-Lookahead::Lookahead(LoadedBody& body)
+EventForecast::EventForecast(LoadedBody& body)
     : body_(body),
       system_(body.system()),
-      place_(body.system(), body.ratios(), body.positions()),
+      locator_(body.system(), body.ratios(), body.positions()),
       functions_(body.system(), body.reaction_dofs()),
-      narrowing_(body.system(), place_, body.positions()),
+      narrowing_(body.system(), locator_, body.positions()),
       most_events_(WindowSettings::first_events) {}
 
-bool Lookahead::open(const BodyState& state, double load_factor, const Options& options) {
+bool EventForecast::open(const BodyState& state, double load_factor, const Options& options) {
   close();
   options_ = options;
   if (!has_window_form(system_) || !choose_place(state, load_factor)) return false;
@@ -32,18 +32,18 @@ bool Lookahead::open(const BodyState& state, double load_factor, const Options& 
   return true;
 }
 
-bool Lookahead::choose_place(const BodyState& state, double load_factor) {
+bool EventForecast::choose_place(const BodyState& state, double load_factor) {
   return lines_ ? choose_place_of_lines(state, load_factor)
-                : place_.choose(load_factor, options_.tie_band, options_.ahead);
+                : locator_.choose(load_factor, options_.tie_band, options_.ahead);
 }
 
-void Lookahead::open_again(const BodyState& state, const Options& options) {
+void EventForecast::open_again(const BodyState& state, const Options& options) {
   options_ = options;
-  place_.stay();
+  locator_.stay();
   open_here(state);
 }
 
-void Lookahead::open_here(const BodyState& state) {
+void EventForecast::open_here(const BodyState& state) {
   try {
     build_window(state);
   } catch (...) {
@@ -52,19 +52,19 @@ void Lookahead::open_here(const BodyState& state) {
   }
 }
 
-void Lookahead::remember(PlaceMemory place, int most_events) {
-  place_.go_back_to(std::move(place));
+void EventForecast::remember(WindowLocation place, int most_events) {
+  locator_.go_back_to(std::move(place));
   most_events_ = most_events;
 }
 
-void Lookahead::build_window(const BodyState& state) {
+void EventForecast::build_window(const BodyState& state) {
   const Phase phase("window around what breaks", 3);
   has_ended_ = needs_whole_body_ = faces_move_ = system_has_changed_ = false;
   condensation_ = std::make_unique<coupling::Condensation>(system_);
   check_cancelled();
   phase.reach(1);
   window_ =
-      std::make_unique<ActiveWindow>(system_, *condensation_, body_.ratios(), state.displacement, functions_.list());
+      std::make_unique<WindowSolver>(system_, *condensation_, body_.ratios(), state.displacement, functions_.list());
   check_cancelled();
   phase.reach(2);
   proportional_ = state.displacement.col(0).isZero(0) && state.load_factor >= 0;
@@ -80,11 +80,11 @@ void Lookahead::build_window(const BodyState& state) {
   states_ = {window_->displacement()};
 }
 
-void Lookahead::close() noexcept {
+void EventForecast::close() noexcept {
   if (!condensation_) return;
   window_.reset();
   certificate_.reset();
-  away_from_tips_.reset();
+  line_certificate_.reset();
   condensation_.reset();
   events_.clear();
   states_.clear();
@@ -92,36 +92,36 @@ void Lookahead::close() noexcept {
   if (needs_whole_body_) system_.keep_last({});  // what comes next factorizes, twice, and needs no window for it
 }
 
-void Lookahead::forget() {
+void EventForecast::forget() {
   close();
   most_events_ = WindowSettings::first_events;
-  place_.return_to_expected();
+  locator_.return_to_expected();
 }
 
-const ForeseenEvent* Lookahead::next() const {
+const ForecastEvent* EventForecast::next() const {
   return position_ < static_cast<int>(events_.size()) ? &events_[position_] : nullptr;
 }
 
-void Lookahead::take() {
+void EventForecast::take() {
   system_.set_stages(events_[position_].event.changes);
   system_has_changed_ = true;
   ++position_;
 }
 
-void Lookahead::return_to(int position) noexcept {
+void EventForecast::return_to(int position) noexcept {
   while (position_ > position) system_.set_stages(events_[--position_].back);
 }
 
-void Lookahead::take_back(int count) {
+void EventForecast::take_back(int count) {
   for (auto e = static_cast<int>(events_.size()); e-- > count;) system_.set_stages(events_[e].back);
 }
 
-Affine Lookahead::displacement(int position) const {
+Affine EventForecast::displacement(int position) const {
   const bool is_last = position + 1 == static_cast<int>(states_.size());
   return is_last ? whole_ : condensation_->displacement(states_[position]);
 }
 
-std::vector<std::uint8_t> Lookahead::stages(int position) const {
+std::vector<std::uint8_t> EventForecast::stages(int position) const {
   std::vector<std::uint8_t> result = system_.stages();
   for (int e = position_; e-- > position;) {
     for (const coupling::StageChange& c : events_[e].back) result[c.term] = static_cast<std::uint8_t>(c.stage);
@@ -129,31 +129,31 @@ std::vector<std::uint8_t> Lookahead::stages(int position) const {
   return result;
 }
 
-void Lookahead::compute(const BodyState& state) {
+void EventForecast::compute(const BodyState& state) {
   events_.clear();
   checks_.clear();
   position_ = balanced_events_ = 0;
   if (lines_) begin_steps(state);
   unbalanced_ = 0;
   foreseen_ = {window_->state()};
-  std::optional<FacesAhead> ahead;
+  std::optional<FaceForecast> ahead;
   if (!body_.faces().are_none()) ahead.emplace(body_.faces(), state.faces);
-  ahead_ = ahead ? &*ahead : nullptr;
-  const bool keeps_balance = foresee_events(state);
+  face_forecast_ = ahead ? &*ahead : nullptr;
+  const bool keeps_balance = forecast_events(state);
   most_events_ = std::min(WindowSettings::growth_of_events * most_events_, WindowSettings::most_events_at_once);
   states_ = window_->complete(foreseen_);
   if (!keeps_balance) keep_first(balanced_events_);
   certify(state.load_factor);
   take_back(0);
-  ahead_ = nullptr;
+  face_forecast_ = nullptr;
 }
 
 // False where rounding has grown too large since the balance of forces was looked at last.
-bool Lookahead::foresee_events(const BodyState& start) {
+bool EventForecast::forecast_events(const BodyState& start) {
   double from = start.load_factor;
   while (!has_ended_ && static_cast<int>(events_.size()) < most_events_) {
     check_cancelled();
-    if (!foresee(from, start)) {
+    if (!forecast_next(from, start)) {
       has_ended_ = true;
       return true;  // in the window the event may be half done
     }
@@ -166,7 +166,7 @@ bool Lookahead::foresee_events(const BodyState& start) {
   return is_balanced();
 }
 
-bool Lookahead::choose_breaks(double from, ForeseenEvent& foreseen) const {
+bool EventForecast::choose_breaks(double from, ForecastEvent& foreseen) const {
   const BondList bonds{window_->ratios(), window_->intact(), &window_->bonds(), proportional_};
   const std::optional<double> next = next_critical(bonds, {from, true, options_.control});
   if (!next) return false;
@@ -177,12 +177,12 @@ bool Lookahead::choose_breaks(double from, ForeseenEvent& foreseen) const {
   return true;
 }
 
-bool Lookahead::foresee(double from, const BodyState& start) {
+bool EventForecast::forecast_next(double from, const BodyState& start) {
   narrow(from);
-  ForeseenEvent foreseen;
+  ForecastEvent foreseen;
   const std::optional<LineSteps::Choice> line = lines_ ? choose_step(from, foreseen) : std::nullopt;
   if (lines_ ? !line.has_value() : !choose_breaks(from, foreseen)) return false;
-  if (!place_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
+  if (!locator_.is_far_from_rim(coupling::terms_of(foreseen.event.changes))) return false;
   foreseen.event.changes = system_.with_followers(std::move(foreseen.event.changes));
   for (const coupling::StageChange& c : foreseen.event.changes) {
     if (window_->place_of(c.term) < 0) return false;  // a follower that reaches out of the window
@@ -212,10 +212,10 @@ bool Lookahead::foresee(double from, const BodyState& start) {
 }
 
 // Squares may be many times as stiff as bonds, and feel rounding as many times more.
-bool Lookahead::is_balanced() {
+bool EventForecast::is_balanced() {
   const auto count = static_cast<int>(events_.size());
   if (system_.terms().followers.empty() || count == balanced_events_) return true;
-  const ForeseenEvent& last = events_.back();
+  const ForecastEvent& last = events_.back();
   const Affine force = window_->unbalanced();
   const double share = evaluate(force, last.event.load_factor).lpNorm<Eigen::Infinity>() / last.largest_force;
   if (!(share <= WindowSettings::acceptable_residual)) return false;
@@ -230,14 +230,14 @@ bool Lookahead::is_balanced() {
 }
 
 // Just before the first of the events computed together.
-double Lookahead::largest_force_before(double load_factor, const BodyState& start) const {
+double EventForecast::largest_force_before(double load_factor, const BodyState& start) const {
   const Eigen::VectorXd force = system_.internal_force(evaluate(whole_, load_factor));
   return std::max({start.largest_force, force.lpNorm<Eigen::Infinity>(), least_force_scale(system_, load_factor)});
 }
 
-bool Lookahead::perform_in_window(ForeseenEvent& foreseen) {
+bool EventForecast::perform_in_window(ForecastEvent& foreseen) {
   const int state = static_cast<int>(events_.size()) + 1;
-  WindowBody body(body_, *window_, functions_, ahead_, state, any_displacement_);
+  WindowBody body(body_, *window_, functions_, face_forecast_, state, any_displacement_);
   foreseen.before = body.energy();
   std::optional<Outcome> outcome = perform_event(foreseen.event, system_, body);
   if (!outcome) return false;

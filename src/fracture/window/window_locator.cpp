@@ -1,4 +1,4 @@
-#include "fracture/window/window_place.hpp"
+#include "fracture/window/window_locator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@ bool has_window_form(const coupling::EquilibriumSystem& system) {
   return system.is_symmetric() && !system.has_offsets() && system.terms().wide_terms_only_follow();
 }
 
-WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
-                         const std::vector<Point>& positions)
+WindowLocator::WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios,
+                             const std::vector<Point>& positions)
     : system_(system),
       ratios_(ratios),
       positions_(positions),
@@ -27,7 +27,7 @@ WindowPlace::WindowPlace(coupling::EquilibriumSystem& system, const StretchRatio
   }
 }
 
-void WindowPlace::expect_cracks(const std::vector<int>& cut) {
+void WindowLocator::expect_cracks(const std::vector<int>& cut) {
   if (!has_window_form(system_) || cut.empty() || cut.size() > WindowSettings::most_cut_bonds) return;
   const ZoneShape shape{WindowSettings::length_of_expected * length_ahead(0)};
   std::vector<Zone> zones = zones_at_ends(cut, system_.terms(), positions_, spacing_, shape);
@@ -38,20 +38,20 @@ void WindowPlace::expect_cracks(const std::vector<int>& cut) {
   expected_nodes_ = nodes_;
 }
 
-void WindowPlace::return_to_expected() {
+void WindowLocator::return_to_expected() {
   zones_ = expected_zones_;
   nodes_ = expected_nodes_;
   system_.keep_last(nodes_);
 }
 
-void WindowPlace::go_back_to(PlaceMemory memory) {
+void WindowLocator::go_back_to(WindowLocation memory) {
   zones_ = std::move(memory.zones);
   nodes_ = std::move(memory.nodes);
   system_.keep_last(memory.are_last ? nodes_ : std::vector<int>());
 }
 
 // Nodes that touch the outside come first: what the window needs to know of the outside is then a corner of the factor.
-void WindowPlace::keep(std::vector<Zone> zones, std::vector<int> nodes) {
+void WindowLocator::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   zones_ = std::move(zones);
   nodes_ = std::move(nodes);
   mark_rim();
@@ -59,19 +59,19 @@ void WindowPlace::keep(std::vector<Zone> zones, std::vector<int> nodes) {
   system_.keep_last(nodes_);
 }
 
-double WindowPlace::length_ahead(double wanted) const {
+double WindowLocator::length_ahead(double wanted) const {
   if (wanted > 0) return wanted;
   const double size = static_cast<double>(system_.counters().sparse_unknowns);
   return std::clamp(WindowSettings::length_at_20000_unknowns * std::sqrt(size / 20000), WindowSettings::least_length,
                     WindowSettings::most_length);
 }
 
-bool WindowPlace::is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const {
+bool WindowLocator::is_too_large(const std::vector<int>& nodes, const ZoneShape& shape) const {
   return 2 * static_cast<double>(nodes.size()) >
          std::max(WindowSettings::least_most_unknowns, WindowSettings::most_unknowns_per_length * shape.ahead);
 }
 
-std::vector<int> WindowPlace::nodes_of(const std::vector<Zone>& zones) const {
+std::vector<int> WindowLocator::nodes_of(const std::vector<Zone>& zones) const {
   std::vector<int> nodes;
   for (int node = 0; node < system_.node_count(); ++node) {
     if (!std::isfinite(spacing_[node])) continue;
@@ -82,7 +82,7 @@ std::vector<int> WindowPlace::nodes_of(const std::vector<Zone>& zones) const {
   return nodes;
 }
 
-std::vector<char> WindowPlace::marks_of_nodes() const {
+std::vector<char> WindowLocator::marks_of_nodes() const {
   std::vector<char> kept(system_.node_count(), 0);
   for (int node : nodes_) kept[node] = 1;
   return kept;
@@ -90,7 +90,7 @@ std::vector<char> WindowPlace::marks_of_nodes() const {
 
 // Bonds that end on a node with bonds to the outside are left to the next window if they lie near a zone's rim: there
 // the neighbours outside soon break as well.
-void WindowPlace::mark_rim() {
+void WindowLocator::mark_rim() {
   std::vector<char> kept = marks_of_nodes();
   touches_outside_.assign(system_.node_count(), 0);
   for (int node = 0; node < system_.node_count(); ++node) {
@@ -110,12 +110,12 @@ void WindowPlace::mark_rim() {
   }
 }
 
-bool WindowPlace::is_far_from_rim(const std::vector<int>& bonds) const {
+bool WindowLocator::is_far_from_rim(const std::vector<int>& bonds) const {
   return std::none_of(bonds.begin(), bonds.end(),
                       [&](int b) { return on_rim_[system_.terms().first[b]] || on_rim_[system_.terms().second[b]]; });
 }
 
-bool WindowPlace::still_holds(const std::vector<int>& hot) {
+bool WindowLocator::still_holds(const std::vector<int>& hot) {
   if (nodes_.empty() || !system_.factor_keeps(nodes_)) return false;
   mark_rim();
   const std::vector<char> kept = marks_of_nodes();
@@ -130,7 +130,7 @@ bool WindowPlace::still_holds(const std::vector<int>& hot) {
   return all_kept && is_far_from_rim(hot);
 }
 
-std::vector<int> WindowPlace::hot_bonds(double load_factor, double share) const {
+std::vector<int> WindowLocator::hot_bonds(double load_factor, double share) const {
   const std::vector<char>& intact = system_.intact();
   double largest = 0;
   for (std::size_t b = 0; b < intact.size(); ++b) {
@@ -143,8 +143,8 @@ std::vector<int> WindowPlace::hot_bonds(double load_factor, double share) const 
   return hot;
 }
 
-bool WindowPlace::choose(double load_factor, double tie_band, double ahead) {
-  // With squares clamps and corners are nearly as hot as tips.
+bool WindowLocator::choose(double load_factor, double tie_band, double ahead) {
+  // Clamps and corners are nearly as hot as tips where lattices have squares.
   if (!system_.terms().followers.empty() && still_holds(hot_bonds(load_factor, WindowSettings::hot_in_present)))
     return true;
   const ZoneShape shape{length_ahead(ahead)};
@@ -163,7 +163,7 @@ bool WindowPlace::choose(double load_factor, double tie_band, double ahead) {
   return false;
 }
 
-bool WindowPlace::choose(const std::vector<Way>& ways, double ahead) {
+bool WindowLocator::choose(const std::vector<Way>& ways, double ahead) {
   std::vector<int> next;
   for (const Way& way : ways) next.insert(next.end(), way.bonds.begin(), way.bonds.end());
   std::sort(next.begin(), next.end());

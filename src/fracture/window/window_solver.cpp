@@ -1,4 +1,4 @@
-#include "fracture/window/active_window.hpp"
+#include "fracture/window/window_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace bempd::fracture {
 
 using coupling::Affine;
 
-ActiveWindow::ActiveWindow(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+WindowSolver::WindowSolver(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
                            const StretchRatios& ratios, const Affine& displacement,
                            const std::vector<Function>& functions)
     : kept_(static_cast<Eigen::Index>(condensation.dofs().size())),
@@ -32,7 +32,7 @@ ActiveWindow::ActiveWindow(const coupling::EquilibriumSystem& system, const coup
   update_ratios();
 }
 
-Affine ActiveWindow::unbalanced() const {
+Affine WindowSolver::unbalanced() const {
   Affine rows = Affine::Zero(kept_ + rows_.rows() - size(), 2), force = Affine::Zero(kept_, 2);
   rows.topRows(kept_) = displacement();
   rows.bottomRows(rows_.rows() - size()) = rows_.bottomRows(rows_.rows() - size());
@@ -41,9 +41,9 @@ Affine ActiveWindow::unbalanced() const {
   return force;
 }
 
-void ActiveWindow::balance(Affine force) {
+void WindowSolver::balance(Affine force) {
   Affine answer = Affine::Zero(kept_, 2);
-  left_behind_.hand_over(force, answer);
+  dropped_.hand_over(force, answer);
   for (int part = has_constant_part_ ? 0 : 1; part < 2; ++part) {
     rows_.col(part).head(size()) += answer.col(part)(followed_);
     rows_.col(part).head(size()) += flexibility_.answer(force.col(part)(followed_));
@@ -51,7 +51,7 @@ void ActiveWindow::balance(Affine force) {
   update_ratios();
 }
 
-void ActiveWindow::collect_functions(const coupling::Condensation& condensation, const std::vector<Function>& functions,
+void WindowSolver::collect_functions(const coupling::Condensation& condensation, const std::vector<Function>& functions,
                                      Eigen::Index dofs) {
   if (functions.empty()) return;
   Eigen::MatrixXd weights(dofs, functions_), kept_weights(kept_, functions_);
@@ -67,13 +67,13 @@ void ActiveWindow::collect_functions(const coupling::Condensation& condensation,
   }
 }
 
-Eigen::RowVector2d ActiveWindow::elongation(const Pull& pull) const {
+Eigen::RowVector2d WindowSolver::elongation(const Pull& pull) const {
   Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
   for (std::size_t i = 0; i < pull.size(); ++i) sum += pull.weight[i] * rows_.row(pull.place[i]);
   return sum;
 }
 
-double ActiveWindow::elongation(int bond, double load_factor) const {
+double WindowSolver::elongation(int bond, double load_factor) const {
   const Pull& pull = terms_.pull(bond);
   double sum = 0;
   for (std::size_t k = 0; k < pull.size(); ++k) {
@@ -83,7 +83,7 @@ double ActiveWindow::elongation(int bond, double load_factor) const {
   return sum;
 }
 
-bool ActiveWindow::lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> w, Eigen::Index changes_known) {
+bool WindowSolver::lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> w, Eigen::Index changes_known) {
   const auto& [pull, k] = loss;
   flexibility_.update_response(pull, changes_known, w);
   double own = 0;
@@ -101,7 +101,7 @@ bool ActiveWindow::lose_one(const Loss& loss, Eigen::Ref<Eigen::VectorXd> w, Eig
 }
 
 // A bond to a moving support took part in what the support feels.
-void ActiveWindow::detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> w) {
+void WindowSolver::detach_functions(const Pull& pull, double stiffness, Eigen::Ref<Eigen::VectorXd> w) {
   if (std::none_of(pull.place.begin(), pull.place.end(), [&](int r) { return is_prescribed(r); })) return;
   double own = 0;
   for (std::size_t i = 0; i < pull.size(); ++i) {
@@ -122,11 +122,11 @@ void ActiveWindow::detach_functions(const Pull& pull, double stiffness, Eigen::R
   }
 }
 
-bool ActiveWindow::is_supported(const Pull& pull) const {
+bool WindowSolver::is_supported(const Pull& pull) const {
   return std::any_of(pull.place.begin(), pull.place.end(), [&](int r) { return is_prescribed(r); });
 }
 
-bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
+bool WindowSolver::change(std::span<const coupling::StageChange> changes) {
   std::vector<Loss> losses;
   for (const coupling::StageChange& c : changes)
     losses.push_back({terms_.pull(static_cast<std::size_t>(c.term)), stiffness_lost(c)});
@@ -137,7 +137,7 @@ bool ActiveWindow::change(std::span<const coupling::StageChange> changes) {
   return true;
 }
 
-bool ActiveWindow::lose(const std::vector<Loss>& losses) {
+bool WindowSolver::lose(const std::vector<Loss>& losses) {
   flexibility_.make_room(static_cast<Eigen::Index>(losses.size()));
   const Affine before = rows_;
   const Eigen::Index changes_before = flexibility_.changes();
@@ -149,7 +149,8 @@ bool ActiveWindow::lose(const std::vector<Loss>& losses) {
   }
   Eigen::MatrixXd functions_before;
   if (functions_change) functions_before = flexibility_.function_rows();
-  // Of all terms at once, so that what is pending is read once; every term adds what those before it changed.
+  // Responses to all terms are computed at once, so that pending changes are read once; every term adds what those
+  // before it changed.
   Eigen::MatrixXd answers = flexibility_.responses(directions);
   bool resisted = true;
   for (std::size_t i = 0; resisted && i < losses.size(); ++i) {
@@ -165,30 +166,30 @@ bool ActiveWindow::lose(const std::vector<Loss>& losses) {
     flexibility_.take_back_changes(changes_before);
     return false;
   }
-  LeftBehind::Forms elongations;
+  DroppedDofs::Forms elongations;
   std::vector<double> lost;
   for (const Loss& loss : losses) {
     add_form(loss.pull, 1, elongations);
     lost.push_back(loss.stiffness);
   }
-  left_behind_.note_losses(elongations, lost);
+  dropped_.note_losses(elongations, lost);
   return true;
 }
 
-bool ActiveWindow::follows(const coupling::Contact& place) const {
+bool WindowSolver::follows(const coupling::Contact& place) const {
   return std::all_of(place.pull.begin(), place.pull.end(), [&](const coupling::TermEntry& e) {
     return row_of_[2 * static_cast<std::size_t>(e.node)] >= 0 && row_of_[2 * static_cast<std::size_t>(e.node) + 1] >= 0;
   });
 }
 
-double ActiveWindow::gap(const coupling::Contact& place, double load_factor) const {
+double WindowSolver::gap(const coupling::Contact& place, double load_factor) const {
   const auto value = [&](int dof) { return rows_(row_of_[dof], 0) + load_factor * rows_(row_of_[dof], 1); };
   double sum = 0;
   for (const coupling::TermEntry& e : place.pull) sum += e.x * value(2 * e.node) + e.y * value(2 * e.node + 1);
   return sum;
 }
 
-double ActiveWindow::gap(const coupling::Contact& place, double load_factor, const Affine& kept) const {
+double WindowSolver::gap(const coupling::Contact& place, double load_factor, const Affine& kept) const {
   const auto value = [&](int dof) {
     const int r = followed_[row_of_[dof]];
     return kept(r, 0) + load_factor * kept(r, 1);
@@ -198,12 +199,12 @@ double ActiveWindow::gap(const coupling::Contact& place, double load_factor, con
   return sum;
 }
 
-double ActiveWindow::largest_displacement(double load_factor) const {
+double WindowSolver::largest_displacement(double load_factor) const {
   const auto part = [&](Eigen::Index column) { return rows_.col(column).head(size()).lpNorm<Eigen::Infinity>(); };
   return size() == 0 ? 0 : part(0) + std::abs(load_factor) * part(1);
 }
 
-bool ActiveWindow::switch_faces(std::span<const FaceSwitch> switches) {
+bool WindowSolver::switch_faces(std::span<const FaceSwitch> switches) {
   LinearForms pulls;
   std::vector<Loss> losses;
   for (const FaceSwitch& s : switches) {
@@ -217,7 +218,7 @@ bool ActiveWindow::switch_faces(std::span<const FaceSwitch> switches) {
     losses.push_back({pulls[i], (switches[i].closes ? -1 : 1) * switches[i].place.stiffness});
   if (!lose(losses)) return false;
   for (const Loss& loss : losses) {
-    LeftBehind::Forms form;
+    DroppedDofs::Forms form;
     add_form(loss.pull, 1, form);
     balance_.note_loss(form.of_displacements, loss.stiffness);
   }
@@ -225,7 +226,7 @@ bool ActiveWindow::switch_faces(std::span<const FaceSwitch> switches) {
   return true;
 }
 
-void ActiveWindow::add_form(const Pull& pull, double scale, LeftBehind::Forms& forms) const {
+void WindowSolver::add_form(const Pull& pull, double scale, DroppedDofs::Forms& forms) const {
   Eigen::RowVector2d fixed = Eigen::RowVector2d::Zero();
   for (std::size_t k = 0; k < pull.size(); ++k) {
     const int r = pull.place[k];
@@ -240,13 +241,13 @@ void ActiveWindow::add_form(const Pull& pull, double scale, LeftBehind::Forms& f
   forms.fixed.push_back(fixed);
 }
 
-LeftBehind::State ActiveWindow::state() const {
-  LeftBehind::State result{Affine::Zero(kept_, 2), left_behind_.narrowings(), left_behind_.breaks()};
+DroppedDofs::State WindowSolver::state() const {
+  DroppedDofs::State result{Affine::Zero(kept_, 2), dropped_.narrowings(), dropped_.breaks()};
   result.displacement(followed_, Eigen::all) = rows_.topRows(size());
   return result;
 }
 
-void ActiveWindow::narrow(const std::vector<char>& leaves) {
+void WindowSolver::narrow(const std::vector<char>& leaves) {
   std::vector<int> stay, left, followed_then, left_then;
   for (int i = 0; i < followed(); ++i) {
     const bool goes = leaves[followed_[i]] != 0;
@@ -254,7 +255,7 @@ void ActiveWindow::narrow(const std::vector<char>& leaves) {
     (goes ? left_then : followed_then).push_back(followed_[i]);
   }
   if (left.empty()) return;
-  LeftBehind::Forms ratios;
+  DroppedDofs::Forms ratios;
   std::vector<char> watched(terms_.size(), 1);
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     const std::span<const int> row = terms_.pull(t).place;
@@ -267,21 +268,21 @@ void ActiveWindow::narrow(const std::vector<char>& leaves) {
       if (scale > 0) add_form(terms_.pull(t), scale, ratios);
     }
   }
-  left_behind_.narrow(std::move(left_then), followed_then, flexibility_.block(left, stay), state().displacement,
-                      ratios);
+  dropped_.narrow(std::move(left_then), followed_then, flexibility_.block(left, stay), state().displacement, ratios);
   terms_.keep(watched);
   keep_rows(stay);
   followed_ = std::move(followed_then);
   number_rows();
 }
 
-void ActiveWindow::number_rows() {
+void WindowSolver::number_rows() {
   std::fill(row_of_.begin(), row_of_.end(), -1);
   for (std::size_t i = 0; i < followed_.size(); ++i) row_of_[kept_dofs_[followed_[i]]] = static_cast<int>(i);
 }
 
-// Of everything per degree of freedom, these rows, and all that are not displacements followed.
-void ActiveWindow::keep_rows(const std::vector<int>& stay) {
+// Keeps these rows of everything that is stored by degrees of freedom, and all rows that are not displacements
+// followed.
+void WindowSolver::keep_rows(const std::vector<int>& stay) {
   std::vector<int> rows = stay, place(static_cast<std::size_t>(rows_.rows()), -1);
   for (Eigen::Index r = size(); r < rows_.rows(); ++r) rows.push_back(static_cast<int>(r));
   for (std::size_t r = 0; r < rows.size(); ++r) place[rows[r]] = static_cast<int>(r);

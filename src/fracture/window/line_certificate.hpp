@@ -9,13 +9,13 @@
 
 namespace bempd::fracture {
 
-// Says of states in which lines go on at which of them a bond away from all tips would break by itself before. All
-// displacements are proportional to the load factor.
-class AwayFromTips {
+// The proof that no bond away from all tips would have broken by itself before the steps of lines that a window has
+// computed, or the first step before which one would. All displacements are proportional to the load factor.
+class LineCertificate {
  public:
-  // In its present stages the system has what breaks from here on.
-  AwayFromTips(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
-               const StretchRatios& ratios, const LineSteps& steps);
+  // The system is given in the present stages, with all that breaks from here on.
+  LineCertificate(const coupling::EquilibriumSystem& system, const coupling::Condensation& condensation,
+                  const StretchRatios& ratios, const LineSteps& steps);
 
   // What happens to a state of kept displacements.
   struct Step {
@@ -28,7 +28,7 @@ class AwayFromTips {
 
  private:
   int first_break(const Eigen::MatrixXd& stretched, int begin, const std::vector<Step>& steps,
-                  const std::vector<int>& gone_at) const;
+                  const std::vector<int>& broken_at) const;
   bool is_spared(std::size_t bond, const Step& step) const;
 
   const coupling::Condensation& condensation_;

@@ -5,22 +5,23 @@
 #include <vector>
 
 #include "coupling/affine.hpp"
-#include "fracture/contact/faces_ahead.hpp"
+#include "fracture/contact/face_forecast.hpp"
 #include "fracture/window/outside_gaps.hpp"
 
 namespace bempd::fracture {
 
-struct ForeseenEvent;
+struct ForecastEvent;
 
-// The gaps of the faces of cracks in the states that a window goes through. It switches places whose points it follows;
-// what it has computed counts as long as no other closes or opens.
-class FaceWatch {
+// The proof that faces of cracks stay as they are in the states that a window has computed, or the first event after
+// which some close or open. The window switches places whose points it follows; what it has computed counts as long as
+// no other closes or opens.
+class FaceCertificate {
  public:
   // Nothing to watch.
-  FaceWatch() = default;
-  // Of these places in the states after 0, 1, ... of the events, the first at the load factor `from`.
-  FaceWatch(const std::vector<WatchedPlace>& places, const std::vector<ForeseenEvent>& events, double from,
-            bool proportional);
+  FaceCertificate() = default;
+  // Watches these places in the states after 0, 1, ... of the events, the first at the load factor `from`.
+  FaceCertificate(const std::vector<WatchedPlace>& places, const std::vector<ForecastEvent>& events, double from,
+                  bool proportional);
 
   bool is_idle() const { return places_.empty(); }
 
@@ -33,7 +34,7 @@ class FaceWatch {
   // Whether a place is in a state as it was at first, at the load factors from the event that led there to the one that
   // follows; the largest displacements of its parts are given.
   bool holds(const WatchedPlace& place, int state, double gap, double rate, const std::array<double, 2>& largest) const;
-  // Of an open face inside an operator.
+  // Whether an open face inside an operator overlaps in a state.
   bool overlaps(int state, double gap, double rate, const std::array<double, 2>& largest) const;
 
   std::vector<WatchedPlace> places_;

@@ -1,4 +1,4 @@
-#include "fracture/window/left_behind.hpp"
+#include "fracture/window/dropped_dofs.hpp"
 
 #include <algorithm>
 
@@ -10,15 +10,15 @@ using coupling::Affine;
 
 namespace {
 
-void append(const LeftBehind::Forms& forms, LeftBehind::Forms& to) {
+void append(const DroppedDofs::Forms& forms, DroppedDofs::Forms& to) {
   to.of_displacements.append(forms.of_displacements);
   to.fixed.insert(to.fixed.end(), forms.fixed.begin(), forms.fixed.end());
 }
 
 }  // namespace
 
-void LeftBehind::narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
-                        const Affine& displacement, const Forms& ratios) {
+void DroppedDofs::narrow(std::vector<int> left, const std::vector<int>& followed, Eigen::MatrixXd response,
+                         const Affine& displacement, const Forms& ratios) {
   Level level{std::move(left), std::vector<int>(displacement.rows(), -1), std::move(response), {}, breaks()};
   for (std::size_t i = 0; i < followed.size(); ++i) level.column_of[followed[i]] = static_cast<int>(i);
   level.start = displacement(level.left, Eigen::all);
@@ -26,12 +26,12 @@ void LeftBehind::narrow(std::vector<int> left, const std::vector<int>& followed,
   append(ratios, ratios_);
 }
 
-void LeftBehind::note_losses(const Forms& elongations, const std::vector<double>& stiffnesses) {
+void DroppedDofs::note_losses(const Forms& elongations, const std::vector<double>& stiffnesses) {
   append(elongations, broken_);
   lost_.insert(lost_.end(), stiffnesses.begin(), stiffnesses.end());
 }
 
-std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool has_constant_part) const {
+std::vector<Affine> DroppedDofs::complete(const std::vector<State>& states, bool has_constant_part) const {
   std::vector<Affine> result;
   result.reserve(states.size());
   for (const State& state : states) result.push_back(state.displacement);
@@ -66,9 +66,9 @@ std::vector<Affine> LeftBehind::complete(const std::vector<State>& states, bool 
   return result;
 }
 
-// With left l and followed f when they were left behind, P = sum of k b b^T of what broke since, and F after and F0
+// Let l be left and f followed when they were left behind, P = sum of k b b^T of what broke since, and F after and F0
 // before that: F = F0 + F P F0, as only the followed ones were changed. So F_fl r_l = y + F_ff P y with y = F0_fl r_l.
-void LeftBehind::hand_over(Affine& force, Affine& answer) const {
+void DroppedDofs::hand_over(Affine& force, Affine& answer) const {
   for (const Level& level : levels_) {
     const Affine y = level.response.transpose() * force(level.left, Eigen::all);
     for (std::size_t dof = 0; dof < level.column_of.size(); ++dof) {
@@ -84,7 +84,7 @@ void LeftBehind::hand_over(Affine& force, Affine& answer) const {
   }
 }
 
-int LeftBehind::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
+int DroppedDofs::first_violation(const std::vector<Affine>& states, const std::vector<OutsideCheck>& checks) const {
   // Each bond's ends are fetched once for a batch of states.
   constexpr Eigen::Index batch = WindowSettings::states_swept_at_once;
   using Batch = Eigen::Array<double, batch, 1>;

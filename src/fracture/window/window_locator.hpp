@@ -13,21 +13,22 @@ namespace bempd::fracture {
 // whole body.
 bool has_window_form(const coupling::EquilibriumSystem& system);
 
-// Where a window is: zones around what is about to break, and the nodes in them, which the system is told to eliminate
-// last.
-class WindowPlace {
+// Finds the place of a window: zones around what is about to break, and the nodes in them, which the system is told to
+// eliminate last.
+class WindowLocator {
  public:
-  WindowPlace(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
+  WindowLocator(coupling::EquilibriumSystem& system, const StretchRatios& ratios, const std::vector<Point>& positions);
 
-  // At the ends of initial cracks, given by the bonds they cut; before the first factorization.
+  // Expects windows at the ends of initial cracks, given by the bonds they cut; before the first factorization.
   void expect_cracks(const std::vector<int>& cut);
   void return_to_expected();
 
-  // Around the bonds that are hot at this load factor: stays where it is if it can. `ahead` is the length in front of a
-  // crack tip in lattice spacings, 0 to choose it. False if there is no place that would be smaller than the problem.
+  // Chooses a place around the bonds that are hot at this load factor, the present one if it can. `ahead` is the length
+  // in front of a crack tip in lattice spacings, 0 to choose it. False if there is no place that would be smaller than
+  // the problem.
   bool choose(double load_factor, double tie_band, double ahead);
 
-  // In front of tips of lines, by their next ways and the bonds across these.
+  // The next way of a tip of a line and the bonds across it: windows are chosen in front of these.
   struct Way {
     Point from, direction;
     double horizon;
@@ -35,8 +36,8 @@ class WindowPlace {
   };
   bool choose(const std::vector<Way>& ways, double ahead);
 
-  PlaceMemory memory() const { return {zones_, nodes_, system_.keeps_last(nodes_)}; }
-  void go_back_to(PlaceMemory memory);
+  WindowLocation memory() const { return {zones_, nodes_, system_.keeps_last(nodes_)}; }
+  void go_back_to(WindowLocation memory);
   void stay() { mark_rim(); }  // where it is, with the present terms
 
   const std::vector<Zone>& zones() const { return zones_; }

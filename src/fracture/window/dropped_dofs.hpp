@@ -16,7 +16,7 @@ struct OutsideCheck {
   double load_factor;
   double limit;
 
-  // With a margin for the rounding in which plain and condensed equations differ.
+  // The limit with a margin for the rounding in which plain and condensed equations differ.
   double bound() const { return limit * (1 - WindowSettings::certificate_margin); }
 };
 
@@ -26,7 +26,7 @@ struct OutsideCheck {
 // since, the displacements obey K u = f + sum of k_e b_e e_e, as if what is lost still pulled as the terms' elongations
 // e_e ask for; all these terms end on what is still followed. So u = u_then + F sum of k_e b_e e_e, for many states at
 // once.
-class LeftBehind {
+class DroppedDofs {
  public:
   // Linear forms of the window's displacements, by their degrees of freedom, and what prescribed displacements make of
   // each.
@@ -35,7 +35,7 @@ class LeftBehind {
     std::vector<Eigen::RowVector2d> fixed;
   };
 
-  // Of the window: what is left behind in it is not filled in yet.
+  // A state of the window, in which what is left behind is not filled in yet.
   struct State {
     coupling::Affine displacement;
     std::size_t narrowings, breaks;  // until then
@@ -54,8 +54,8 @@ class LeftBehind {
   // The displacements of states, with what was left behind in them.
   std::vector<coupling::Affine> complete(const std::vector<State>& states, bool has_constant_part) const;
 
-  // Of forces on all degrees of freedom, what those left behind add to the others: after it the displacements followed
-  // answer to `force` on them alone, besides `answer`.
+  // Adds to the forces on degrees of freedom followed what those left behind hand over: after it the displacements
+  // followed answer to `force` on them alone, besides `answer`.
   void hand_over(coupling::Affine& force, coupling::Affine& answer) const;
 
   // The first state with a check that a bond left behind fails, or the number of states. Of completed states.

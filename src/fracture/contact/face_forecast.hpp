@@ -21,19 +21,19 @@ struct WatchedPlace {
 
 // The places of faces in states to come, 0 being the present one, by the rule of CrackFaces::follow(); the body's
 // places stay as they are.
-class FacesAhead final : public FacePlaces {
+class FaceForecast final : public FacePlaces {
  public:
-  FacesAhead(CrackFaces& faces, const FaceState& state);
-  ~FacesAhead() override;
+  FaceForecast(CrackFaces& faces, const FaceState& state);
+  ~FaceForecast() override;
 
   // Terms that the event before a state breaks: places come, and open ones get other normals.
   void follow(std::span<const int> broken, int state);
   void switch_place(std::size_t place, int state);
   void forget_after(int state);  // and no more is asked but places()
 
-  // In all states, those of the system at first and in its order.
+  // Places in all states: those of the system at first and in its order.
   const std::vector<WatchedPlace>& places() const { return places_; }
-  // Of them those that there are in the last state and that may press.
+  // Places of the last state that may press.
   std::vector<std::size_t> last() const;
   FaceState last_state() const;
 
