@@ -761,8 +761,9 @@ typedef struct bempd_step_report {
   double seconds_search; /**< of it: stretches, choice of bonds, connectivity [s] */
   /* Members since 0.3. */
   double bond_energy;     /**< dissipated part of the energy released since the beginning: energy of bonds just at their
-                             critical stretch, and fracture energy of new crack length in BEM regions; the rest of the
-                             released energy would have become motion [J] */
+                             critical stretch, and fracture energy of new crack length in BEM regions and of the last
+                             step of a crack in a lattice; the rest of the released energy would have become motion
+                             [J] */
   int64_t unstable_event; /**< number of the first event of this step at which equilibrium was lost: bonds were
                              stretched beyond what they bear; 0 if each event was in equilibrium */
   double resistance;      /**< force that the body bore after the last event: half of the sum of the magnitudes of all
@@ -1398,8 +1399,12 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
  * @return status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor @since 0.3 */
 BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bempd_growth* growth);
 
-/** @brief Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
- * @param[in] model the model @param[in] crack id of a crack @param[in] end a bempd_tip_end
+/** @brief Keep the tip at an end of a crack from growing, or let it grow again.
+ *
+ * A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as lines, where no bond
+ * within three horizons of it breaks by itself. bempd_tip() tells of it as if it were free. Where cracks grow bond by bond, a tip is no more than a place among bonds, and freezing has no effect.
+ * @param[in] model the model
+ * @param[in] crack id of a crack, also of one that began in the run @param[in] end a bempd_tip_end
  * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */
 BEMPD_API bempd_status bempd_set_tip_frozen(bempd_model* model, int32_t crack, int32_t end, int32_t frozen);
 
@@ -1445,6 +1450,10 @@ typedef struct bempd_crack_extension {
   double resistance;                 /**< fracture energy G0 along the extension [J/m^2] */
   int32_t state;                     /**< what became of the end, a bempd_tip_state */
   int32_t reserved;                  /**< 0 */
+  double surface_energy;             /**< part of the released energy that the new area took: G0 times the area in BEM
+                                        regions; in lattices what its bonds took, for an end that is no tip now at most
+                                        G0 times the area. The rest, as of a last ligament at a load factor that is
+                                        held, becomes motion [J] */
 } bempd_crack_extension;
 
 /** @brief Set struct_size and zeros. @param[out] extension the struct to fill
@@ -1527,6 +1536,7 @@ typedef struct bempd_history_entry {
                                   support forces and nodal loads, divided by stretch_ratio where that is above 1; the
                                   largest before the body is separated is peak_resistance of reports [N] */
   double resistance;           /**< the same sum after the event [N] */
+  int64_t ties;                /**< tips or places that would have grown at this event as soon, but for rounding */
 } bempd_history_entry;
 
 /** @brief Set struct_size and zeros. @param[out] entry the struct to fill

@@ -348,7 +348,8 @@ module bempd_c
     !> of it: stretches, choice of bonds, connectivity [s]
     real(c_double) :: seconds_search
     !> dissipated part of the energy released since the beginning: energy of bonds just at their critical stretch, and
-    !> fracture energy of new crack length in BEM regions; the rest of the released energy would have become motion [J]
+    !> fracture energy of new crack length in BEM regions and of the last step of a crack in a lattice; the rest of the
+    !> released energy would have become motion [J]
     real(c_double) :: bond_energy
     !> number of the first event of this step at which equilibrium was lost: bonds were stretched beyond what they bear;
     !> 0 if each event was in equilibrium
@@ -614,6 +615,10 @@ module bempd_c
     integer(c_int32_t) :: state
     !> 0
     integer(c_int32_t) :: reserved
+    !> part of the released energy that the new area took: G0 times the area in BEM regions; in lattices what its bonds
+    !> took, for an end that is no tip now at most G0 times the area. The rest, as of a last ligament at a load factor
+    !> that is held, becomes motion [J]
+    real(c_double) :: surface_energy
   end type bempd_crack_extension
 
   !> Sizes, counters and times since the model was created. Fill it with bempd_statistics_init().
@@ -714,6 +719,8 @@ module bempd_c
     real(c_double) :: resistance_before
     !> the same sum after the event [N]
     real(c_double) :: resistance
+    !> tips or places that would have grown at this event as soon, but for rounding
+    integer(c_int64_t) :: ties
   end type bempd_history_entry
 
   abstract interface
@@ -2986,10 +2993,14 @@ module bempd_c
       integer(c_int) :: bempd_grow_cracks
     end function bempd_grow_cracks
 
-    !> Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all the same.
+    !> Keep the tip at an end of a crack from growing, or let it grow again.
+    !>
+    !> A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as lines, where no bond
+    !> within three horizons of it breaks by itself. bempd_tip() tells of it as if it were free. Where cracks grow bond
+    !> by bond, a tip is no more than a place among bonds, and freezing has no effect.
     !>
     !> model [in]: the model
-    !> crack [in]: id of a crack
+    !> crack [in]: id of a crack, also of one that began in the run
     !> end [in]: a bempd_tip_end
     !> frozen [in]: 1: it does not grow; 0: it does
     !> return: status

@@ -141,6 +141,7 @@ bempd_status bempd_extension(const bempd_model* model, int64_t index, bempd_crac
                      .resistance = e.resistance,
                      .state = static_cast<int32_t>(e.state),
                      .reserved = 0,
+                     .surface_energy = e.surface_energy,
                  },
                  "extension");
   });

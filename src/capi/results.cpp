@@ -51,6 +51,7 @@ bempd_status get_history_entry(const bempd_model* model, const char* function, s
                      .work_before = h.work_before,
                      .resistance_before = h.resistance_before,
                      .resistance = h.resistance,
+                     .ties = h.ties,
                  },
                  "entry");
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "crack/factors.hpp"
@@ -30,5 +31,26 @@ double growth_ratio(const AffineFactors& factors, double load_factor, double tou
 // close, it is the interval around the load factor 0, or around the one at which the tip is loaded least. A material
 // does not break if its toughness is not positive or infinite.
 GrowthRange growth_range(const AffineFactors& factors, double toughness, KinkCriterion criterion);
+
+// Law by which a tip grows where it is: the criterion in force, and what the material around it takes.
+struct GrowthLaw {
+  double toughness = 0;      // K_I at which it grows straight on; 0 or infinite: it does not grow [Pa m^(1/2)]
+  double plane_modulus = 0;  // E, in plane strain E / (1 - nu^2) [Pa]
+  KinkCriterion criterion = KinkCriterion::hoop_stress;
+
+  double resistance() const { return toughness * toughness / plane_modulus; }  // energy per area [J/m^2]
+  Kink kink(const AffineFactors& factors, double load_factor) const {
+    return kink_of(factors.at(load_factor), criterion);
+  }
+  double ratio(const AffineFactors& factors, double load_factor) const {
+    return toughness > 0 ? growth_ratio(factors, load_factor, toughness, criterion) : 0;
+  }
+  GrowthRange range(const AffineFactors& factors) const { return growth_range(factors, toughness, criterion); }
+};
+
+// K_I at which a crack grows straight on in a material of this fracture energy [J/m^2].
+inline double toughness_of(double fracture_energy, double plane_modulus) {
+  return std::sqrt(plane_modulus * fracture_energy);
+}
 
 }  // namespace bempd::crack

@@ -4,12 +4,10 @@
 #include <optional>
 #include <span>
 
+#include "crack/load_way.hpp"
 #include "crack/tip.hpp"
 
 namespace bempd::crack {
-
-// Relative difference of load factors or ratios below which they are a tie: rounding may put either first.
-constexpr double tie_share = 1e-9;
 
 // Tip that may grow next.
 struct Candidate {
@@ -18,6 +16,11 @@ struct Candidate {
   double ratio = 1;         // of its equivalent factor to its toughness, at the present load factor
   bool overloaded = false;  // at the present load factor
 };
+
+// Candidate of a tip that reaches its toughness at a critical load factor and has this ratio where the way begins.
+inline Candidate candidate(const TipId& tip, double critical, double ratio, const LoadWay& way) {
+  return {tip, critical, ratio, way.control == Control::load && ratio > 1 + tie_share};
+}
 
 struct FirstToGrow {
   std::size_t index;  // among the candidates

@@ -20,7 +20,8 @@ enum class TipState {
   at_hole = 2,       // ended at a hole
   at_crack = 3,      // ended at another crack
   at_interface = 4,  // stopped at another material, or at the border of its region
-  separated = 5      // no ligament is left ahead of it
+  separated = 5,     // no ligament is left ahead of it
+  carried_on = 6     // its crack goes on in another carrier, where it has its tip; no extension ends so
 };
 
 constexpr bool has_ended(TipState state) { return state != TipState::grows; }

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "error.hpp"
-#include "fracture/other_tips.hpp"
 #include "fracture/resistance.hpp"
 #include "number_range.hpp"
 
@@ -70,6 +69,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
                                    const std::function<void(const EvolutionState&)>& on_event,
                                    const std::function<void()>& on_end) {
   sources_.refresh();
+  sources_.freeze(options.frozen);
   sources_.go_on();
   const Start start = this->start();
   try {
@@ -142,8 +142,8 @@ StopReason CrackEvolution::run(double target, Goal goal, const SteppingOptions& 
 std::optional<StopReason> CrackEvolution::why_there_is_none(Goal goal, const SteppingOptions& options) {
   if (options.control == Control::path) {
     sources_.bring_up_to_date();
-    const bool others_rest = !options.other_tips || options.other_tips->rest_somewhere();
-    if (!others_rest || body_.admissible().is_empty()) return StopReason::no_admissible_load;
+    const bool elements_rest = !options.elements || !crack::common_range(options.elements->tips()).is_empty();
+    if (!elements_rest || body_.admissible().is_empty()) return StopReason::no_admissible_load;
   }
   return goal == Goal::load_factor ? std::nullopt : std::optional(StopReason::no_further_event);
 }

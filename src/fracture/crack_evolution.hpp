@@ -34,7 +34,7 @@ enum class StopReason {
   no_equilibrium,
   requested,
   crack_stopped,
-  growth  // other tips grow next, at the load factor that was reached; no step of a host ends so
+  growth  // a tip with elements grows next, at the load factor that was reached; no step of a host ends so
 };
 
 // Quasi-static growth of cracks. Between two breaks the response is linear in the load factor, so the next break is
@@ -100,11 +100,21 @@ class CrackEvolution {
   // Makes the state consistent with the present loads, at the present load factor.
   void find_equilibrium();
 
+  // After StopReason::growth: which tip grows next, and how many others would grow as soon.
+  struct Due {
+    crack::TipId tip;
+    int ties = 0;
+  };
+  const Due& due() const { return due_; }
+
   // After StopReason::growth, as long as nothing else was done: the run is where it was before that advance().
   void take_back() noexcept;
 
-  // A tip of a line goes no further, as it has come to an interface.
-  void stop_line(const crack::TipId& tip);
+  // A tip of a line goes no further: it has come to an interface, or its crack goes on in another carrier.
+  void stop_line(const crack::TipId& tip, crack::TipState state = crack::TipState::at_interface);
+
+  // After StopReason::growth, where the tip cannot grow: it has stopped, and the step ends here.
+  void end_with_stopped(const crack::TipId& tip, const std::function<void()>& on_end);
 
   // Goes on with the run of another body whose cracks have grown since, at its load factor. `node_before` has of each
   // node the one that was there before, or one close by. book() has to follow.
@@ -156,10 +166,10 @@ class CrackEvolution {
   double seconds_search() { return body_.seconds_search(); }
 
   // Whether cracks among bonds grow as lines, and what their tips do next under the present loads.
-  bool grows_lines() const { return sources_.grows_lines(); }
-  std::vector<TipProspect> tip_prospects() {
+  bool grows_lines() { return sources_.lines() != nullptr; }
+  std::vector<crack::Tip> tips_of_lines() {
     look();
-    return sources_.tip_prospects();
+    return sources_.lines() ? sources_.lines()->tips() : std::vector<crack::Tip>();
   }
 
   // In the present state of the bonds, under the present loads.
@@ -220,7 +230,8 @@ class CrackEvolution {
   std::vector<double> lengths_;  // of the cracks that the host described
   std::vector<int> held_;
   std::optional<Start> start_;  // of an advance() that ended where other tips grow
-  Outcome growth_;              // of the growth that is to be booked
+  Due due_;
+  Outcome growth_;  // of the growth that is to be booked
   Eigen::Matrix2d work_within_ = Eigen::Matrix2d::Zero();
 };
 

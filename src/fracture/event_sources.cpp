@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fracture/other_tips.hpp"
 #include "fracture/window/window_settings.hpp"
 
 namespace bempd::fracture {
@@ -14,13 +13,19 @@ EventSources::EventSources(LoadedBody& body, const std::vector<int>& cut)
 
 bool EventSources::may_use_window(double target, const SteppingOptions& options) const {
   return options.window && options.mode == SteppingMode::events && has_window_form(body_.system()) &&
-         !body_.has_fluid() && !options.other_tips && target >= body_.state().load_factor;
+         !body_.has_fluid() && !options.elements && target >= body_.state().load_factor;
 }
 
 void EventSources::grow_lines(pd::TipLaws laws) {
   settle();
   lines_.emplace(body_, whole_body_, std::move(laws));
   window_.follow(lines_->steps());
+}
+
+void EventSources::freeze(const std::set<crack::TipId>& tips) {
+  if (!lines_ || lines_->steps().frozen() == tips) return;
+  if (window_.is_open()) settle();
+  lines_->freeze(tips);
 }
 
 const Event* EventSources::next(double target, const SteppingOptions& options) {
@@ -42,20 +47,27 @@ const Event* EventSources::next(double target, const SteppingOptions& options) {
   }
   EventSource& source = everywhere();
   const Event* event = source.next(target, options);
-  if (options.other_tips) {
+  if (options.elements) {
     const double present = body_.state().load_factor;
-    event = sooner(event, options.other_tips->next(target, options), target >= present, present);
+    event = first_with(*options.elements, event, {present, target >= present, options.control});
   }
   return first_of(source, event, target);
 }
 
-// If both are due at the present load factor, the event that is farthest beyond what it bears goes first.
-const Event* EventSources::sooner(const Event* breaks, const Event* growth, bool upwards, double present) {
-  if (!breaks || !growth) return breaks ? breaks : growth;
-  if (breaks->load_factor == present && growth->load_factor == present)
-    return growth->ratio > breaks->ratio ? growth : breaks;
-  const bool grows = upwards ? growth->load_factor < breaks->load_factor : growth->load_factor > breaks->load_factor;
-  return grows ? growth : breaks;
+// Of an event among bonds, which may be the step of a line, and the growth of tips with elements the one that comes
+// first, by the order of all tips.
+const Event* EventSources::first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way) {
+  std::vector<crack::Candidate> candidates = elements.candidates(way);
+  if (event) {
+    const bool is_due = event->load_factor == way.present;
+    candidates.push_back(crack::candidate(event->tip, event->load_factor, is_due ? event->ratio : 1, way));
+  }
+  const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates, way.upwards);
+  if (!first || (event && first->index + 1 == candidates.size())) return event;
+  const crack::Candidate& chosen = candidates[first->index];
+  growth_ = {way.place_of(chosen.load_factor), chosen.ratio, chosen.load_factor, {}};
+  growth_.tip = chosen.tip, growth_.ties = first->ties, growth_.is_growth = true;
+  return &growth_;
 }
 
 EventSource& EventSources::everywhere() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "fracture/contact/contact_events.hpp"
@@ -23,13 +24,15 @@ class EventSources {
   // Makes cracks grow as lines from now on, from the tips of the body's state.
   void grow_lines(pd::TipLaws laws);
 
+  // Tips that the host keeps where they are, until other ones are named.
+  void freeze(const std::set<crack::TipId>& tips);
+
   // The next event on the way to a target; null if none is left in that direction. It may lie beyond the target.
   const Event* next(double target, const SteppingOptions& options);
   Outcome perform();
 
-  // Prospects of tips of cracks that grow as lines, for a state that is up to date; none where they do not.
-  bool grows_lines() const { return lines_.has_value(); }
-  std::vector<TipProspect> tip_prospects() const { return lines_ ? lines_->prospects() : std::vector<TipProspect>(); }
+  // Cracks that grow as lines, of a state that is up to date; null where cracks grow bond by bond.
+  crack::Carrier* lines() { return lines_ ? &*lines_ : nullptr; }
 
   // Displacements and forces in the body's state, which fall behind while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }
@@ -64,7 +67,7 @@ class EventSources {
   void open_window(double target, const SteppingOptions& options);
   std::optional<double> next_in_window(double target, const SteppingOptions& options);
   EventSource& everywhere();  // where no window is open
-  static const Event* sooner(const Event* breaks, const Event* growth, bool upwards, double present);
+  const Event* first_with(crack::Carrier& elements, const Event* event, const crack::LoadWay& way);
   const Event* first_of(EventSource& source, const Event* event, double target);
   void be_patient();
   void keep_present();
@@ -79,6 +82,7 @@ class EventSources {
   WindowEvents window_;
   std::optional<LineEvents> lines_;
   EventSource* told_ = nullptr;  // the next event
+  Event growth_;                 // of a tip with boundary elements, that was told
   std::optional<Mark> mark_;
   std::optional<Continuation> awaited_;  // after refresh(): only what has an open window
   bool is_stale_ = false;

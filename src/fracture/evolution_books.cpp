@@ -43,6 +43,7 @@ void CrackEvolution::book(const Event& event, const Outcome& outcome, const Step
   add(state_.resistance, event, outcome, state_.separated);
   note_separation(outcome);
   line.event = state_.events;
+  line.ties = outcome.ties;
   line.stretch_ratio = event.ratio;
   line.stored_energy = outcome.stored_energy;
   line.critical_load_factor = event.critical_load_factor;

@@ -20,6 +20,7 @@ void CrackEvolution::forget_lines(const Start& start) noexcept {
 }
 
 StopReason CrackEvolution::go_to_growth(const Event& growth) {
+  due_ = {growth.tip, growth.ties};
   state_.work = in_range(state_.work + body_.move_to(growth.load_factor));
   measure_work();
   return StopReason::growth;
@@ -36,14 +37,22 @@ void CrackEvolution::return_to(const Start& start) noexcept {
   sources_.return_to_mark();
 }
 
-void CrackEvolution::stop_line(const crack::TipId& tip) {
+void CrackEvolution::stop_line(const crack::TipId& tip, crack::TipState state) {
   sources_.refresh();
   sources_.settle();
   for (GrowingTip& one : state_.tips)
-    if (one.id == tip) one.state = crack::TipState::at_interface;
+    if (one.id == tip) one.state = state;
   const auto last = std::find_if(state_.extensions.rbegin(), state_.extensions.rend(),
-                                 [&](const CrackExtension& e) { return e.crack == tip.crack && e.end == tip.end; });
+                                 [&](const CrackExtension& e) { return e.tip() == tip; });
   if (last != state_.extensions.rend()) last->state = crack::TipState::at_interface;
+}
+
+void CrackEvolution::end_with_stopped(const crack::TipId& tip, const std::function<void()>& on_end) {
+  state_.stopped.push_back(tip);
+  end_step();
+  if (on_end) on_end();
+  start_.reset();
+  sources_.drop_mark();
 }
 
 namespace {
@@ -97,6 +106,7 @@ void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>
   state_.load_factor = old.load_factor;
   state_.largest_force = old.largest_force;
   state_.separated = old.separated;
+  state_.stopped = old.stopped;
   state_.first_unit_energy = old.first_unit_energy;
   take_over_lattices(old, entering);
   std::vector<int> node_now(old.unloaded.size(), -1);
@@ -194,6 +204,11 @@ void CrackEvolution::book_lines(const Outcome& outcome, double released_energy) 
     extension.event = state_.events;
     extension.crack_length = before + extension.length;
     extension.released_energy = released_energy * extension.length / length;
+    // What a last ligament releases beyond its fracture energy, at a load factor that is held, becomes motion.
+    const double taken = outcome.bond_energy * extension.length / length;
+    const double most = extension.has_ended() ? extension.surface_energy : taken;
+    state_.bond_energy -= std::max(0.0, taken - most);
+    extension.surface_energy = std::min(taken, most);
     state_.extensions.push_back(extension);
   }
 }

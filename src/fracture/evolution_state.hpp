@@ -6,7 +6,7 @@
 
 #include "coupling/affine.hpp"
 #include "coupling/operators.hpp"
-#include "crack/tip.hpp"
+#include "crack/extension.hpp"
 #include "fracture/contact/face_state.hpp"
 #include "fracture/line/growing_tip.hpp"
 
@@ -34,26 +34,10 @@ struct HistoryEntry {
   double work_before = 0;
   double resistance_before = 0;  // in equilibrium: what would be borne beyond it is divided by the stretch ratio [N]
   double resistance = 0;         // after it [N]
+  std::int64_t ties = 0;         // others that would have grown at the event as soon
 };
 
-// What a tip did at an event: it went straight on to a place, where it is a tip again unless it has ended. A crack that
-// begins does so as two extensions from its middle.
-struct CrackExtension {
-  std::int64_t event = 0;
-  int crack = 0, end = 0;  // id; 1: the crack's last point, 0: its first
-  crack::TipState state = crack::TipState::grows;
-  double from_x = 0, from_y = 0;
-  double x = 0, y = 0;
-  double angle = 0;  // by which it turned, counter-clockwise
-  double length = 0, crack_length = 0;
-  double load_factor = 0;
-  double rate_before = 0, rate_after = 0;  // energy release rates along the way [J/m^2]; none where it has ended
-  double released_energy = 0;              // their integral [J]; of a line what the event released
-  double factor_1 = 0, factor_2 = 0;       // K_I and K_II of the tip before it grew [Pa m^(1/2)]
-  double resistance = 0;                   // energy per area that it met [J/m^2]
-
-  bool has_ended() const { return crack::has_ended(state); }
-};
+using CrackExtension = crack::Extension;
 
 // The body as it is at a load factor.
 struct BodyState {
@@ -67,9 +51,10 @@ struct BodyState {
   Eigen::VectorXd total_force;         // internal nodal forces at load_factor
   std::vector<std::uint8_t> stages;    // of every term in its law
   std::vector<coupling::HoldingSpring> springs;
-  std::vector<char> unloaded;    // nodes whose loads have gone with a piece that came free
-  std::vector<GrowingTip> tips;  // of cracks that grow as lines
-  FaceState faces;               // of cracks, where they can close
+  std::vector<char> unloaded;         // nodes whose loads have gone with a piece that came free
+  std::vector<GrowingTip> tips;       // of cracks that grow as lines
+  FaceState faces;                    // of cracks, where they can close
+  std::vector<crack::TipId> stopped;  // tips with elements that cannot go on
 };
 
 // What the body bears: half of the sum of the magnitudes of all support forces and nodal loads, the pull in a tensile

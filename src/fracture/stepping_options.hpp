@@ -2,10 +2,11 @@
 
 #include <atomic>
 #include <cstdint>
+#include <set>
+
+#include "crack/carrier.hpp"
 
 namespace bempd::fracture {
-
-class OtherTips;
 
 // How bonds break on the way of the load factor.
 enum class SteppingMode {
@@ -17,14 +18,7 @@ enum class SteppingMode {
   increments
 };
 
-// What is held while bonds break.
-enum class Control {
-  // The load factor: where growth is unstable events follow each other at one load factor, out of equilibrium.
-  load,
-  // Nothing: each event lies where the most stretched bonds just reach their critical stretch, so that the load factor
-  // falls where growth is unstable, and every state is one of equilibrium.
-  path
-};
+using crack::Control;
 
 struct SteppingOptions {
   SteppingMode mode = SteppingMode::events;
@@ -38,7 +32,8 @@ struct SteppingOptions {
   Control control = Control::load;
   double separation_share = 0;  // of the largest resistance: what is left of the load's connection counts for nothing
   bool leaves_fresh = false;    // a step that changes the system leaves no factor behind, as a saved state does
-  OtherTips* other_tips = nullptr;          // null: all cracks grow by breaking bonds
+  crack::Carrier* elements = nullptr;       // of cracks with boundary elements; null: none of them may grow
+  std::set<crack::TipId> frozen{};          // tips that the host keeps where they are
   const std::atomic<bool>* stop = nullptr;  // where a host asks for the end of the step; null: nowhere
 };
 

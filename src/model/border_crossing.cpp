@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "error.hpp"
+#include "crack/cannot_grow.hpp"
 #include "geometry/outline.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
@@ -124,13 +124,12 @@ bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& 
   std::unique_ptr<PreparedScene> next;
   try {
     next = with_cracks(std::move(longer), run.on_way);
-  } catch (const Error& error) {
+  } catch (const crack::CannotGrow& error) {
     scene_.set_cracks(before);
-    if (error.failure() != Failure::argument) throw;
     say([&] { log(1, error.what()); });
     return false;
   }
-  next->evolution->stop_line(tip);
+  next->evolution->stop_line(tip, crack::TipState::carried_on);
   fracture::Growth growth{1, load_factor(), 0, 0, {last}};
   fracture::CrackExtension& e = growth.extensions.front();
   e.from_x = to.x(), e.from_y = to.y(), e.x = place->x(), e.y = place->y();
@@ -141,11 +140,11 @@ bool Model::cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& 
     if (found.crack == tip.crack && found.end == tip.end) e.rate_after = found.energy_release_rate;
   const double thickness =
       scene_.material_of(next->discretization.cracks[number].region_at(tip.end)).elasticity.thickness;
-  growth.surface_energy = e.resistance * e.length * thickness;
+  e.surface_energy = growth.surface_energy = e.resistance * e.length * thickness;
   next->evolution->book(growth);
-  if (!run.stepping.other_tips) run.cracks = before;
+  if (!run.stepping.elements) run.cracks = before;
   go_on_in(std::move(next), growth, tips, run);
-  run.stepping.other_tips = &tips;
+  run.stepping.elements = &tips;
   run.extensions_seen = prepared_->evolution->progress().extensions.size();
   return true;
 }

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/element_growth.hpp"
+#include "model/growth_options.hpp"
 #include "model/model.hpp"
 
 // Growth of cracks with boundary elements: the scene is prepared again with the longer cracks, and its run continues.
@@ -28,56 +28,8 @@ std::vector<double> thickness_at(const scene::Scene& scene, const PreparedScene&
   return thickness;
 }
 
-struct HashOfPoint {
-  std::size_t operator()(const Point& p) const {
-    return std::hash<double>()(p.x()) ^ (std::hash<double>()(p.y()) * 0x9e3779b97f4a7c15U);
-  }
-};
-
 constexpr const char* no_tip_with_elements =
     "no crack in a BEM region has a tip; add one, or let cracks in peridynamic regions grow by steps";
-
-// Whether lattices have the same bonds in the same order, so that broken ones can be taken over: a lattice whose
-// material points lie on outlines may move out of the way of a longer crack.
-bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
-  const coupling::Terms &a = now.system->terms(), &b = before.system->terms();
-  if (a.size() != b.size()) return false;
-  const auto at = [](const PreparedScene& scene, int node) {
-    return scene.discretization.positions[static_cast<std::size_t>(node)];
-  };
-  const double tolerance = 10 * before.discretization.tolerance;
-  for (std::size_t t = 0; t < a.size(); ++t)
-    if ((at(now, a.first[t]) - at(before, b.first[t])).norm() > tolerance ||
-        (at(now, a.second[t]) - at(before, b.second[t])).norm() > tolerance)
-      return false;
-  return true;
-}
-
-// Node before of every node now: the one that the same region had at this place, in order where it has several there;
-// otherwise the closest one.
-std::vector<int> nodes_before(const regions::Discretization& now, const regions::Discretization& before) {
-  std::vector<int> found(now.positions.size(), -1);
-  for (std::size_t r = 0; r < now.regions.size(); ++r) {
-    const std::vector<int>&own = now.regions[r]->nodes(), &old = before.regions[r]->nodes();
-    std::unordered_map<Point, std::vector<int>, HashOfPoint> at;
-    for (auto node = old.rbegin(); node != old.rend(); ++node)
-      at[before.positions[static_cast<std::size_t>(*node)]].push_back(*node);
-    for (const int node : own) {
-      int& known = found[static_cast<std::size_t>(node)];
-      const Point& place = now.positions[static_cast<std::size_t>(node)];
-      const auto same = at.find(place);
-      if (known >= 0) continue;
-      if (same != at.end()) {
-        known = same->second.back();
-        if (same->second.size() > 1) same->second.pop_back();
-        continue;
-      }
-      const auto off = [&](int one) { return (before.positions[static_cast<std::size_t>(one)] - place).squaredNorm(); };
-      known = *std::min_element(old.begin(), old.end(), [&](int a, int b) { return off(a) < off(b); });
-    }
-  }
-  return found;
-}
 
 // Load factor at which the first tip grows, rising from zero, and that tip.
 std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues>& tips,
@@ -85,9 +37,9 @@ std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues
   std::vector<crack::Candidate> candidates;
   for (const regions::TipValues& tip : tips) {
     const double load_factor =
-        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, criterion_of(options));
+        growth_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness, growth_criterion(options));
     const bool overloaded = load_factor == 0 && tip.toughness > 0;
-    const double ratio = overloaded ? crack::growth_ratio(factors_of(tip), 0, tip.toughness, criterion_of(options)) : 1;
+    const double ratio = overloaded ? law_of(tip, options).ratio(factors_of(tip), 0) : 1;
     candidates.push_back({{tip.crack, tip.end}, load_factor, ratio, overloaded});
   }
   const crack::FirstToGrow found = *crack::first_to_grow(candidates, true);
@@ -102,7 +54,7 @@ std::pair<double, std::size_t> first_growth(const std::vector<regions::TipValues
 }  // namespace
 
 void Model::set_tip_frozen(int crack, int end, bool frozen) {
-  scene_.crack(crack);
+  if (crack > crack_count()) scene_.crack(crack);  // throws
   if (frozen) {
     frozen_tips_.insert({crack, end});
   } else {
@@ -133,9 +85,9 @@ const std::vector<regions::TipValues>& Model::tip_factors() {
 // Tips with elements that may grow.
 std::vector<regions::TipValues> Model::growing_tips() {
   std::vector<regions::TipValues> tips = tip_factors();
-  const std::vector<fracture::CrackExtension>& extensions = prepared_->evolution->progress().extensions;
+  const fracture::EvolutionState& state = prepared_->evolution->progress();
   std::erase_if(tips, [&](const regions::TipValues& tip) {
-    return frozen_tips_.count({tip.crack, tip.end}) > 0 || has_stopped(tip.crack, tip.end, extensions);
+    return frozen_tips_.count({tip.crack, tip.end}) > 0 || has_stopped({tip.crack, tip.end}, state);
   });
   return tips;
 }
@@ -160,7 +112,9 @@ Growing Model::go_to_growth(double length) {
     if (load_factor() != goal) {
       if (round == most_rounds_of_faces)
         fail(Failure::convergence, "faces of cracks close and open without an end where cracks are to grow");
-      prepared_->evolution->advance(goal, fracture::Goal::load_factor, {}, {}, {});
+      fracture::SteppingOptions stepping;
+      stepping.frozen = frozen_tips_;
+      prepared_->evolution->advance(goal, fracture::Goal::load_factor, stepping, {}, {});
       ++generation_;
       if (state.contact_switches != switches || state.events != events) continue;
     }
@@ -175,41 +129,6 @@ Growing Model::go_to_growth(double length) {
 std::unique_ptr<PreparedScene> Model::extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                      const scene::SceneValues* on_way) {
   return with_cracks(extended(scene_, before, prepared_->discretization.tolerance, growing), on_way);
-}
-
-// Crack ends that had elements before and lie in a lattice now.
-std::vector<crack::TipId> Model::entering(const regions::Discretization& next) const {
-  std::vector<crack::TipId> tips;
-  const std::vector<regions::PartedCrack>& before = prepared_->discretization.cracks;
-  for (std::size_t c = 0; c < next.cracks.size(); ++c)
-    for (const int end : {0, 1})
-      if (!next.cracks[c].parts.empty() && next.cracks[c].region_at(end) == 0 && before[c].region_at(end) > 0)
-        tips.push_back({static_cast<int>(c) + 1, end});
-  return tips;
-}
-
-// Prepared scene with these cracks, in which the run continues.
-std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
-  scene_.set_cracks(std::move(longer));
-  const auto build_next = [&] { return build(prepared_.get()); };
-  std::unique_ptr<PreparedScene> next;
-  if (on_way) {
-    scene::SceneValues values = *on_way;
-    next = scene_.under(values, build_next);
-  } else {
-    next = build_next();
-  }
-  require(
-      has_same_bonds(*next, *prepared_),
-      "a crack that grows on would move the material points of a peridynamic region, whose broken bonds are those of "
-      "the present points; it stops. Give that region edges along the axes and no pd.lattice_angle, or make it "
-      "so large that the crack stays inside");
-  next->fingerprint = prepared_->fingerprint;
-  next->anchored_pieces = prepared_->anchored_pieces;
-  next->evolution->go_on_after_growth(*prepared_->evolution,
-                                      nodes_before(next->discretization, prepared_->discretization),
-                                      entering(next->discretization));
-  return next;
 }
 
 // Scene with the extended cracks, after their growth is entered in its history, and its tips.

@@ -2,13 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "crack/growth_law.hpp"
 #include "elasticity/griffith.hpp"
-#include "elasticity/kinked_tip.hpp"
 #include "error.hpp"
 #include "geometry/segment.hpp"
 #include "model/element_growth.hpp"
-#include "model/growth_options.hpp"
 #include "model/model.hpp"
 #include "number_range.hpp"
 #include "regions/tips/lattice_openings.hpp"
@@ -19,16 +16,18 @@ namespace bempd::model {
 
 namespace {
 
-// Computes the load factors and the angle at which a tip with known stress intensity factors grows by a criterion.
-void complete(regions::TipValues& tip, KinkCriterion criterion) {
+// Tells the load factors and angles at which a tip grows, as its carrier has them.
+void tell_growth(regions::TipValues& values, const crack::Tip& tip) {
+  values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
+  values.critical_load_factor = in_range(tip.range.highest);
+  values.critical_load_factor_down = in_range(tip.range.lowest);
+}
+
+// Computes them for a tip with known stress intensity factors, by the criterion in force.
+void complete(regions::TipValues& tip, const scene::Options& options) {
   if (!tip.factors.allFinite() || !tip.constant_factors.allFinite() || !tip.proportional_factors.allFinite()) return;
-  const crack::AffineFactors factors{tip.constant_factors, tip.proportional_factors};
-  const crack::GrowthRange range = crack::growth_range(factors, tip.toughness, criterion);
-  tip.kink_angle = kink_of(tip.factors, criterion).angle;
-  tip.critical_load_factor = in_range(range.highest);
-  tip.critical_load_factor_down = in_range(range.lowest);
-  if (std::isfinite(range.highest)) tip.critical_kink_angle = kink_of(factors.at(range.highest), criterion).angle;
-  tip.straight_load_factor = straight_load_factor(factors.constant, factors.proportional, tip.toughness);
+  tell_growth(tip, carried(tip, options));
+  tip.straight_load_factor = straight_load_factor(tip.constant_factors, tip.proportional_factors, tip.toughness);
 }
 
 void never_grows(regions::TipValues& tip) {
@@ -38,13 +37,13 @@ void never_grows(regions::TipValues& tip) {
 }
 
 // Takes the factors by which the tip grows, from the stress ahead, for tips around which no ring fits.
-void take_stress_ahead(regions::TipValues& values, const fracture::TipProspect& tip, double load_factor) {
+void take_stress_ahead(regions::TipValues& values, const crack::Tip& tip, double load_factor) {
   if (!tip.factors.at(load_factor).allFinite()) return;
   values.method = regions::TipMethod::stress_ahead;
   values.constant_factors = tip.factors.constant, values.proportional_factors = tip.factors.proportional;
   values.factors = tip.factors.at(load_factor);
-  values.toughness = tip.toughness, values.plane_modulus = tip.modulus;
-  values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.modulus);
+  values.toughness = tip.law.toughness, values.plane_modulus = tip.law.plane_modulus;
+  values.energy_release_rate = in_range(values.factors.squaredNorm() / tip.law.plane_modulus);
 }
 
 // Length by which an end of a crack has grown in a lattice, which the scene's crack does not have.
@@ -78,7 +77,7 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
     const std::vector<regions::TipValues> found = region->tips(solution_of(prepared), detail);
     tips.insert(tips.end(), found.begin(), found.end());
   }
-  for (regions::TipValues& tip : tips) complete(tip, growth_criterion(options_));
+  for (regions::TipValues& tip : tips) complete(tip, options_);
   // Tips are ordered by crack, the first point's end first.
   std::stable_sort(tips.begin(), tips.end(), [](const regions::TipValues& a, const regions::TipValues& b) {
     return std::pair(a.crack, a.end) < std::pair(b.crack, b.end);
@@ -89,7 +88,7 @@ std::vector<regions::TipValues> Model::tips_of(const PreparedScene& prepared, re
 std::vector<regions::TipValues> Model::compute_tips() const {
   std::vector<regions::TipValues> all = tips_of(*prepared_, regions::TipDetail::everything);
   for (regions::TipValues& tip : all)
-    if (has_stopped(tip.crack, tip.end, prepared_->evolution->progress().extensions)) never_grows(tip);
+    if (has_stopped({tip.crack, tip.end}, prepared_->evolution->progress())) never_grows(tip);
   const std::vector<regions::TipValues> in_lattices =
       prepared_->evolution->grows_lines() ? tips_of_lines() : tips_in_lattices();
   all.insert(all.end(), in_lattices.begin(), in_lattices.end());
@@ -101,15 +100,15 @@ std::vector<regions::TipValues> Model::tips_in_lattices() const {
   const regions::BondedBody body = bonded_body();
   std::vector<regions::TipValues> tips =
       regions::lattice_tips(body, regions::find_lattice_tips(body), solution(), options_);
-  for (regions::TipValues& tip : tips) complete(tip, growth_criterion(options_));
+  for (regions::TipValues& tip : tips) complete(tip, options_);
   return tips;
 }
 
 // Tips of crack lines as the run grows them: place, direction and load factors.
 std::vector<regions::TipValues> Model::tips_of_lines() const {
-  const std::vector<fracture::TipProspect> prospects = prepared_->evolution->tip_prospects();
+  const std::vector<crack::Tip> carried = prepared_->evolution->tips_of_lines();
   std::vector<regions::KnownTip> known;
-  for (const fracture::TipProspect& tip : prospects) {
+  for (const crack::Tip& tip : carried) {
     std::vector<Point> path = places_of(crack_path(tip.id.crack));
     if (tip.id.end == 0) std::reverse(path.begin(), path.end());
     const std::span<const fracture::CrackExtension> all = extensions();
@@ -122,13 +121,11 @@ std::vector<regions::TipValues> Model::tips_of_lines() const {
   std::vector<regions::TipValues> tips =
       regions::lattice_tips(body, regions::lattice_tips_at(body, known), solution(), options_);
   for (std::size_t k = 0; k < tips.size(); ++k) {
-    const fracture::TipProspect& tip = prospects[k];
+    const crack::Tip& tip = carried[k];
     regions::TipValues& values = tips[k];
     if (values.contours == 0) take_stress_ahead(values, tip, load_factor());
-    complete(values, growth_criterion(options_));
-    values.kink_angle = tip.kink_angle, values.critical_kink_angle = tip.critical_kink_angle;
-    values.critical_load_factor = in_range(tip.range.highest);
-    values.critical_load_factor_down = in_range(tip.range.lowest);
+    complete(values, options_);
+    tell_growth(values, tip);
   }
   return tips;
 }

@@ -1,10 +1,9 @@
 #include "model/driven_growth.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "cancellation.hpp"
-#include "error.hpp"
+#include "crack/cannot_grow.hpp"
 #include "model/element_growth.hpp"
 #include "model/model.hpp"
 
@@ -26,7 +25,7 @@ bool Model::drives_elements(const fracture::SteppingOptions& stepping) const {
 fracture::StopReason Model::advance_growing(DrivenRun& run) {
   ElementTips tips(options_, [this] { return growing_tips(); });
   if (drives_elements(run.stepping)) {
-    run.stepping.other_tips = &tips;
+    run.stepping.elements = &tips;
     run.cracks = scene_.cracks();
     tips.follow(*prepared_->evolution);
     say([&] { tell_of_whole_body(); });
@@ -42,7 +41,7 @@ fracture::StopReason Model::advance_growing(DrivenRun& run) {
     }
     if (reason != fracture::StopReason::growth) return with_stopped_lines(reason, run);
     check_cancelled();
-    grow_next(tips, run);
+    if (!grow_next(tips, run)) return fracture::StopReason::crack_stopped;
     const fracture::EvolutionState& state = prepared_->evolution->progress();
     run.stepping.events_so_far = state.events - before;
     run.on_event(state);
@@ -79,28 +78,26 @@ fracture::StopReason Model::with_stopped_lines(fracture::StopReason reason, cons
   return reason == StopReason::requested || reason == StopReason::event ? StopReason::crack_stopped : reason;
 }
 
-void Model::grow_next(ElementTips& tips, DrivenRun& run) {
-  Growing growing = growing_with(tips.tips(), tips.first(), load_factor(), options_);
-  growing.ties = tips.ties();
+// False if the tip cannot grow: it stops, and the step ends.
+bool Model::grow_next(ElementTips& tips, DrivenRun& run) {
+  const fracture::CrackEvolution::Due due = prepared_->evolution->due();
+  Growing growing = growing_with(tips.values(), tips.number_of(due.tip), load_factor(), options_);
+  growing.ties = due.ties;
   set_lengths(growing, chosen_length(scene_, growing, options_), options_);
   const std::vector<scene::Crack> before = scene_.cracks();
   Grown next;
   try {
     next = grown(before, std::move(growing), true, run.on_way);
-  } catch (const Error& error) {
-    // A crack that cannot cross an interface with a lattice stops.
-    const auto is_about = [&](const char* words) {
-      return std::string_view(error.what()).find(words) != std::string_view::npos;
-    };
-    if (!is_about("the interface of the regions") && !is_about("cross an interface")) throw;
+  } catch (const crack::CannotGrow& error) {
     scene_.set_cracks(before);
     say([&] { log(1, error.what()); });
-    run.crack_stopped = true;
-    return;
+    prepared_->evolution->end_with_stopped(due.tip, run.on_end);
+    return false;
   }
   run.crack_stopped = std::any_of(next.growth.extensions.begin(), next.growth.extensions.end(),
                                   [](const auto& e) { return e.state == crack::TipState::at_interface; });
   go_on_in(std::move(next.scene), next.growth, tips, run);
+  return true;
 }
 
 void Model::go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips,
@@ -114,9 +111,9 @@ void Model::go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth
   if (!run.start) run.start = std::move(next);
 }
 
-// After a failure, wherever it has come.
+// Brings the model back to the start of the run after a failure, wherever the run has come.
 void Model::take_back(DrivenRun& run) noexcept {
-  if (run.stepping.other_tips) scene_.set_cracks(std::move(run.cracks));
+  if (run.stepping.elements) scene_.set_cracks(std::move(run.cracks));
   if (run.start) prepared_ = std::move(run.start);
   prepared_->evolution->take_back();
   ++generation_;

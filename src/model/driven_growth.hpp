@@ -20,7 +20,7 @@ struct Grown {
   fracture::Growth growth;
 };
 
-// That a scene has taken so far.
+// Times that a scene has taken so far.
 struct Seconds {
   double solve = 0, update = 0, search = 0;
 };

@@ -5,6 +5,7 @@
 
 #include "geometry/turning.hpp"
 #include "model/crack_way.hpp"
+#include "model/growth_options.hpp"
 
 namespace bempd::model {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double step_over_crack = 0.1, step_over_clearance = 0.12, least_step_over_crack = 0.01;
 
 Kink kink_at(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
-  return kink_of(factors_of(tip).at(load_factor), criterion_of(options));
+  return law_of(tip, options).kink(factors_of(tip), load_factor);
 }
 
 const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::vector<regions::TipValues>& tips) {
@@ -25,29 +26,36 @@ const regions::TipValues* tip_of(const fracture::CrackExtension& e, const std::v
   return found == tips.end() ? nullptr : &*found;
 }
 
-// Where a tip that is overloaded at a load factor just reaches its toughness; there, if it always exceeds it.
+// Load factor at which a tip that is overloaded at a load factor just reaches its toughness; there, if it always
+// exceeds it.
 double critical_load_factor(const regions::TipValues& tip, double load_factor, const scene::Options& options) {
-  const crack::GrowthRange range = crack::growth_range(factors_of(tip), tip.toughness, criterion_of(options));
+  const crack::GrowthRange range = law_of(tip, options).range(factors_of(tip));
   if (range.is_empty() || range.holds(load_factor)) return load_factor;
   return load_factor >= range.highest ? range.highest : range.lowest;
 }
 
 }  // namespace
 
-KinkCriterion criterion_of(const scene::Options& options) {
-  return options.text_value("growth.criterion") == "energy" ? KinkCriterion::energy_release_rate
-                                                            : KinkCriterion::hoop_stress;
-}
-
 crack::AffineFactors factors_of(const regions::TipValues& tip) {
   return {tip.constant_factors, tip.proportional_factors};
 }
 
+crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options) {
+  return {tip.toughness, tip.plane_modulus, growth_criterion(options)};
+}
+
+crack::Tip carried(const regions::TipValues& tip, const scene::Options& options) {
+  crack::Tip one{{tip.crack, tip.end}, tip.place, tip.direction, factors_of(tip), law_of(tip, options), {}};
+  one.range = one.law.range(one.factors);
+  one.kink_angle = kink_of(tip.factors, one.law.criterion).angle;
+  if (std::isfinite(one.range.highest)) one.critical_kink_angle = one.law.kink(one.factors, one.range.highest).angle;
+  return one;
+}
+
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options) {
-  const KinkCriterion criterion = criterion_of(options);
   const auto ratio_of = [&](const regions::TipValues& tip) {
-    return tip.toughness > 0 ? crack::growth_ratio(factors_of(tip), load_factor, tip.toughness, criterion) : 0;
+    return law_of(tip, options).ratio(factors_of(tip), load_factor);
   };
   Growing growing;
   growing.load_factor = load_factor;
@@ -62,19 +70,11 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (t != first && !(share > 0 && ratio_of(tips[t]) >= growing.ratio / (1 + share))) continue;
     const regions::TipValues& tip = tips[t];
-    const Kink kink = kink_at(tip, load_factor, options);
-    const Point factors = factors_of(tip).at(load_factor);
-    fracture::CrackExtension extension;
-    extension.crack = tip.crack;
-    extension.end = tip.end;
-    extension.from_x = tip.place.x();
-    extension.from_y = tip.place.y();
-    extension.angle = kink.angle;
-    extension.load_factor = load_factor;
-    extension.rate_before = kink.equivalent_factor * kink.equivalent_factor / tip.plane_modulus;
-    extension.factor_1 = factors.x();
-    extension.factor_2 = factors.y();
-    extension.resistance = tip.toughness * tip.toughness / tip.plane_modulus;
+    const crack::GrowthLaw law = law_of(tip, options);
+    const Kink kink = law.kink(factors_of(tip), load_factor);
+    crack::Extension extension = crack::begin_extension({tip.crack, tip.end}, tip.place, kink.angle, load_factor,
+                                                        factors_of(tip), law.resistance());
+    extension.rate_before = kink.equivalent_factor * kink.equivalent_factor / law.plane_modulus;
     growing.tips.push_back(tip);
     growing.extensions.push_back(extension);
   }
@@ -112,10 +112,7 @@ std::vector<scene::Crack> extended(const scene::Scene& scene, std::vector<scene:
                                   growing.lengths[k], tolerance);
     scene::Crack& crack = cracks[static_cast<std::size_t>(e.crack) - 1];
     extend(crack, e.end, way.to);
-    e.state = way.state;
-    e.x = way.to.x();
-    e.y = way.to.y();
-    e.length = (way.to - from).norm();
+    crack::arrive(e, way.to, (way.to - from).norm(), way.state);
     e.crack_length = length_of(crack);
   }
   return cracks;
@@ -143,7 +140,7 @@ std::optional<double> end_of_path(const Growing& growing, const std::vector<regi
   if (!growing.is_in_equilibrium()) return std::nullopt;
   crack::GrowthRange before, common;
   const auto narrow = [&](crack::GrowthRange& range, const regions::TipValues& tip) {
-    const crack::GrowthRange own = crack::growth_range(factors_of(tip), tip.toughness, criterion_of(options));
+    const crack::GrowthRange own = law_of(tip, options).range(factors_of(tip));
     range = {std::max(range.lowest, own.lowest), std::min(range.highest, own.highest)};
   };
   for (std::size_t k = 0; k < growing.tips.size(); ++k) {
@@ -167,7 +164,8 @@ fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& 
   for (std::size_t k = 0; k < growth.extensions.size(); ++k) {
     fracture::CrackExtension& e = growth.extensions[k];
     const double area = e.length * thickness[k];
-    growth.surface_energy += e.resistance * area;
+    e.surface_energy = e.resistance * area;
+    growth.surface_energy += e.surface_energy;
     if (const regions::TipValues* tip = tip_of(e, after)) {
       e.rate_after = tip->energy_release_rate;
       e.released_energy = (beyond_path ? e.rate_before : 0.5 * (e.rate_before + e.rate_after)) * area;
@@ -190,10 +188,11 @@ GrowthResult result_of(const fracture::Growth& growth) {
   return result;
 }
 
-bool has_stopped(int crack, int end, const std::vector<fracture::CrackExtension>& extensions) {
-  const auto last = std::find_if(extensions.rbegin(), extensions.rend(),
-                                 [&](const auto& e) { return e.crack == crack && e.end == end; });
-  return last != extensions.rend() && last->state == crack::TipState::at_interface;
+bool has_stopped(const crack::TipId& tip, const fracture::EvolutionState& state) {
+  if (std::find(state.stopped.begin(), state.stopped.end(), tip) != state.stopped.end()) return true;
+  const auto last = std::find_if(state.extensions.rbegin(), state.extensions.rend(),
+                                 [&](const crack::Extension& e) { return e.tip() == tip; });
+  return last != state.extensions.rend() && last->state == crack::TipState::at_interface;
 }
 
 }  // namespace bempd::model

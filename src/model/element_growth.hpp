@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "crack/growth_law.hpp"
+#include "crack/carrier.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "model/answers.hpp"
 #include "regions/region.hpp"
@@ -26,9 +26,10 @@ struct Growing {
   bool is_in_equilibrium() const { return ratio <= 1 + fracture::ratio_rounding; }
 };
 
-KinkCriterion criterion_of(const scene::Options& options);
-
 crack::AffineFactors factors_of(const regions::TipValues& tip);
+crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& options);
+// The tip of a carrier, with known factors.
+crack::Tip carried(const regions::TipValues& tip, const scene::Options& options);
 
 // The tip with this number, and with it those that the option growth.share lets grow too.
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
@@ -52,8 +53,8 @@ double largest_turn(const Growing& growing, const std::vector<regions::TipValues
 // Extensions become the chords of curved paths: each turns on by half of what its end would.
 void turn_to_chords(Growing& growing, const std::vector<regions::TipValues>& after, const scene::Options& options);
 
-// Where the path of equilibrium has come to after growth that began in equilibrium; nothing if it is not known, as
-// where a tip has ended.
+// Load factor to which the path of equilibrium has come to after growth that began in equilibrium; nothing if it is not
+// known, as where a tip has ended.
 std::optional<double> end_of_path(const Growing& growing, const std::vector<regions::TipValues>& after,
                                   const scene::Options& options);
 
@@ -66,6 +67,6 @@ fracture::Growth booked(Growing growing, const std::vector<regions::TipValues>& 
 GrowthResult result_of(const fracture::Growth& growth);
 
 // The ends of cracks that have stopped before an interface.
-bool has_stopped(int crack, int end, const std::vector<fracture::CrackExtension>& extensions);
+bool has_stopped(const crack::TipId& tip, const fracture::EvolutionState& state);
 
 }  // namespace bempd::model

@@ -10,55 +10,36 @@ namespace bempd::model {
 void ElementTips::update() {
   const fracture::EvolutionState& state = evolution_->progress();
   if (is_known_ && state.events == events_ && state.contact_switches == switches_) return;
-  tips_ = find_();
-  ranges_.clear();
-  for (const regions::TipValues& tip : tips_)
-    ranges_.push_back(crack::growth_range(factors_of(tip), tip.toughness, criterion_of(options_)));
+  values_ = find_();
+  tips_.clear();
+  for (const regions::TipValues& tip : values_) tips_.push_back(carried(tip, options_));
   events_ = state.events;
   switches_ = state.contact_switches;
   is_known_ = true;
 }
 
-bool ElementTips::rest_somewhere() {
+std::vector<crack::Tip> ElementTips::tips() {
   update();
-  crack::GrowthRange common;
-  for (const crack::GrowthRange& range : ranges_) {
-    common.lowest = std::max(common.lowest, range.lowest);
-    common.highest = std::min(common.highest, range.highest);
-  }
-  return !common.is_empty();
+  return tips_;
 }
 
-const fracture::Event* ElementTips::next(double target, const fracture::SteppingOptions& options) {
+std::vector<crack::Candidate> ElementTips::candidates(const crack::LoadWay& way) {
   update();
-  const bool path = options.control == fracture::Control::path;
-  if (path && !rest_somewhere()) return nullptr;
-  const double present = evolution_->progress().load_factor;
-  const bool upwards = target >= present;
+  const bool path = way.control == crack::Control::path;
+  if (path && crack::common_range(tips_).is_empty()) return {};
   std::vector<crack::Candidate> candidates;
-  std::vector<std::size_t> numbers;
-  for (std::size_t t = 0; t < tips_.size(); ++t) {
-    const crack::GrowthRange& range = ranges_[t];
-    crack::Candidate candidate{{tips_[t].crack, tips_[t].end}, upwards ? range.highest : range.lowest, 1, false};
-    if (!path && !range.holds(present)) {
-      candidate.load_factor = present;
-      candidate.ratio = crack::growth_ratio(factors_of(tips_[t]), present, tips_[t].toughness, criterion_of(options_));
-      candidate.overloaded = true;
-    }
-    if (!std::isfinite(candidate.load_factor)) continue;
-    candidates.push_back(candidate);
-    numbers.push_back(t);
+  for (const crack::Tip& tip : tips_) {
+    const bool is_due = !path && !tip.range.holds(way.present);
+    const double critical = is_due ? way.present : way.upwards ? tip.range.highest : tip.range.lowest;
+    const double ratio = is_due ? tip.law.ratio(tip.factors, way.present) : 1;
+    if (std::isfinite(critical)) candidates.push_back(crack::candidate(tip.id, critical, ratio, way));
   }
-  const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates, upwards);
-  if (!first) return nullptr;
-  first_ = numbers[first->index];
-  ties_ = first->ties;
-  const crack::Candidate& chosen = candidates[first->index];
-  event_ = {};
-  event_.load_factor = event_.critical_load_factor = chosen.load_factor;
-  event_.ratio = chosen.ratio;
-  event_.is_growth = true;
-  return &event_;
+  return candidates;
+}
+
+std::size_t ElementTips::number_of(const crack::TipId& tip) const {
+  const auto found = std::find_if(tips_.begin(), tips_.end(), [&](const crack::Tip& one) { return one.id == tip; });
+  return static_cast<std::size_t>(found - tips_.begin());
 }
 
 }  // namespace bempd::model

@@ -4,18 +4,16 @@
 #include <functional>
 #include <vector>
 
-#include "crack/growth_law.hpp"
-#include "crack/order.hpp"
+#include "crack/carrier.hpp"
 #include "fracture/crack_evolution.hpp"
-#include "fracture/other_tips.hpp"
 #include "regions/region.hpp"
 #include "scene/options.hpp"
 
 namespace bempd::model {
 
-// Tips of cracks with boundary elements in a run: which of them grows next on the way of the load factor, upwards or
-// downwards, held at the load factor or on the path of equilibrium.
-class ElementTips final : public fracture::OtherTips {
+// Cracks with boundary elements in a run: where their tips grow on the way of the load factor, upwards or downwards,
+// held at the load factor or on the path of equilibrium.
+class ElementTips final : public crack::Carrier {
  public:
   // `tips` gives those that may grow, as affine functions of the load factor, in the present state.
   using Tips = std::function<std::vector<regions::TipValues>()>;
@@ -27,13 +25,12 @@ class ElementTips final : public fracture::OtherTips {
     is_known_ = false;
   }
 
-  const fracture::Event* next(double target, const fracture::SteppingOptions& options) override;
-  bool rest_somewhere() override;
+  std::vector<crack::Tip> tips() override;
+  std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
 
-  // Tips that there are, and the one that the told event is of.
-  const std::vector<regions::TipValues>& tips() const { return tips_; }
-  std::size_t first() const { return first_; }
-  int ties() const { return ties_; }
+  // Values of these tips: all that regions know of them.
+  const std::vector<regions::TipValues>& values() const { return values_; }
+  std::size_t number_of(const crack::TipId& tip) const;
 
  private:
   void update();
@@ -44,11 +41,8 @@ class ElementTips final : public fracture::OtherTips {
   // What changes between two events changes no tip.
   bool is_known_ = false;
   std::int64_t events_ = 0, switches_ = 0;
-  std::vector<regions::TipValues> tips_;
-  std::vector<crack::GrowthRange> ranges_;
-  std::size_t first_ = 0;
-  int ties_ = 0;
-  fracture::Event event_;
+  std::vector<regions::TipValues> values_;
+  std::vector<crack::Tip> tips_;
 };
 
 }  // namespace bempd::model

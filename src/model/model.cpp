@@ -198,6 +198,7 @@ StepResult Model::run(double target, fracture::Goal goal, const scene::SceneValu
   run.target = target, run.goal = goal, run.on_way = on_way;
   run.stepping = stepping_options(options_);
   run.stepping.stop = &stop_requested_;
+  run.stepping.frozen = frozen_tips_;
   const fracture::EvolutionState& begin = prepared_->evolution->progress();
   const std::int64_t events = begin.events, broken = begin.broken_bonds;
   const std::int64_t fragments = begin.fragments, switches = begin.contact_switches, ties = begin.ties;

@@ -222,13 +222,14 @@ class Model {
   std::unique_ptr<PreparedScene> extended_scene(const std::vector<scene::Crack>& before, Growing& growing,
                                                 const scene::SceneValues* on_way);
   std::vector<crack::TipId> entering(const regions::Discretization& next) const;
+  std::unique_ptr<PreparedScene> built_with(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   std::unique_ptr<PreparedScene> with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way);
   // `chosen`: the library has chosen the lengths, and may shorten them.
   Grown grown(const std::vector<scene::Crack>& before, Growing growing, bool chosen, const scene::SceneValues* on_way);
   // Whether tips with elements grow in steps (driven_growth.cpp).
   bool drives_elements(const fracture::SteppingOptions& stepping) const;
   fracture::StopReason advance_growing(DrivenRun& run);
-  void grow_next(ElementTips& tips, DrivenRun& run);
+  bool grow_next(ElementTips& tips, DrivenRun& run);
   void go_on_in(std::unique_ptr<PreparedScene> next, const fracture::Growth& growth, ElementTips& tips, DrivenRun& run);
   bool go_on_in_elements(ElementTips& tips, DrivenRun& run);
   bool cross_border(const crack::TipId& tip, ElementTips& tips, DrivenRun& run);
@@ -280,7 +281,7 @@ class Model {
   std::vector<regions::TipValues> tips_;
   std::int64_t tips_generation_ = 0;
   std::vector<results::TipRecord> tip_history_;
-  std::set<std::pair<int, int>> frozen_tips_;  // crack and end
+  std::set<crack::TipId> frozen_tips_;
   TipFactors tip_factors_;
   bool warned_of_energies_ = false, warned_of_condition_ = false, warned_of_overlap_ = false;
   bool warned_of_interface_ = false, warned_of_hinge_ = false, told_of_whole_body_ = false;

@@ -12,7 +12,7 @@ namespace bempd::model {
 bool is_sound(const fracture::GrowingTip& tip) {
   const auto is_ratio = [](double ratio) { return ratio >= 0 && std::isfinite(ratio); };
   return tip.place.allFinite() && std::abs(tip.direction.norm() - 1) < 1e-6 && tip.law >= 0 && tip.id.crack >= 1 &&
-         (tip.id.end == 0 || tip.id.end == 1) && tip.state <= crack::TipState::separated &&
+         (tip.id.end == 0 || tip.id.end == 1) && tip.state <= crack::TipState::carried_on &&
          std::all_of(tip.energy_ratios.begin(), tip.energy_ratios.end(), is_ratio);
 }
 

@@ -12,7 +12,7 @@ namespace bempd::model {
 namespace {
 
 constexpr char magic[8] = {'B', 'E', 'M', 'P', 'D', 'S', 'T', '\0'};
-constexpr std::uint32_t format_version = 13;
+constexpr std::uint32_t format_version = 14;
 constexpr std::uint32_t byte_order_mark = 0x01020304;
 
 // Members of the structs in a state, listed once for writing and reading.
@@ -21,30 +21,31 @@ requires std::is_same_v<std::remove_const_t<Spring>, coupling::HoldingSpring>
 void visit_members(Spring& s, Visit& visit) {
   visit(s.node), visit(s.cosine), visit(s.sine), visit(s.stiffness), visit(s.anchor);
 }
-
 template <class Line, class Visit>
 requires std::is_same_v<std::remove_const_t<Line>, fracture::HistoryEntry>
 void visit_members(Line& h, Visit& visit) {
   visit(h.event), visit(h.total_broken_bonds), visit(h.load_factor), visit(h.stretch_ratio), visit(h.stored_energy);
   visit(h.released_energy), visit(h.work), visit(h.energy_balance_error), visit(h.residual);
   visit(h.critical_load_factor), visit(h.critical_stored_energy), visit(h.bond_energy), visit(h.load_factor_before);
-  visit(h.stored_energy_before), visit(h.work_before), visit(h.resistance_before), visit(h.resistance);
+  visit(h.stored_energy_before), visit(h.work_before), visit(h.resistance_before), visit(h.resistance), visit(h.ties);
 }
-
 template <class Extension, class Visit>
 requires std::is_same_v<std::remove_const_t<Extension>, fracture::CrackExtension>
 void visit_members(Extension& e, Visit& visit) {
-  for (auto* number : {&e.x, &e.y, &e.angle, &e.length, &e.crack_length, &e.load_factor, &e.rate_before, &e.rate_after,
-                       &e.released_energy, &e.from_x, &e.from_y, &e.factor_1, &e.factor_2, &e.resistance})
+  for (auto* number :
+       {&e.x, &e.y, &e.angle, &e.length, &e.crack_length, &e.load_factor, &e.rate_before, &e.rate_after,
+        &e.released_energy, &e.from_x, &e.from_y, &e.factor_1, &e.factor_2, &e.resistance, &e.surface_energy})
     visit(*number);
   visit(e.event), visit(e.crack), visit(e.end), visit(e.state);
 }
-
+template <class Id, class Visit>
+requires std::is_same_v<std::remove_const_t<Id>, crack::TipId>
+void visit_members(Id& id, Visit& visit) { visit(id.crack), visit(id.end); }
 template <class Tip, class Visit>
 requires std::is_same_v<std::remove_const_t<Tip>, fracture::GrowingTip>
 void visit_members(Tip& t, Visit& visit) {
   visit(t.place.x()), visit(t.place.y()), visit(t.direction.x()), visit(t.direction.y());
-  visit(t.law), visit(t.energy_ratios), visit(t.id.crack), visit(t.id.end), visit(t.state);
+  visit(t.law), visit(t.energy_ratios), visit(t.id), visit(t.state);
 }
 template <class Face, class Visit>
 requires std::is_same_v<std::remove_const_t<Face>, fracture::GrownFace>
@@ -54,7 +55,6 @@ requires std::is_same_v<std::remove_const_t<Faces>, fracture::FaceState>
 void visit_members(Faces& f, Visit& visit) {
   visit(f.grown), visit(f.closed), visit(f.closed_inside), visit(f.pending);
 }
-
 template <class Samples, class Visit>
 requires std::is_same_v<std::remove_const_t<Samples>, scene::SampledValues>
 void visit_members(Samples& s, Visit& visit) { visit(s.constant), visit(s.proportional); }
@@ -251,7 +251,8 @@ void visit_members(State& state, Visit& visit) {
   visit(e.work_out_of_balance), visit(e.contact_switches), visit(e.ties);
   visit(e.displacement), visit(e.total_displacement), visit(e.total_force);
   visit(e.stages), visit(e.springs), visit(e.unloaded), visit(e.tips), visit(e.history);
-  visit(e.reactions), visit(e.reactions_before), visit(e.support_displacements), visit(e.extensions), visit(e.faces);
+  visit(e.reactions), visit(e.reactions_before), visit(e.support_displacements), visit(e.extensions), visit(e.faces),
+      visit(e.stopped);
   visit(state.in_force), visit(state.acting), visit(state.end_of_way), visit(state.acting_values);
   visit(state.scene.loads), visit(state.said), visit(state.continuation);
 }

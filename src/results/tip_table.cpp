@@ -8,67 +8,39 @@ namespace bempd::results {
 
 namespace {
 
-// Columns of a file of tips.
-std::vector<std::string> columns_of_tips() {
-  return {"event",
-          "total_broken_bonds",
-          "load_factor",
-          "crack",
-          "end",
-          "x",
-          "y",
-          "direction_x",
-          "direction_y",
-          "stress_intensity_1",
-          "stress_intensity_2",
-          "energy_release_rate",
-          "t_stress",
-          "error",
-          "kink_angle",
-          "critical_load_factor",
-          "method",
-          "contours",
-          "grown",
-          "branched",
-          "contour_radius",
-          "felt_ahead",
-          "critical_load_factor_down",
-          "critical_kink_angle",
-          "straight_load_factor"};
+// Columns of a file of tips, each with its value, in the order of bempd_crack_tip.
+template <class Column>
+void for_each_column(const TipRecord& r, const Column& column) {
+  const auto whole = [](auto value) { return output::CsvValue(static_cast<std::int64_t>(value)); };
+  const auto real = [](double value) { return output::CsvValue(value); };
+  const regions::TipValues& t = r.tip;
+  column("event", whole(r.event)), column("total_broken_bonds", whole(r.total_broken_bonds));
+  column("load_factor", real(r.load_factor));
+  column("crack", whole(t.crack)), column("end", whole(t.end + 1));
+  column("x", real(t.place.x())), column("y", real(t.place.y()));
+  column("direction_x", real(t.direction.x())), column("direction_y", real(t.direction.y()));
+  column("stress_intensity_1", real(t.factors.x())), column("stress_intensity_2", real(t.factors.y()));
+  column("energy_release_rate", real(t.energy_release_rate)), column("t_stress", real(t.stress_along));
+  column("error", real(t.error)), column("kink_angle", real(t.kink_angle));
+  column("critical_load_factor", real(t.critical_load_factor));
+  column("method", whole(t.method)), column("contours", whole(t.contours));
+  column("grown", whole(t.grown)), column("branched", whole(t.branched));
+  column("contour_radius", real(t.contour_radius)), column("felt_ahead", real(t.felt_ahead));
+  column("critical_load_factor_down", real(t.critical_load_factor_down));
+  column("critical_kink_angle", real(t.critical_kink_angle));
+  column("straight_load_factor", real(t.straight_load_factor));
 }
 
 }  // namespace
 
 void write_tips(const std::string& path, const std::vector<TipRecord>& records) {
-  output::CsvTable table(columns_of_tips());
-  const auto whole = [](auto value) { return static_cast<std::int64_t>(value); };
-  for (const TipRecord& r : records) {
-    const regions::TipValues& t = r.tip;
-    table.add_row(std::vector<output::CsvValue>{r.event,
-                                                r.total_broken_bonds,
-                                                r.load_factor,
-                                                whole(t.crack),
-                                                whole(t.end + 1),
-                                                t.place.x(),
-                                                t.place.y(),
-                                                t.direction.x(),
-                                                t.direction.y(),
-                                                t.factors.x(),
-                                                t.factors.y(),
-                                                t.energy_release_rate,
-                                                t.stress_along,
-                                                t.error,
-                                                t.kink_angle,
-                                                t.critical_load_factor,
-                                                whole(t.method),
-                                                whole(t.contours),
-                                                whole(t.grown),
-                                                whole(t.branched),
-                                                t.contour_radius,
-                                                t.felt_ahead,
-                                                t.critical_load_factor_down,
-                                                t.critical_kink_angle,
-                                                t.straight_load_factor});
+  std::vector<std::string> names;
+  for_each_column({}, [&](const char* name, const output::CsvValue&) { names.emplace_back(name); });
+  output::CsvTable table(names);
+  for (const TipRecord& record : records) {
+    std::vector<output::CsvValue> row;
+    for_each_column(record, [&](const char*, const output::CsvValue& value) { row.push_back(value); });
+    table.add_row(row);
   }
   writing([&] { table.save(output::path_from_utf8(path)); });
 }

@@ -431,6 +431,7 @@ typedef struct bempd_crack_extension {
   double resistance;
   int32_t state;
   int32_t reserved;
+  double surface_energy;
 } bempd_crack_extension;
 bempd_status bempd_crack_extension_init(bempd_crack_extension *extension, int64_t struct_size);
 bempd_status bempd_extension_count(const bempd_model *model, int64_t *count);
@@ -482,6 +483,7 @@ typedef struct bempd_history_entry {
   double work_before;
   double resistance_before;
   double resistance;
+  int64_t ties;
 } bempd_history_entry;
 bempd_status bempd_history_entry_init(bempd_history_entry *entry, int64_t struct_size);
 bempd_status bempd_history_count(const bempd_model *model, int64_t *count);
@@ -1418,8 +1420,8 @@ and proportional loads add up to where they cancel, whichever is largest [-]""",
     "bempd_step_report.seconds_search": """of it: stretches, choice of bonds, connectivity [s]""",
     "bempd_step_report.bond_energy": """\
 dissipated part of the energy released since the beginning: energy of bonds just at their critical
-stretch, and fracture energy of new crack length in BEM regions; the rest of the released energy
-would have become motion [J]""",
+stretch, and fracture energy of new crack length in BEM regions and of the last step of a crack in a
+lattice; the rest of the released energy would have become motion [J]""",
     "bempd_step_report.unstable_event": """\
 number of the first event of this step at which equilibrium was lost: bonds were stretched beyond
 what they bear; 0 if each event was in equilibrium""",
@@ -2224,11 +2226,15 @@ growth [in,out]: struct_size in, the rest out; may be NULL
 return: status; BEMPD_ERROR_UNSOLVABLE if no tip grows at any load factor
 since: 0.3""",
     "bempd_set_tip_frozen": """\
-Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of it all
-the same.
+Keep the tip at an end of a crack from growing, or let it grow again.
+
+A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as lines,
+where no bond within three horizons of it breaks by itself. bempd_tip() tells of it as if it were
+free. Where cracks grow bond by bond, a tip is no more than a place among bonds, and freezing has no
+effect.
 
 model [in]: the model
-crack [in]: id of a crack
+crack [in]: id of a crack, also of one that began in the run
 end [in]: a bempd_tip_end
 frozen [in]: 1: it does not grow; 0: it does
 return: status
@@ -2274,6 +2280,10 @@ K_I of the tip as it grew; NaN where a crack began [Pa m^(1/2)]""",
     "bempd_crack_extension.resistance": """fracture energy G0 along the extension [J/m^2]""",
     "bempd_crack_extension.state": """what became of the end, a bempd_tip_state""",
     "bempd_crack_extension.reserved": """0""",
+    "bempd_crack_extension.surface_energy": """\
+part of the released energy that the new area took: G0 times the area in BEM regions; in lattices
+what its bonds took, for an end that is no tip now at most G0 times the area. The rest, as of a last
+ligament at a load factor that is held, becomes motion [J]""",
     "bempd_crack_extension_init": """\
 Set struct_size and zeros.
 
@@ -2373,6 +2383,7 @@ force that the body bears in equilibrium: half of the sum of the magnitudes of a
 and nodal loads, divided by stretch_ratio where that is above 1; the largest before the body is
 separated is peak_resistance of reports [N]""",
     "bempd_history_entry.resistance": """the same sum after the event [N]""",
+    "bempd_history_entry.ties": """tips or places that would have grown at this event as soon, but for rounding""",
     "bempd_history_entry_init": """\
 Set struct_size and zeros.
 

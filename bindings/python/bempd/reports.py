@@ -156,6 +156,7 @@ class CrackExtension:
     stress_intensity_2: float  #: K_II
     resistance: float  #: fracture energy of what it went through [J/m^2]
     state: TipState  #: what became of the end
+    surface_energy: float  #: part of the released energy that the new area took; the rest becomes motion [J]
 
 
 @dataclasses.dataclass(frozen=True)

@@ -73,8 +73,22 @@ std::vector<char> LineEvents::left_to_themselves(const LineSteps::Choice& choice
     if (bonds && way.ahead(*bonds) < way.ahead(at)) at = *bonds;
     if (std::isfinite(at)) first = std::max(first, std::abs(at));
   }
-  for (const GrowingTip& tip : LineSteps::driven(choice.steps, state.tips, way, first)) steps_.spare(tip, intact);
+  for (const GrowingTip& tip : steps_.guarded(choice.steps, state.tips, way, first)) steps_.spare(tip, intact);
+  if (way.control == Control::load) spare_relaxing(way, intact);
   return intact;
+}
+
+// Bonds close to a tip are stretched beyond their critical stretch long before the tip grows. Where the load factor
+// goes back they relax: they do not break, as little as on the way there.
+void LineEvents::spare_relaxing(const LoadWay& way, std::vector<char>& intact) const {
+  const BodyState& state = body_.state();
+  for (const LineStep& step : steps_.all(state.tips, state.displacement, way.back()))
+    if (step.ratio_at(way.present) > 0) steps_.spare(state.tips[step.tip], intact, way.present);
+}
+
+std::vector<crack::Candidate> LineEvents::candidates(const crack::LoadWay& way) {
+  const BodyState& state = body_.state();
+  return LineSteps::candidates(steps_.all(state.tips, state.displacement, way), way);
 }
 
 const Event* LineEvents::next(double target, const SteppingOptions& options) {
@@ -124,11 +138,12 @@ void LineEvents::begin_crack(Outcome& outcome) {
   for (const int end : {0, 1}) {
     const Point direction = (end == 0 ? 1 : -1) * birth_->direction;
     tips.push_back({birth_->middle + law.spacing / 2 * direction, direction, birth_->law, {id + 1, end}});
-    CrackExtension extension = LineSteps::extension_from(birth_->middle, tips.back(), law.spacing / 2);
-    extension.load_factor = body_.state().load_factor;
-    for (double* unknown : {&extension.rate_before, &extension.rate_after, &extension.factor_1, &extension.factor_2})
-      *unknown = std::numeric_limits<double>::quiet_NaN();
-    extension.resistance = law.toughness * law.toughness / law.modulus;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    crack::Extension extension =
+        crack::begin_extension(tips.back().id, birth_->middle, 0, body_.state().load_factor,
+                               {{unknown, unknown}, {unknown, unknown}}, steps_.growth_law(birth_->law).resistance());
+    crack::arrive(extension, tips.back().place, law.spacing / 2, crack::TipState::grows);
+    extension.rate_before = extension.rate_after = unknown;
     outcome.extensions.push_back(extension);
   }
 }

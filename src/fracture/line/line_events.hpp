@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "fracture/line/line_steps.hpp"
-#include "fracture/line/tip_prospect.hpp"
 #include "fracture/whole_body_events.hpp"
 
 namespace bempd::fracture {
@@ -14,7 +13,7 @@ namespace bempd::fracture {
 // the last steps released, so that a length of crack takes the fracture energy. Away from tips a crack begins where a
 // bond reaches its critical stretch: a line of a spacing through its middle, across the largest principal stress, with
 // a tip at either end.
-class LineEvents final : public EventSource {
+class LineEvents final : public EventSource, public crack::Carrier {
  public:
   LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws);
 
@@ -22,8 +21,9 @@ class LineEvents final : public EventSource {
   Outcome perform() override;
 
   const LineSteps& steps() const { return steps_; }
-  // Prospects of all tips that have not ended, by crack and end.
-  std::vector<TipProspect> prospects() const;
+  void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
+  std::vector<crack::Tip> tips() override;
+  std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
   bool tells_step() const { return step_.has_value(); }  // and no crack begins
 
  private:
@@ -36,6 +36,7 @@ class LineEvents final : public EventSource {
   std::optional<Birth> birth_at(int bond, double load_factor) const;
   const Event* tell_birth(const std::vector<int>& most, const Birth& birth, double load_factor);
   std::vector<char> left_to_themselves(const LineSteps::Choice& choice, const LoadWay& way) const;
+  void spare_relaxing(const LoadWay& way, std::vector<char>& intact) const;
   void begin_crack(Outcome& outcome);
   const Event* tell_bonds(const std::vector<char>& intact, double load_factor, const SteppingOptions& options);
 

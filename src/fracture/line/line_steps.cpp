@@ -94,7 +94,8 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
       load_of_growth(intensity, turning, {law.toughness, correction(tip), laws_.criterion, present, load_way.control});
   if (!load) return std::nullopt;
   LineStep step;
-  step.tip = number, step.law = tip.law, step.angle = load->angle, step.direction = turned(tip.direction, load->angle);
+  step.tip = number, step.id = tip.id, step.law = tip.law, step.angle = load->angle,
+  step.direction = turned(tip.direction, load->angle);
   step.factors = {{by_fit.one[0], by_fit.two[0]}, {by_fit.one[1], by_fit.two[1]}};
   step.load_factor = load_way.ahead(load->load_factor);
   step.constant = load->constant, step.growing = load_way.ahead(load->growing);
@@ -103,25 +104,20 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
 }
 
 std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                     const LoadWay& way) const {
+                                     const LoadWay& way, bool with_frozen) const {
   std::vector<LineStep> steps;
   for (std::size_t k = 0; k < tips.size(); ++k) {
-    if (has_ended(tips[k])) continue;
+    if (has_ended(tips[k]) || (!with_frozen && rests(tips[k]))) continue;
     if (std::optional<LineStep> step = next(tips, k, displacement, way)) steps.push_back(std::move(*step));
   }
   return steps;
 }
 
-LineSteps::First LineSteps::first_of(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
-                                     const LoadWay& way) {
-  std::vector<crack::Candidate> candidates;
-  for (const LineStep& step : steps) {
-    const double ratio = step.ratio_at(way.present);
-    const bool overloaded = way.control == Control::load && ratio > 1 + crack::tie_share;
-    candidates.push_back({tips[step.tip].id, step.load_factor, ratio, overloaded});
-  }
-  const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates, way.upwards);
-  return first ? First{&steps[first->index], first->ties} : First{};
+std::vector<crack::Candidate> LineSteps::candidates(const std::vector<LineStep>& steps, const LoadWay& way) {
+  std::vector<crack::Candidate> all;
+  for (const LineStep& step : steps)
+    all.push_back(crack::candidate(step.id, step.load_factor, step.ratio_at(way.present), way));
+  return all;
 }
 
 bool LineSteps::is_driven(const LineStep& step, const LoadWay& way, double load_factor) {
@@ -131,24 +127,27 @@ bool LineSteps::is_driven(const LineStep& step, const LoadWay& way, double load_
 LineSteps::Choice LineSteps::choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
                                     const LoadWay& way) const {
   Choice choice{all(tips, displacement, way), std::nullopt, way.end()};
-  const First first = first_of(choice.steps, tips, way);
-  if (!first.step) return choice;
-  choice.first = *first.step, choice.ties = first.ties;
-  choice.load_factor = way.place_of(first.step->load_factor);
+  const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates(choice.steps, way), way.upwards);
+  if (!first) return choice;
+  choice.first = choice.steps[first->index], choice.ties = first->ties;
+  choice.load_factor = way.place_of(choice.first->load_factor);
   return choice;
 }
 
 Event LineSteps::event_of(const LineStep& step, double load_factor) const {
   Event event{load_factor, step.ratio_at(load_factor), step.load_factor, {}};
+  event.tip = step.id;
   for (const int bond : step.way.bonds) event.changes.push_back(system_.terms().breaking(bond));
   return event;
 }
 
-std::vector<GrowingTip> LineSteps::driven(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
-                                          const LoadWay& way, double load_factor) {
+std::vector<GrowingTip> LineSteps::guarded(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
+                                           const LoadWay& way, double load_factor) const {
   std::vector<GrowingTip> found;
   for (const LineStep& step : steps)
     if (is_driven(step, way, load_factor)) found.push_back(tips[step.tip]);
+  for (const GrowingTip& tip : tips)
+    if (rests(tip)) found.push_back(tip);
   return found;
 }
 
@@ -184,15 +183,15 @@ int LineSteps::law_ahead_of(const GrowingTip& tip) const {
   return found;
 }
 
-CrackExtension LineSteps::take(const LineStep& step, const Event& event, double released_energy,
-                               const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const {
+crack::Extension LineSteps::take(const LineStep& step, const Event& event, double released_energy,
+                                 const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const {
   move(step, tips);
   return remember(step, event.ratio, released_energy, displacement_at(tips), event.load_factor, tips);
 }
 
-CrackExtension LineSteps::remember(const LineStep& step, double ratio, double released_energy,
-                                   const coupling::Affine& displacement, double load_factor,
-                                   std::vector<GrowingTip>& tips) const {
+crack::Extension LineSteps::remember(const LineStep& step, double ratio, double released_energy,
+                                     const coupling::Affine& displacement, double load_factor,
+                                     std::vector<GrowingTip>& tips) const {
   GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(step.law)];
   // The ratio of the event holds the correction that was made; what is remembered must not.
@@ -201,7 +200,7 @@ CrackExtension LineSteps::remember(const LineStep& step, double ratio, double re
   // is expected is the mean of the rates at both ends of the step.
   const bool arrives = step.way.arrives();
   const double after = arrives ? before : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
-  const double fracture_energy = law.toughness * law.toughness / law.modulus;
+  const double fracture_energy = growth_law(step.law).resistance();
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.way.length;
   const double released = expected > 0 ? released_energy / expected : 1;
@@ -212,20 +211,12 @@ CrackExtension LineSteps::remember(const LineStep& step, double ratio, double re
   const bool at_hole = step.way.ends_as == crack::TipState::at_edge &&
                        distance_to(laws_.hole_edges, tip.place) < distance_to(laws_.outer_edges, tip.place);
   tip.state = at_hole ? crack::TipState::at_hole : step.way.ends_as;
-  CrackExtension extension = extension_from(tip.place - step.way.length * step.direction, tip, step.way.length);
-  const Point factors = step.factors.at(load_factor);
-  extension.angle = step.angle, extension.load_factor = load_factor;
+  crack::Extension extension = crack::begin_extension(tip.id, tip.place - step.way.length * step.direction, step.angle,
+                                                      load_factor, step.factors, fracture_energy);
+  crack::arrive(extension, tip.place, step.way.length, tip.state);
+  extension.surface_energy = fracture_energy * law.thickness * step.way.length;
   extension.rate_before = fracture_energy * before * before;
   extension.rate_after = arrives ? 0 : fracture_energy * after * after;
-  extension.factor_1 = factors.x(), extension.factor_2 = factors.y(), extension.resistance = fracture_energy;
-  return extension;
-}
-
-CrackExtension LineSteps::extension_from(const Point& from, const GrowingTip& tip, double length) {
-  CrackExtension extension;
-  extension.crack = tip.id.crack, extension.end = tip.id.end;
-  extension.from_x = from.x(), extension.from_y = from.y(), extension.x = tip.place.x(), extension.y = tip.place.y();
-  extension.length = length, extension.state = tip.state;
   return extension;
 }
 
@@ -248,10 +239,13 @@ bool LineSteps::is_spared(int term, const GrowingTip& tip) const {
   return (middle - tip.place).norm() < (1 - rounding_of_places) * guarded_reach * law_of(tip).horizon;
 }
 
-void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact) const {
+void LineSteps::spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at) const {
+  const auto bears = [&](int term) {
+    return overloaded_at && !(body_.ratios().at(static_cast<std::size_t>(term), *overloaded_at) > 1);
+  };
   for (const int node : stress_.near().about(tip.place, (guarded_reach + 1) * law_of(tip).horizon)) {
     for (const int term : way_.terms_from().of(node))
-      if (is_spared(term, tip)) intact[static_cast<std::size_t>(term)] = 0;
+      if (is_spared(term, tip) && !bears(term)) intact[static_cast<std::size_t>(term)] = 0;
   }
 }
 

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
-#include "crack/factors.hpp"
+#include "crack/carrier.hpp"
 #include "fracture/event_source.hpp"
 #include "fracture/evolution_state.hpp"
 #include "fracture/line/line_load.hpp"
@@ -18,6 +20,7 @@ namespace bempd::fracture {
 // What a tip does next.
 struct LineStep {
   std::size_t tip = 0;
+  crack::TipId id{};  // of the tip
   Point direction{1, 0};
   LineWay::Step way{};
   double load_factor = 0;            // critical
@@ -38,10 +41,25 @@ class LineSteps {
 
   const pd::TipLaws& laws() const { return laws_; }
   const pd::TipLaw& law_of(const GrowingTip& tip) const { return laws_.laws[static_cast<std::size_t>(tip.law)]; }
+  crack::GrowthLaw growth_law(int law) const {
+    const pd::TipLaw& of_region = laws_.laws[static_cast<std::size_t>(law)];
+    return {of_region.toughness, of_region.modulus, laws_.criterion};
+  }
 
-  // One for each tip whose way meets bonds and that something drives.
+  // Tips that the host keeps where they are.
+  void freeze(std::set<crack::TipId> tips) { frozen_ = std::move(tips); }
+  const std::set<crack::TipId>& frozen() const { return frozen_; }
+  // Whether a tip stays where it is, whatever it carries: it is frozen, or has stopped at an interface.
+  bool rests(const GrowingTip& tip) const {
+    return tip.state == crack::TipState::at_interface || (!has_ended(tip) && frozen_.count(tip.id) > 0);
+  }
+
+  // One step for each tip whose way meets bonds and that something drives; on request also for frozen ones, as if they
+  // were free.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                            const LoadWay& way) const;
+                            const LoadWay& way, bool with_frozen = false) const;
+  // Load factors at which steps are taken.
+  static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // The tip that grows first on a way (crack/order.hpp), and where: in the whole body and in windows.
   struct Choice {
     std::vector<LineStep> steps;    // of all tips that could grow
@@ -54,9 +72,9 @@ class LineSteps {
   Event event_of(const LineStep& step, double load_factor) const;
   // Whether what drives the tip is more than rounding, where something happens at this load factor.
   static bool is_driven(const LineStep& step, const LoadWay& way, double load_factor);
-  // The tips of the steps that are driven: beside these no bond breaks by itself.
-  static std::vector<GrowingTip> driven(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
-                                        const LoadWay& way, double load_factor);
+  // The tips of the steps that are driven, and those that rest: beside these no bond breaks by itself.
+  std::vector<GrowingTip> guarded(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
+                                  const LoadWay& way, double load_factor) const;
 
   // By how much a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
@@ -64,11 +82,8 @@ class LineSteps {
   // Moves the tip of a step after its event, which has released an energy; the tip remembers what was released, or
   // ends. `displacement_at` tells the displacements after the event where moved tips ask for them.
   using DisplacementAt = std::function<const coupling::Affine&(const std::vector<GrowingTip>&)>;
-  CrackExtension take(const LineStep& step, const Event& event, double released_energy,
-                      const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
-
-  // The first thing known of what a tip has done.
-  static CrackExtension extension_from(const Point& from, const GrowingTip& tip, double length);
+  crack::Extension take(const LineStep& step, const Event& event, double released_energy,
+                        const DisplacementAt& displacement_at, std::vector<GrowingTip>& tips) const;
 
   // Nodes whose displacements are asked for where these tips are, each once.
   std::vector<int> nodes_asked(const std::vector<GrowingTip>& tips) const;
@@ -80,21 +95,17 @@ class LineSteps {
   std::vector<int> across(const Point& from, const Point& to, double horizon) const {
     return way_.across(from, to, horizon);
   }
-  // Marks as broken the terms near a tip that grows: they do not break by themselves.
-  void spare(const GrowingTip& tip, std::vector<char>& intact) const;
+  // Marks as broken the terms near a tip, all or those that are overloaded at a load factor: they do not break by
+  // themselves.
+  void spare(const GrowingTip& tip, std::vector<char>& intact, std::optional<double> overloaded_at = {}) const;
 
   const TipStress& stress() const { return stress_; }
 
  private:
-  struct First {
-    const LineStep* step = nullptr;
-    int ties = 0;
-  };
-  static First first_of(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips, const LoadWay& way);
   void move(const LineStep& step, std::vector<GrowingTip>& tips) const;
-  CrackExtension remember(const LineStep& step, double ratio, double released_energy,
-                          const coupling::Affine& displacement, double load_factor,
-                          std::vector<GrowingTip>& tips) const;
+  crack::Extension remember(const LineStep& step, double ratio, double released_energy,
+                            const coupling::Affine& displacement, double load_factor,
+                            std::vector<GrowingTip>& tips) const;
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
                                const coupling::Affine& displacement, const LoadWay& way) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
@@ -110,6 +121,7 @@ class LineSteps {
   pd::TipLaws laws_;
   TipStress stress_;
   LineWay way_;
+  std::set<crack::TipId> frozen_;
 };
 
 }  // namespace bempd::fracture

@@ -46,7 +46,7 @@ std::optional<LineSteps::Choice> EventForecast::choose_step(double from, Forecas
     return std::nullopt;
   foreseen.event = lines_->event_of(*choice.first, at);
   // Another bond may come before all steps: where that might count, none is spared.
-  foreseen.growing = LineSteps::driven(choice.steps, tips, way, WindowSettings::surely_driven * std::max(at, from));
+  foreseen.growing = lines_->guarded(choice.steps, tips, way, WindowSettings::surely_driven * std::max(at, from));
   return choice;
 }
 

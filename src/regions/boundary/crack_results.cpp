@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bem/coarse_level.hpp"
+#include "crack/growth_law.hpp"
 #include "elasticity/griffith.hpp"
 #include "number_range.hpp"
 #include "regions/boundary/boundary_region.hpp"
@@ -165,7 +166,8 @@ std::vector<TipValues> BoundaryRegion::tips(const Solution& solution, TipDetail 
   std::vector<double> along(factors.size(), 0);
   if (detail == TipDetail::everything) along = bem::stresses_along_crack(cracked(), states[2]);
   const LinearBodyForce particular = this->particular(solution.body_force(id()));
-  const double modulus = plane_modulus(elasticity()), toughness = std::sqrt(modulus * material().fracture_energy);
+  const double modulus = plane_modulus(elasticity()),
+               toughness = crack::toughness_of(material().fracture_energy, modulus);
   std::vector<TipValues> values;
   for (std::size_t t = 0; t < factors.size(); ++t) {
     const bem::CrackTip& tip = cracks_->elements().tips[t];

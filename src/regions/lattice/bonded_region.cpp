@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/interface_trace.hpp"
+#include "crack/growth_law.hpp"
 #include "error.hpp"
 #include "pd/cell_squares.hpp"
 #include "pd/crack.hpp"
@@ -46,7 +47,7 @@ std::optional<pd::TipLaw> BondedRegion::tip_law(const scene::Options& options) c
   const double energy = pd::fracture_energy(critical_stretch(options), e, horizon);
   const double modulus =
       e.state == PlaneState::stress ? e.young_modulus : e.young_modulus / (1 - e.poisson_ratio * e.poisson_ratio);
-  return pd::TipLaw{spacing(), horizon, e.thickness, modulus, std::sqrt(modulus * energy)};
+  return pd::TipLaw{spacing(), horizon, e.thickness, modulus, crack::toughness_of(energy, modulus)};
 }
 
 void BondedRegion::add_own_bonds(const Preparation& preparation, const Contributions& contributions) {

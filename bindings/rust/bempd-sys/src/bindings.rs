@@ -1462,8 +1462,8 @@ pub struct bempd_step_report {
     /// of it: stretches, choice of bonds, connectivity \[s\]
     pub seconds_search: f64,
     /// dissipated part of the energy released since the beginning: energy of bonds just at their
-    /// critical stretch, and fracture energy of new crack length in BEM regions; the rest of the
-    /// released energy would have become motion \[J\]
+    /// critical stretch, and fracture energy of new crack length in BEM regions and of the last
+    /// step of a crack in a lattice; the rest of the released energy would have become motion \[J\]
     pub bond_energy: f64,
     /// number of the first event of this step at which equilibrium was lost: bonds were stretched
     /// beyond what they bear; 0 if each event was in equilibrium
@@ -2670,11 +2670,15 @@ extern "C" {
     ) -> bempd_status;
 }
 extern "C" {
-    /// Keep the tip at an end of a crack from growing, or let it grow again; bempd_tip() tells of
-    /// it all the same.
+    /// Keep the tip at an end of a crack from growing, or let it grow again.
+    ///
+    /// A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as
+    /// lines, where no bond within three horizons of it breaks by itself. bempd_tip() tells of it
+    /// as if it were free. Where cracks grow bond by bond, a tip is no more than a place among
+    /// bonds, and freezing has no effect.
     ///
     /// * model \[in\]: the model
-    /// * crack \[in\]: id of a crack
+    /// * crack \[in\]: id of a crack, also of one that began in the run
     /// * end \[in\]: a bempd_tip_end
     /// * frozen \[in\]: 1: it does not grow; 0: it does
     /// * return: status
@@ -2755,6 +2759,10 @@ pub struct bempd_crack_extension {
     pub state: i32,
     /// 0
     pub reserved: i32,
+    /// part of the released energy that the new area took: G0 times the area in BEM regions; in
+    /// lattices what its bonds took, for an end that is no tip now at most G0 times the area. The
+    /// rest, as of a last ligament at a load factor that is held, becomes motion \[J\]
+    pub surface_energy: f64,
 }
 extern "C" {
     /// Set struct_size and zeros.
@@ -2918,6 +2926,8 @@ pub struct bempd_history_entry {
     pub resistance_before: f64,
     /// the same sum after the event \[N\]
     pub resistance: f64,
+    /// tips or places that would have grown at this event as soon, but for rounding
+    pub ties: i64,
 }
 extern "C" {
     /// Set struct_size and zeros.

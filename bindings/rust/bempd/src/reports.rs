@@ -259,6 +259,8 @@ mirror! {
         resistance: f64,
         /// What became of the end: 0 it is a tip, 1 at an edge, 2 a hole, 3 a crack, 4 an interface, 5 separated.
         state: i32,
+        /// Part of the released energy that the new area took; the rest becomes motion [J].
+        surface_energy: f64,
     }
 }
 
@@ -385,6 +387,8 @@ mirror! {
         resistance_before: f64,
         /// Force that it bears after the event [N].
         resistance: f64,
+        /// Tips or places that would have grown at this event as soon, but for rounding.
+        ties: i64,
     }
 }
 

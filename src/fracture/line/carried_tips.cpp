@@ -14,14 +14,14 @@ double LineSteps::kink_at(const GrowingTip& tip, const coupling::Affine& displac
 
 // The critical load factors do not depend on what is held on the way, nor on where it begins; of the path none lies
 // behind the present one because of that.
-std::vector<TipProspect> LineEvents::prospects() const {
+std::vector<crack::Tip> LineEvents::tips() {
   const BodyState& state = body_.state();
-  std::vector<TipProspect> found(state.tips.size());
+  std::vector<crack::Tip> found(state.tips.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     const GrowingTip& tip = state.tips[k];
     const pd::TipLaw& law = steps_.law_of(tip);
     found[k].id = tip.id, found[k].place = tip.place, found[k].direction = tip.direction;
-    found[k].toughness = law.toughness, found[k].modulus = law.modulus;
+    found[k].law = steps_.growth_law(tip.law);
     if (LineSteps::has_ended(tip)) continue;
     const AffineIntensity fit = steps_.stress().at(tip, law, state.displacement, body_.pressure_in(tip.id.crack));
     found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};
@@ -29,7 +29,7 @@ std::vector<TipProspect> LineEvents::prospects() const {
   }
   for (const bool upwards : {true, false}) {
     const LoadWay way{state.load_factor, upwards, Control::path};
-    for (const LineStep& step : steps_.all(state.tips, state.displacement, way)) {
+    for (const LineStep& step : steps_.all(state.tips, state.displacement, way, true)) {
       (upwards ? found[step.tip].range.highest : found[step.tip].range.lowest) = step.load_factor;
       if (upwards) found[step.tip].critical_kink_angle = step.angle;
     }

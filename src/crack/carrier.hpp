@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "crack/growth_law.hpp"
+#include "crack/order.hpp"
+
+namespace bempd::crack {
+
+// A tip as its carrier knows it under the present loads.
+struct Tip {
+  TipId id;
+  Point place{0, 0}, direction{1, 0};  // unit vector in which a straight crack would go on
+  AffineFactors factors;
+  GrowthLaw law;
+  GrowthRange range;      // of load factors, between which it does not grow
+  double kink_angle = 0;  // by which it turns at the present load factor, counter-clockwise [rad]
+  double critical_kink_angle = std::numeric_limits<double>::quiet_NaN();  // at the highest of the range, if it has one
+};
+
+// The load factors between which none of them grows.
+inline GrowthRange common_range(std::span<const Tip> tips) {
+  GrowthRange common;
+  for (const Tip& tip : tips)
+    common = {std::max(common.lowest, tip.range.lowest), std::min(common.highest, tip.range.highest)};
+  return common;
+}
+
+// What carries cracks: lattices, in which a crack is a line that cuts bonds (fracture/line), or boundary elements along
+// its faces (model/element_tips). The run asks every carrier for candidates, chooses by order.hpp the tip that grows
+// first, whichever carries it, and lets that one grow.
+class Carrier {
+ public:
+  Carrier() = default;
+  Carrier(const Carrier&) = delete;
+  Carrier& operator=(const Carrier&) = delete;
+  virtual ~Carrier() = default;
+
+  // Tips that may grow, by crack and end.
+  virtual std::vector<Tip> tips() = 0;
+  // The load factors on this way at which they grow; tips that do not grow are left out.
+  virtual std::vector<Candidate> candidates(const LoadWay& way) = 0;
+};
+
+}  // namespace bempd::crack

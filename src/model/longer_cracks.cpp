@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <unordered_map>
+
+#include "crack/cannot_grow.hpp"
+#include "model/driven_growth.hpp"
+#include "model/model.hpp"
+
+// Prepared scene with longer cracks, in which the run of the scene before it continues.
+namespace bempd::model {
+
+namespace {
+
+struct HashOfPoint {
+  std::size_t operator()(const Point& p) const {
+    return std::hash<double>()(p.x()) ^ (std::hash<double>()(p.y()) * 0x9e3779b97f4a7c15U);
+  }
+};
+
+// Whether lattices have the same bonds in the same order, so that broken ones can be taken over: a lattice whose
+// material points lie on outlines may move out of the way of a longer crack.
+bool has_same_bonds(const PreparedScene& now, const PreparedScene& before) {
+  const coupling::Terms &a = now.system->terms(), &b = before.system->terms();
+  if (a.size() != b.size()) return false;
+  const auto at = [](const PreparedScene& scene, int node) {
+    return scene.discretization.positions[static_cast<std::size_t>(node)];
+  };
+  const double tolerance = 10 * before.discretization.tolerance;
+  for (std::size_t t = 0; t < a.size(); ++t)
+    if ((at(now, a.first[t]) - at(before, b.first[t])).norm() > tolerance ||
+        (at(now, a.second[t]) - at(before, b.second[t])).norm() > tolerance)
+      return false;
+  return true;
+}
+
+// Node before of every node now: the one that the same region had at this place, in order where it has several there;
+// otherwise the closest one.
+std::vector<int> nodes_before(const regions::Discretization& now, const regions::Discretization& before) {
+  std::vector<int> found(now.positions.size(), -1);
+  for (std::size_t r = 0; r < now.regions.size(); ++r) {
+    const std::vector<int>&own = now.regions[r]->nodes(), &old = before.regions[r]->nodes();
+    std::unordered_map<Point, std::vector<int>, HashOfPoint> at;
+    for (auto node = old.rbegin(); node != old.rend(); ++node)
+      at[before.positions[static_cast<std::size_t>(*node)]].push_back(*node);
+    for (const int node : own) {
+      int& known = found[static_cast<std::size_t>(node)];
+      const Point& place = now.positions[static_cast<std::size_t>(node)];
+      const auto same = at.find(place);
+      if (known >= 0) continue;
+      if (same != at.end()) {
+        known = same->second.back();
+        if (same->second.size() > 1) same->second.pop_back();
+        continue;
+      }
+      const auto off = [&](int one) { return (before.positions[static_cast<std::size_t>(one)] - place).squaredNorm(); };
+      known = *std::min_element(old.begin(), old.end(), [&](int a, int b) { return off(a) < off(b); });
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+// Crack ends that had elements before and lie in a lattice now.
+std::vector<crack::TipId> Model::entering(const regions::Discretization& next) const {
+  std::vector<crack::TipId> tips;
+  const std::vector<regions::PartedCrack>& before = prepared_->discretization.cracks;
+  for (std::size_t c = 0; c < next.cracks.size(); ++c)
+    for (const int end : {0, 1})
+      if (!next.cracks[c].parts.empty() && next.cracks[c].region_at(end) == 0 && before[c].region_at(end) > 0)
+        tips.push_back({static_cast<int>(c) + 1, end});
+  return tips;
+}
+
+// Prepared scene with these cracks. The scene was good before: an argument error means that the longer cracks cannot
+// be.
+std::unique_ptr<PreparedScene> Model::built_with(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
+  scene_.set_cracks(std::move(longer));
+  const auto build_next = [&] { return build(prepared_.get()); };
+  try {
+    if (!on_way) return build_next();
+    scene::SceneValues values = *on_way;
+    return scene_.under(values, build_next);
+  } catch (const Error& error) {
+    if (error.failure() != Failure::argument) throw;
+    throw crack::CannotGrow(error.what());
+  }
+}
+
+// Prepared scene with these cracks, in which the run continues.
+std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> longer, const scene::SceneValues* on_way) {
+  std::unique_ptr<PreparedScene> next = built_with(std::move(longer), on_way);
+  if (!has_same_bonds(*next, *prepared_))
+    throw crack::CannotGrow(
+        "a crack that grows on would move the material points of a peridynamic region, whose broken bonds are those "
+        "of the present points; it stops. Give that region edges along the axes and no pd.lattice_angle, or make it "
+        "so large that the crack stays inside");
+  next->fingerprint = prepared_->fingerprint;
+  next->anchored_pieces = prepared_->anchored_pieces;
+  next->evolution->go_on_after_growth(*prepared_->evolution,
+                                      nodes_before(next->discretization, prepared_->discretization),
+                                      entering(next->discretization));
+  return next;
+}
+
+}  // namespace bempd::model

@@ -1,0 +1,118 @@
+// A further carrier of cracks beside a lattice: one class says when its tips grow, and the run goes to where the first
+// tip of all grows.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "model/model.hpp"
+#include "regions/lattice/lattice_description.hpp"
+#include "regions/places/edge_part.hpp"
+
+namespace {
+
+using namespace bempd;
+using crack::Candidate, crack::Control, crack::LoadWay, crack::Tip, crack::TipId;
+using fracture::Goal, fracture::StopReason;
+
+// Tips with factors that are proportional to the load factor.
+class SomeTips final : public crack::Carrier {
+ public:
+  void add(const TipId& id, double factor) {
+    Tip tip{id, {0, 0}, {1, 0}, {{0, 0}, {factor, 0}}, {2, 1}, {}};
+    tip.range = tip.law.range(tip.factors);
+    tips_.push_back(tip);
+  }
+
+  std::vector<Tip> tips() override { return tips_; }
+  std::vector<Candidate> candidates(const LoadWay& way) override {
+    std::vector<Candidate> all;
+    for (const Tip& tip : tips_) {
+      const double critical = way.upwards ? tip.range.highest : tip.range.lowest;
+      if (std::isfinite(critical))
+        all.push_back(crack::candidate(tip.id, critical, tip.law.ratio(tip.factors, way.present), way));
+    }
+    return all;
+  }
+
+ private:
+  std::vector<Tip> tips_;
+};
+
+// A square of lattice with a crack in its middle, moved apart.
+std::unique_ptr<model::Model> cracked_lattice() {
+  auto model = std::make_unique<model::Model>();
+  model->options().set_text("pd.crack_tip", "stated");
+  scene::Scene& scene = model->editable_scene();
+  scene::Material material;
+  material.elasticity = {1, 1.0 / 3, PlaneState::stress, 1};
+  material.fracture_energy = 1;
+  regions::add_lattice_region(scene, scene.add_material(material), {{0, 0}, {24, 0}, {24, 24}, {0, 24}}, 1, 3);
+  scene.add_crack({{8, 12.3}, {16, 12.3}});
+  for (const int edge : {1, 3})
+    for (const int component : {1, 2})
+      scene.add_support({std::make_shared<const regions::EdgePart>(1, edge, 0, 1), component,
+                         scene::SampledValues{{0.0}, {edge == 3 && component == 2 ? 1.0 : 0.0}}});
+  return model;
+}
+
+double load_of_line() {
+  const auto model = cracked_lattice();
+  model->prepare();
+  return model->advance(1e6, Goal::next_event).reason == StopReason::event ? model->load_factor() : 0;
+}
+
+StopReason advance(model::Model& model, crack::Carrier& elements, double target, Control control = Control::load) {
+  model.prepare();
+  fracture::SteppingOptions options;
+  options.elements = &elements, options.control = control;
+  return model.prepared().evolution->advance(target, Goal::next_event, options, {}, {});
+}
+
+TEST(CrackCarrier, tips_of_all_carriers_grow_in_one_order) {
+  const double line = load_of_line();
+  ASSERT_GT(line, 0);
+  for (const Control control : {Control::load, Control::path}) {
+    for (const double share : {0.9, 1.1}) {
+      const auto model = cracked_lattice();
+      SomeTips tips;
+      tips.add({7, 1}, 2 / (share * line)), tips.add({5, 1}, 2 / (2 * share * line));
+      tips.add({7, 0}, 2 / (share * line) * (1 + 1e-12));
+      const StopReason reason = advance(*model, tips, 1e6, control);
+      EXPECT_EQ(reason, share < 1 ? StopReason::growth : StopReason::event);
+      EXPECT_NEAR(model->load_factor(), std::min(share, 1.0) * line, 1e-9 * line);
+      if (share > 1) continue;
+      EXPECT_EQ(model->prepared().evolution->due().tip, (TipId{7, 0}));
+      EXPECT_EQ(model->prepared().evolution->due().ties, 1);
+    }
+  }
+}
+
+TEST(CrackCarrier, grow_where_they_are_overloaded_and_downwards) {
+  const double line = load_of_line();
+  const auto model = cracked_lattice();
+  SomeTips none, tips;
+  ASSERT_EQ(advance(*model, none, 0.5 * line), StopReason::load_factor);
+  tips.add({2, 0}, 5 / line), tips.add({3, 0}, 6 / line);
+  EXPECT_EQ(advance(*model, tips, line), StopReason::growth);
+  EXPECT_EQ(model->prepared().evolution->due().tip, (TipId{3, 0}));
+  EXPECT_EQ(model->load_factor(), 0.5 * line);
+
+  const auto other = cracked_lattice();
+  SomeTips below;
+  below.add({2, 0}, -4 / line);
+  EXPECT_EQ(advance(*other, below, -line), StopReason::growth);
+  EXPECT_NEAR(other->load_factor(), -0.5 * line, 1e-9 * line);
+}
+
+TEST(CrackCarrier, a_range_that_all_tips_share) {
+  std::vector<Tip> tips(3);
+  tips[0].range = {-4, 2}, tips[1].range = {-1, 5};
+  EXPECT_EQ(crack::common_range(tips).lowest, -1);
+  EXPECT_EQ(crack::common_range(tips).highest, 2);
+  tips[2].range = {3, 8};
+  EXPECT_TRUE(crack::common_range(tips).is_empty());
+}
+
+}  // namespace
