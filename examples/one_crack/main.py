@@ -29,7 +29,8 @@ class Result:
     name: str
     path: np.ndarray  # vertices that the crack has grown to, with the described tip first
     load: np.ndarray  # load factor at which it grew from each but the last one
-    released: float  # energy [J]
+    taken: float  # energy that the new area of crack took [J]
+    released: float  # with what became motion [J]
     seconds: float
     report: bempd.StepReport
 
@@ -38,10 +39,9 @@ class Result:
         """Of the growth, at each vertex."""
         return np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(self.path, axis=0), axis=1))])
 
-    @property
-    def energy(self) -> float:
-        """Released for each new area of crack, over the fracture energy."""
-        return self.released / (FRACTURE_ENERGY * THICKNESS * self.length[-1])
+    def over_g0(self, energy: float) -> float:
+        """An energy for each new area of crack, over the fracture energy."""
+        return energy / (FRACTURE_ENERGY * THICKNESS * self.length[-1])
 
 
 def body(kind: str, spacing: float, turned: float = 0.0, shift: float = 0.0) -> bempd.Model:
@@ -76,7 +76,8 @@ def tear(name: str, model: bempd.Model) -> Result:
     tip = [vertex for vertex in path if vertex.event == 0][-1]
     grown = [vertex for vertex in path if vertex.event > 0]
     return Result(name, np.array([(vertex.x, vertex.y) for vertex in (tip, *grown)]),
-                  np.array([vertex.load_factor for vertex in grown]), report.released_energy, seconds, report)
+                  np.array([vertex.load_factor for vertex in grown]), report.bond_energy, report.released_energy,
+                  seconds, report)
 
 
 def farthest(path: np.ndarray, other: np.ndarray) -> float:
@@ -131,13 +132,13 @@ def main() -> None:
         runs.append((tear("lattice turned by 20 degrees", body("lattice", spacing, turned=20)), elements))
         runs.append((tear("lattice shifted by half a spacing", body("lattice", spacing, shift=spacing / 2)), moved))
     table = [["body", "first load", "peak load", "first over elements", "peak over elements", "other loads off", "in the last horizon",
-              "path off [spacings]", "energy per area / G0", "seconds", "end"]]
+              "path off [spacings]", "energy of new area / G0", "released / G0", "seconds", "end"]]
     for one, reference in [(elements, elements), *runs]:
         off, last = load_deviation(one, reference, 4 * spacing)
         table.append([one.name, f"{one.load[0]:.1f}", f"{one.load.max():.1f}", f"{one.load[0] / reference.load[0]:.3f}",
                       f"{one.load.max() / reference.load.max():.3f}", f"{off:.3f}", f"{last:.3f}",
-                      f"{farthest(one.path, reference.path) / spacing:.2f}", f"{one.energy:.3f}", f"{one.seconds:.1f}",
-                      one.report.stop_reason.name.lower()])
+                      f"{farthest(one.path, reference.path) / spacing:.2f}", f"{one.over_g0(one.taken):.3f}",
+                      f"{one.over_g0(one.released):.3f}", f"{one.seconds:.1f}", one.report.stop_reason.name.lower()])
     with (arguments.folder / "summary.csv").open("w", newline="") as file:
         csv.writer(file).writerows(table)
     for line in zip(*table):
