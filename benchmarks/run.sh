@@ -5,7 +5,7 @@
 #   benchmarks/run.sh fracture        stress intensity factors against references, into docs/research/tables
 #   benchmarks/run.sh windows         what each number of the windows is worth, into docs/research/tables with --write
 #   benchmarks/run.sh threads         a model for each of eight threads, with many threads of the BLAS and with one
-#   benchmarks/run.sh directions      cracks in lattices against boundary elements and G0, into docs/directions.md
+#   benchmarks/run.sh directions      cracks in lattices against boundary elements and G0, into docs/research/tables
 #   benchmarks/run.sh separation      where torn plates end, into docs/research/tables
 #   benchmarks/run.sh compression     what breaks in bodies that are pressed, by criterion, into docs/research/tables
 #   benchmarks/run.sh materials       lattices of any Poisson's ratio, into docs/research/tables

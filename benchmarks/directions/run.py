@@ -1,4 +1,5 @@
-"""Cracks in lattices against boundary elements and G0: tables into docs/directions.md, between its marks, and its picture.
+"""Cracks in lattices against boundary elements and G0: tables into docs/research/tables, and the picture of
+docs/directions.md.
 
     run.py [--jobs N] [--only WORD] [--table]    --only: jobs with this word; --table: tables from what is there
 
@@ -12,19 +13,16 @@ import pathlib
 
 import lines
 import strip
+from stored_tables import store
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 OUT = pathlib.Path(os.environ.get("BEMPD_OUTPUT", "out/directions"))
 
 
 def put(tables: dict[str, list[str]]) -> None:
-    document = ROOT / "docs" / "directions.md"
-    text = document.read_text(encoding="utf-8")
     for name, rows in tables.items():
-        begin, end = f"<!-- {name} -->", f"<!-- end {name} -->"
-        text = text[:text.index(begin) + len(begin)] + "\n" + "\n".join(rows) + "\n" + text[text.index(end):]
+        store("directions_" + name.replace("-", "_"), rows)
         print("\n".join(rows), "\n")
-    document.write_text(text, encoding="utf-8")
 
 
 def main() -> None:
