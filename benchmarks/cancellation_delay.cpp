@@ -50,7 +50,7 @@ bempd_model* empty_model() {
   material.critical_stretch = 1e-3;
   check(model, bempd_add_material(model, &material, nullptr));
   check(model, bempd_set_option(model, "threads", 1));
-  check(model, bempd_set_option_text(model, "pd.crack_rule", "bond"));
+  check(model, bempd_set_option_text(model, "crack.rule", "bond"));
   check(model, bempd_set_log(model, &listen, nullptr));
   return model;
 }
@@ -75,7 +75,7 @@ bempd_status lattice(bempd_model* model, int n) {
 }
 
 bempd_status plain(bempd_model* model, int n) {
-  check(model, bempd_set_option_text(model, "stepping.solver", "plain"));
+  check(model, bempd_set_option_text(model, "test.solver", "plain"));
   return lattice(model, n);
 }
 
@@ -85,7 +85,7 @@ bempd_status first(bempd_model* model, int n) {
 }
 
 bempd_status line(bempd_model* model, int n) {
-  check(model, bempd_set_option_text(model, "pd.crack_rule", "line"));
+  check(model, bempd_set_option_text(model, "crack.rule", "line"));
   return lattice(model, n);
 }
 

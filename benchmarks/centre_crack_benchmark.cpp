@@ -17,7 +17,7 @@ class Plate {
   // The spacing [m] must divide 8.5 mm and 49.5 mm, and keep points off the crack at mid width.
   explicit Plate(double spacing) {
     check(nullptr, bempd_model_create(&model_));
-    check(model_, bempd_set_option_text(model_, "pd.crack_rule", "bond"));
+    check(model_, bempd_set_option_text(model_, "crack.rule", "bond"));
     bempd_material material;
     check(nullptr, bempd_material_init(&material, sizeof material));
     material.young_modulus = 30e9;

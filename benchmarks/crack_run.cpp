@@ -24,7 +24,7 @@ void check(const bempd_model* model, bempd_status status) {
 bempd_model* plate(int n) {
   bempd_model* model = nullptr;
   check(nullptr, bempd_model_create(&model));
-  check(model, bempd_set_option_text(model, "pd.crack_rule", "bond"));
+  check(model, bempd_set_option_text(model, "crack.rule", "bond"));
   bempd_material material;
   check(nullptr, bempd_material_init(&material, sizeof material));
   material.young_modulus = 1;
@@ -82,9 +82,9 @@ double elastic_solve(int n) {
 double crack_run(int n, const char* solver, double band, double length, const char* file) {
   const double start = now();
   bempd_model* model = plate(n);
-  check(model, bempd_set_option_text(model, "stepping.solver", solver));
-  check(model, bempd_set_option(model, "stepping.tie_band", band));
-  check(model, bempd_set_option(model, "stepping.window_length", length));
+  check(model, bempd_set_option_text(model, "test.solver", solver));
+  check(model, bempd_set_option(model, "crack.tie_share", band));
+  check(model, bempd_set_option(model, "test.window_length", length));
   bempd_step_report report;
   check(nullptr, bempd_step_report_init(&report, sizeof report));
   double largest_unit_force = 0;

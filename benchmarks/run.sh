@@ -13,6 +13,7 @@
 #   benchmarks/run.sh mixed_cracks    cracks across borders of elements and lattices, into docs/mixed_cracks.md with --write
 #   --with-peers, last, installs the peers first: FreeFem++, dolfinx and CalculiX; LAMMPS and dolfinx; or dolfinx
 set -euo pipefail
+export BEMPD_TEST_HOOKS=1  # some compare with ways that the library does not choose by itself
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 

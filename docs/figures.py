@@ -23,7 +23,7 @@ sys.path.insert(0, str(ROOT / "bindings/python"))
 from bempd import Model, rectangle  # noqa: E402
 
 # Cracks of the figures grow bond by bond.
-BONDS = {"pd.crack_rule": "bond"}
+BONDS = {"crack.rule": "bond"}
 BLUE, RED, ORANGE, GREY = "#1f4e79", "#b3261e", "#c05a00", "#7d838c"
 STYLE = {"font.size": 10, "axes.linewidth": 0.7, "xtick.direction": "in", "ytick.direction": "in", "legend.frameon": False,
          "figure.dpi": 100, "savefig.dpi": 160, "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.5,

@@ -25,12 +25,12 @@ fails when it is not what the library says.
 
 | language | set | ask |
 |---|---|---|
-| C | `bempd_set_option(model, "pd.horizon_ratio", 5)`, `bempd_set_option_text(model, "accuracy", "fine")` | `bempd_get_option()`, `bempd_option_describe()` |
-| Fortran | `call model%set_option("pd.horizon_ratio", 5._dp)`, `call model%set_option("accuracy", "fine")` | `call model%get_option(...)`, `call bempd_get_options(options)` |
-| Python | `model.options["accuracy"] = "fine"`, `bempd.Model(options={"accuracy": "fine"})` | `model.options["accuracy"]`, `model.options.describe("accuracy")` |
-| Rust | `model.set_option("pd.horizon_ratio", 5.0)?`, `model.set_option_text("accuracy", "fine")?` | `model.option(...)`, `bempd::options()` |
+| C | `bempd_set_option(model, "crack.tie_share", 0.01)`, `bempd_set_option_text(model, "crack.rule", "bond")` | `bempd_get_option()`, `bempd_option_describe()` |
+| Fortran | `call model%set_option("crack.tie_share", .01_dp)`, `call model%set_option("crack.rule", "bond")` | `call model%get_option(...)`, `call bempd_get_options(options)` |
+| Python | `model.options["crack.rule"] = "bond"`, `bempd.Model(options={"crack.rule": "bond"})` | `model.options["crack.rule"]`, `model.options.describe("crack.rule")` |
+| Rust | `model.set_option("crack.tie_share", 0.01)?`, `model.set_option_text("crack.rule", "bond")?` | `model.option(...)`, `bempd::options()` |
 
-An unknown name is an error that lists the near ones. What a prepared model has built already keeps the old value.
+An unknown name is an error that lists the near ones, a name of an earlier version one that says what to use instead. What a prepared model has built already keeps the old value.
 """
 
 
@@ -53,8 +53,8 @@ def row(option: bempd.options.OptionInfo) -> str:
 def page() -> str:
     bempd.options.in_python = lambda text: text  # summaries with the names of C, as this page is for all languages
     groups: dict[str, list[str]] = {}
-    titles = {"pd": "Peridynamic regions", "bem": "Boundary elements", "stepping": "Stepping", "growth": "Growth of cracks in BEM regions",
-              "results": "Results", "snapshots": "Snapshots", "tips": "Crack tips", "memory": "Memory", "paper": "Scheme paper"}
+    titles = {"pd": "Peridynamic regions", "bem": "Boundary elements", "stepping": "Stepping", "crack": "Growth of cracks",
+              "snapshots": "Snapshots", "tips": "Crack tips", "memory": "Memory", "paper": "Scheme paper"}
     for option in bempd.describe_options().values():
         family = option.name.split(".")[0] if "." in option.name else ""
         groups.setdefault(titles.get(family, family.capitalize() if family else "General"), []).append(row(option))

@@ -35,7 +35,7 @@ MAGNIFICATION, LARGEST = 20, 30e6  # Pa
 
 def run(prefix: pathlib.Path) -> None:
     """A strip with a crack that runs, a hole and two cracks that stand still."""
-    model = Model(options={"pd.crack_rule": "bond"})
+    model = Model(options={"crack.rule": "bond"})
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     left = model.add_bem_region(acrylic, rectangle(0, 0, 0.02, 0.02), element_length=0.005)
     model.add_pd_region(acrylic, rectangle(0.02, 0, 0.04, 0.02), spacing=0.0005, horizon_ratio=4)

@@ -24,12 +24,12 @@
  * Errors. Whatever can fail returns a bempd_status; the sentence that explains it is bempd_last_error(). After any
  * error but BEMPD_ERROR_INTERNAL the model is as it was before the call; after that one only free it.
  *
- * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A call on a model
- * that is in another call (from a callback, say) fails, with its sentence in bempd_last_error(NULL); bempd_model_free()
- * then waits: the model is freed when the call that runs returns. While a call runs, the BLAS has one thread, or as
- * many as the option "threads" says if that is not 0; then again what the host has set. (OpenBLAS with threads of its
- * own has one number for the process: while calls overlap, the least asked for counts, for the host's own products
- * too.)
+ * Threads. One at a time per model, except bempd_request_cancel(). Different models are independent. A thread that
+ * calls needs a stack of 256 kB. A call on a model that is in another call (from a callback, say) fails, with its
+ * sentence in bempd_last_error(NULL); bempd_model_free() then waits: the model is freed when the call that runs
+ * returns. While a call runs, the BLAS has one thread, or as many as the option "threads" says if that is not 0; then
+ * again what the host has set. (OpenBLAS with threads of its own has one number for the process: while calls overlap,
+ * the least asked for counts, for the host's own products too.)
  *
  * Schemes. The option "scheme" says how regions become equations: "symmetric" (default) or, unless the library was
  * built without it, "paper", the method of Yang and Liu (Int. J. Solids Struct., 2021) as published, in which material
@@ -41,6 +41,172 @@
  */
 #ifndef BEMPD_H
 #define BEMPD_H
+
+/* Functions by topic.
+ *
+ * Library and errors
+ *   bempd_version_string            version of the library that runs
+ *   bempd_build_info                version, sparse backend, compiler and BLAS in one line
+ *   bempd_status_name               name of a status
+ *   bempd_last_error                sentence about the last failure
+ *   bempd_model_create              a new, empty model
+ *   bempd_model_free                frees a model
+ *
+ * Options
+ *   bempd_option_info_init          prepares the struct of bempd_option_describe()
+ *   bempd_option_count              number of options
+ *   bempd_option_describe           name, default, range, unit and meaning of an option
+ *   bempd_set_option                sets an option that is a number
+ *   bempd_get_option                value of an option that is a number
+ *   bempd_set_option_text           sets an option that is a word
+ *   bempd_get_option_text           value of an option that is a word
+ *
+ * Materials
+ *   bempd_material_init             prepares the struct of bempd_add_material()
+ *   bempd_add_material              adds a material
+ *
+ * Regions and cracks
+ *   bempd_add_bem_region            a polygon of boundary elements
+ *   bempd_add_bem_region_with_arcs  the same with edges that are arcs
+ *   bempd_add_bem_disc              a disc of boundary elements
+ *   bempd_add_pd_region             a polygon of material points and bonds
+ *   bempd_add_pd_region_with_arcs   the same with edges that are arcs
+ *   bempd_add_turned_pd_region      the same with a lattice whose rows are turned
+ *   bempd_add_hole                  a hole that is a polygon
+ *   bempd_add_hole_with_arcs        a hole with edges that are arcs
+ *   bempd_add_circular_hole         a round hole
+ *   bempd_set_edge_arc              makes an edge an arc through a place
+ *   bempd_set_edge_arc_about        makes an edge an arc about a centre
+ *   bempd_set_edges_smooth          makes a row of edges a smooth curve
+ *   bempd_set_edge_mesh             lengths of the elements of an edge
+ *   bempd_add_crack                 a crack that is there from the start
+ *   bempd_remove_region             takes a region back out of the scene
+ *   bempd_remove_crack              takes a crack back out of the scene
+ *   bempd_region_count              number of regions
+ *   bempd_edge_count                number of edges of a region
+ *
+ * Supports and loads
+ *   bempd_fix_edge                  holds an edge
+ *   bempd_fix_point                 holds a node
+ *   bempd_prescribe_edge            moves an edge, uniformly or linearly
+ *   bempd_prescribe_edge_function   moves an edge as a function says
+ *   bempd_prescribe_edge_values     moves an edge by values of any kind
+ *   bempd_prescribe_point           moves a node
+ *   bempd_add_traction              a traction on an edge, uniform or linear
+ *   bempd_add_traction_function     a traction on an edge by a function
+ *   bempd_add_traction_values       a traction on an edge by values of any kind
+ *   bempd_add_pressure              a pressure on an edge
+ *   bempd_add_edge_forces           forces at the nodes of an edge
+ *   bempd_add_point_force           a force at a node
+ *   bempd_add_body_force            a force per volume in a region
+ *   bempd_add_rotation              forces of a body that turns about an axis
+ *   bempd_add_temperature           a change of the temperature of a region
+ *   bempd_add_temperature_function  the same by a function
+ *   bempd_add_crack_traction        a traction on the faces of a crack
+ *   bempd_add_crack_pressure        a pressure in a crack, wherever it grows
+ *   bempd_set_load_values           new values of a load
+ *   bempd_set_support_values        new values of a support
+ *   bempd_set_support_values_at     the same at fractions of its edge
+ *   bempd_set_load_values_at        the same of a load
+ *   bempd_set_support_nodal_values  the same for each node
+ *   bempd_set_load_nodal_values     the same of a load
+ *   bempd_edge_values_init          prepares the struct of values along an edge
+ *   bempd_set_support_edge_values   new values of any kind of a support
+ *   bempd_set_load_edge_values      new values of any kind of a load
+ *   bempd_fractions_on_edge         where places lie along an edge
+ *   bempd_remove_support            takes a support back out of the scene
+ *   bempd_remove_load               takes a load back out of the scene
+ *
+ * Callbacks
+ *   bempd_set_progress              is called after every event
+ *   bempd_set_phase_progress        is called in long parts of calls
+ *   bempd_set_log                   is called with warnings and what the library does
+ *   bempd_request_cancel            asks a call in another thread to give up
+ *   bempd_request_stop              asks a step in another thread to end
+ *
+ * Stepping
+ *   bempd_step_report_init          prepares the struct of a step's report
+ *   bempd_prepare                   builds the equations, so that errors of the scene come now
+ *   bempd_step                      goes to a load factor
+ *   bempd_step_to_next_event        goes to the next event
+ *   bempd_run_to_separation         goes on until the body is separated
+ *   bempd_step_to_values            goes to new values of supports and loads on a straight line
+ *   bempd_run_program               goes through a table of factors by time
+ *
+ * Results
+ *   bempd_load_factor               where the model is
+ *   bempd_admissible_load_factors   between which load factors nothing breaks
+ *   bempd_generation                changes when results change
+ *   bempd_node_count                number of nodes of a region
+ *   bempd_element_count             number of elements or cells of a region
+ *   bempd_copy_elements             nodes of these
+ *   bempd_field_size                size of a field
+ *   bempd_copy_field                a field, into an array of the host
+ *   bempd_view_field                a field, in the model's memory
+ *   bempd_bond_count                number of bonds of a region
+ *   bempd_copy_bonds                ends and states of bonds
+ *   bempd_reaction                  force of a support
+ *   bempd_reaction_moment           its moment about a place
+ *   bempd_edge_reaction             force and moment of all supports of an edge
+ *   bempd_edge_size                 numbers of nodes and elements of an edge
+ *   bempd_copy_edge_nodes           nodes of an edge in order
+ *   bempd_copy_edge_elements        elements of an edge in order
+ *   bempd_copy_edge_forces          forces at these nodes
+ *   bempd_piece_count               number of pieces that the body consists of
+ *   bempd_copy_node_pieces          the piece of each node
+ *   bempd_support_piece             the piece that a support holds
+ *   bempd_load_piece                the piece that a load acts on
+ *   bempd_are_connected             whether two supports hold one piece
+ *   bempd_piece_init                prepares the struct of bempd_get_piece()
+ *   bempd_get_piece                 size, place and motion of a piece
+ *   bempd_evaluate                  displacement and stress at places
+ *   bempd_evaluate_in               the same on the side of one region, or on one face of a crack
+ *   bempd_singularity_init          prepares the struct of bempd_get_singularity()
+ *   bempd_singularity_count         number of places where stress is unbounded
+ *   bempd_get_singularity           such a place
+ *   bempd_stress_orders             how strongly stress grows at given places
+ *
+ * Cracks
+ *   bempd_crack_tip_init            prepares the struct of a tip
+ *   bempd_tip_count                 number of tips
+ *   bempd_tip                       stress intensity factors and what follows from them at a tip
+ *   bempd_tip_history_count         number of recorded tips
+ *   bempd_get_tip_history           a recorded tip
+ *   bempd_crack_opening             openings along a crack
+ *   bempd_crack_count               number of cracks, also those that began in the run
+ *   bempd_crack_length              length of a crack
+ *   bempd_path_vertex_init          prepares the struct of a crack path's vertex
+ *   bempd_crack_path_count          number of vertices of a crack path
+ *   bempd_crack_path                a vertex of it
+ *   bempd_growth_init               prepares the struct of bempd_grow_cracks()
+ *   bempd_grow_cracks               lets cracks grow by a length, and solves for the load
+ *   bempd_set_tip_frozen            keeps a tip where it is
+ *   bempd_crack_extension_init      prepares the struct of an extension
+ *   bempd_extension_count           number of extensions of cracks
+ *   bempd_extension                 what a tip did at an event
+ *
+ * Books
+ *   bempd_statistics_init           prepares the struct of bempd_get_statistics()
+ *   bempd_get_statistics            sizes, times and counters
+ *   bempd_history_entry_init        prepares the struct of a line of the history
+ *   bempd_history_count             number of lines of the history
+ *   bempd_get_history_entry         a line of it
+ *   bempd_get_history_support       what a support did then
+ *   bempd_history                   the older name of bempd_get_history_entry()
+ *
+ * State and files
+ *   bempd_state_save                copies the state in memory
+ *   bempd_state_save_with           the same with the values of supports and loads
+ *   bempd_state_restore             brings a state back
+ *   bempd_state_free                frees a state
+ *   bempd_state_to_bytes            writes a state into an array
+ *   bempd_state_from_bytes          reads it from there
+ *   bempd_state_write               writes a state into a file
+ *   bempd_state_read                reads it from there
+ *   bempd_write_snapshot            files for ParaView
+ *   bempd_write_history             the history as a table
+ *   bempd_write_tips                recorded tips as a table
+ */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -175,12 +341,10 @@ typedef enum bempd_plane { BEMPD_PLANE_STRESS = 1, BEMPD_PLANE_STRAIN = 2 } bemp
  * Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
  * strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the
  * rest, each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give
- * critical_stretch or fracture_energy, or neither for a material that does not break. From the fracture energy G0, the
- * horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105 E'
- * delta); where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with
- * Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. At that stretch a bond breaks (option pd.crack_rule =
- * "bond") or a crack begins; cracks that grow as lines, the default, take G0, or the one that belongs to the critical
- * stretch given. @since 0.1 */
+ * critical_stretch or fracture_energy, or neither for a material that does not break; which critical stretch belongs to
+ * a fracture energy is in docs/theory.md. At that stretch a bond breaks (option crack.rule = "bond") or a crack begins;
+ * cracks that grow as lines, the default, take the fracture energy, or the one that belongs to the critical stretch
+ * given. @since 0.1 */
 typedef struct bempd_material {
   int64_t struct_size;      /**< sizeof(bempd_material), set by bempd_material_init() */
   double young_modulus;     /**< Young's modulus E [Pa], > 0 */
@@ -245,8 +409,8 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * with bonds across, if spacing, horizon and the numbers of the material are the same (not in scheme "paper"); others
  * only share the points of the common edge.
  *
- * With slanted or round edges, round holes, an option pd.lattice_angle other than 0 or pd.outline_points "always" (not
- * in scheme "paper"), edges are divided into equal parts about a spacing long, with material points between them, and
+ * With slanted or round edges, round holes or a turned lattice (bempd_add_turned_pd_region(); not in scheme "paper"),
+ * edges are divided into equal parts about a spacing long, with material points between them, and
  * inside are those of a square lattice; round edges count as the chords between their points. Constant stress is exact
  * there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings of width, radii a
  * spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull. Elements
@@ -256,7 +420,7 @@ BEMPD_API bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, 
  * @param[in] vertex_count number of vertices, >= 3
  * @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  * @param[in] spacing lattice spacing [m], > 0
- * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+ * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for 4 [-]
  * @param[out] region its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count,
                                            const double* vertices, double spacing, int32_t horizon_ratio,
@@ -267,11 +431,23 @@ BEMPD_API bempd_status bempd_add_pd_region(bempd_model* model, int32_t material,
  * @param[in] model the model @param[in] material id of a material, as for bempd_add_pd_region()
  * @param[in] vertex_count number of vertices, >= 3 @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
  * @param[in] bulges shape [vertex_count]; NULL for straight edges [-] @param[in] spacing lattice spacing [m], > 0
- * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+ * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for 4 [-]
  * @param[out] region its id; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_add_pd_region_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
                                                      const double* vertices, const double* bulges, double spacing,
                                                      int32_t horizon_ratio, int32_t* region);
+
+/** @brief Add a region as bempd_add_pd_region_with_arcs() does, with a lattice whose rows are turned. With an angle
+ * other than 0 it has points on its outline.
+ * @param[in] model the model @param[in] material id of a material, as for bempd_add_pd_region()
+ * @param[in] vertex_count number of vertices, >= 3 @param[in] vertices shape [vertex_count][2], counter-clockwise [m]
+ * @param[in] bulges shape [vertex_count]; NULL for straight edges [-] @param[in] spacing lattice spacing [m], > 0
+ * @param[in] horizon_ratio horizon over spacing, 2 .. 8, or 0 for 4 [-]
+ * @param[in] angle from the x axis to the rows of the lattice, counter-clockwise [rad]
+ * @param[out] region its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_turned_pd_region(bempd_model* model, int32_t material, int64_t vertex_count,
+                                                  const double* vertices, const double* bulges, double spacing,
+                                                  int32_t horizon_ratio, double angle, int32_t* region);
 
 /** @brief Cut a hole into a region. The hole's edges continue the region's numbering.
  * @param[in] model the model @param[in] region id of a region @param[in] vertex_count number of vertices, >= 3
@@ -427,6 +603,56 @@ BEMPD_API bempd_status bempd_prescribe_edge_function(bempd_model* model, int32_t
                                                      double to, int32_t component, bempd_boundary_function function,
                                                      void* user, int32_t* support);
 
+/** @brief How values vary along a part of an edge or a crack. @since 0.3 */
+typedef enum bempd_value_kind {
+  BEMPD_UNIFORM = 1, /**< one row */
+  BEMPD_LINEAR = 2,  /**< rows at equally spaced places from the start of the part to its end, linear between them */
+  BEMPD_TABLE = 3,   /**< rows at fractions of the part, linear between them, constant before the first and behind the
+                        last one */
+  BEMPD_NODAL = 4,   /**< a row for each node of the part, in order; for new values only */
+  BEMPD_FUNCTION = 5 /**< a function of the position; when a support or a load is made only */
+} bempd_value_kind;
+
+/** @brief Values along a part of an edge or a crack; bempd_edge_values_init() sets zeros and components = 1.
+ * @since 0.3 */
+typedef struct bempd_edge_values {
+  int64_t struct_size;     /**< set by bempd_edge_values_init() */
+  int32_t kind;            /**< a bempd_value_kind [-] */
+  int32_t components;      /**< numbers in a row: 1, for each component that is held or loaded, or 2, x and y [-] */
+  int64_t count;           /**< number of rows; BEMPD_UNIFORM has one and BEMPD_FUNCTION none, whatever stands here */
+  const double* fractions; /**< shape [count], BEMPD_TABLE: ascending fractions of the part [-] */
+  const double* constant;  /**< shape [count][components], constant part [m] or [Pa]; NULL for 0 */
+  const double* proportional;       /**< shape [count][components], part multiplied by the load factor; NULL for 0 */
+  bempd_boundary_function function; /**< BEMPD_FUNCTION */
+  void* user;                       /**< handed to the function; may be NULL */
+} bempd_edge_values;
+
+/** @brief Set struct_size, zeros and components = 1. @param[out] values the struct to fill
+ * @param[in] struct_size sizeof(bempd_edge_values) as the caller was compiled: older programs keep working when it
+ * grows
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_edge_values_init(bempd_edge_values* values, int64_t struct_size);
+
+/** @brief Prescribe the displacement of an edge or a part of it by values of any kind; bempd_prescribe_edge() and
+ * bempd_prescribe_edge_function() are short forms of this.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part as a fraction of the edge, 0 <= from < to [-]
+ * @param[in] to end of the part, from < to <= 1 [-] @param[in] component a bempd_component, BEMPD_BOTH allowed
+ * @param[in] values displacements [m], copied @param[out] support its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_prescribe_edge_values(bempd_model* model, int32_t region, int32_t edge, double from,
+                                                   double to, int32_t component, const bempd_edge_values* values,
+                                                   int32_t* support);
+
+/** @brief Add a traction on a part of an edge by values of any kind; bempd_add_traction() and
+ * bempd_add_traction_function() are short forms of this.
+ * @param[in] model the model @param[in] region id of a region @param[in] edge edge number
+ * @param[in] from start of the part as a fraction of the edge, 0 <= from < to [-]
+ * @param[in] to end of the part, from < to <= 1 [-] @param[in] component a bempd_component, BEMPD_BOTH allowed
+ * @param[in] values tractions [Pa], copied @param[out] load its id; may be NULL @return status @since 0.3 */
+BEMPD_API bempd_status bempd_add_traction_values(bempd_model* model, int32_t region, int32_t edge, double from,
+                                                 double to, int32_t component, const bempd_edge_values* values,
+                                                 int32_t* load);
+
 /** @brief Prescribe the displacement of the node or material point at a place.
  * @param[in] model the model @param[in] x [m] @param[in] y [m] @param[in] component BEMPD_X or BEMPD_Y
  * @param[in] constant constant part [m] @param[in] proportional part multiplied by the load factor [m]
@@ -506,8 +732,8 @@ BEMPD_API bempd_status bempd_add_rotation(bempd_model* model, int32_t region, do
 /** @brief Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would
  * lengthen by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
  *
- * Bonds break by what they are stretched beyond that. Temperatures of a region add up. With one there are no windows
- * (stepping.solver): every event is found in the whole body. Temperatures take new values by
+ * Bonds break by what they are stretched beyond that. Temperatures of a region add up. With one every event
+ * is found in the whole body, without windows. Temperatures take new values by
  * bempd_set_load_values(), bempd_step_to_values() goes to them on a straight line, and they may have columns in a load
  * program.
  * @param[in] model the model @param[in] region id of a region @param[in] constant constant part [K]
@@ -598,6 +824,21 @@ BEMPD_API bempd_status bempd_set_support_values(bempd_model* model, int32_t supp
 BEMPD_API bempd_status bempd_set_support_values_at(bempd_model* model, int32_t support, int64_t count,
                                                    const double* fractions, const double* constant,
                                                    const double* proportional);
+
+/** @brief Give a support on an edge new values of any kind but BEMPD_FUNCTION, at any time;
+ * bempd_set_support_values(), bempd_set_support_values_at() and bempd_set_support_nodal_values() are short forms of
+ * this.
+ * @param[in] model the model; BEMPD_NODAL prepares it @param[in] support id of a support on a part of an edge
+ * @param[in] values displacements [m], copied @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_support_edge_values(bempd_model* model, int32_t support,
+                                                     const bempd_edge_values* values);
+
+/** @brief Give a load along an edge or a crack new values of any kind but BEMPD_FUNCTION, at any time;
+ * bempd_set_load_values(), bempd_set_load_values_at() and bempd_set_load_nodal_values() are short forms of this. A
+ * pressure takes the first number of each row.
+ * @param[in] model the model; BEMPD_NODAL prepares it @param[in] load id of a load along an edge or a crack
+ * @param[in] values in the unit of the load, copied @return status @since 0.3 */
+BEMPD_API bempd_status bempd_set_load_edge_values(bempd_model* model, int32_t load, const bempd_edge_values* values);
 
 /** @brief Give a load along an edge or a crack new values at places; else as bempd_set_support_values_at(). A pressure
  * or shear takes the component of its number: x for BEMPD_PRESSURE and pressures on edges, y for BEMPD_SHEAR.
@@ -716,7 +957,7 @@ typedef enum bempd_stop_reason {
    * stretch bonds beyond their critical stretch at every load factor, or, where crack faces touch, at all factors
    * around this one; see bempd_admissible_load_factors(). @since 0.3 */
   BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5,
-  /** Equilibrium does not exist after the bonds of the next increment break (option stepping.mode = "paper"). The step
+  /** Equilibrium does not exist after the bonds of the next increment break (option paper.mode = "paper"). The step
    * keeps the increments before. If its first increment already leaves no equilibrium, the step fails instead, with
    * BEMPD_ERROR_UNSOLVABLE. @since 0.3 */
   BEMPD_STOP_NO_EQUILIBRIUM = 6,
@@ -774,7 +1015,7 @@ typedef struct bempd_step_report {
                              bears nothing, or less than the option stepping.separation_share of the peak */
   int32_t reserved;       /**< 0 */
   int64_t closed_places;  /**< places at which faces of cracks press on each other at the end: about one a spacing in
-                             lattices (option pd.contact), nodes of elements on cracks in BEM regions (bem.contact) */
+                             lattices, nodes of elements on cracks in BEM regions (option contact) */
   int64_t face_switches;  /**< how often such places have closed or opened in this step */
   int64_t ties;           /**< tips, and places where cracks begin, that would have grown at the same load factor as the
                                one that did, up to rounding (1e-9), at events of this step: the crack with the least id
@@ -799,16 +1040,16 @@ BEMPD_API bempd_status bempd_prepare(bempd_model* model);
  * Between two events the response is linear in the load factor: a step without an event costs no solution. In
  * peridynamic regions cracks grow as lines by default: at an event the tip that reaches its toughness first goes on by
  * a lattice spacing towards the largest hoop stress, and all bonds across that way break; or a bond away from all tips
- * reaches its critical stretch, and a crack begins there. With the option pd.crack_rule = "bond" the most stretched
- * bonds break (those within the option stepping.tie_band of the largest stretch ratio). Then equilibrium is found again
- * at the same load factor, until nothing exceeds what it bears. With the option stepping.mode = "paper" the load factor
- * goes in fixed increments instead (option stepping.increment), and at the end of each every bond that exceeds its
+ * reaches its critical stretch, and a crack begins there. With the option crack.rule = "bond" the most stretched
+ * bonds break (those within the option crack.tie_share of the largest stretch ratio). Then equilibrium is found again
+ * at the same load factor, until nothing exceeds what it bears. With the option paper.mode = "paper" the load factor
+ * goes in fixed increments instead (option paper.increment), and at the end of each every bond that exceeds its
  * critical stretch breaks.
  *
  * Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that reaches its
  * toughness first, there or in a lattice, goes on by a straight piece. The library chooses its length from the length
- * of the crack and the way to what is near, or the option growth.step says it. bempd_set_tip_frozen() keeps a tip where
- * it is. With stepping.mode = "paper" these cracks stay as they are.
+ * of the crack and the way to what is near, or the option crack.step says it. bempd_set_tip_frozen() keeps a tip where
+ * it is. With paper.mode = "paper" these cracks stay as they are.
  *
  * Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that the
  * body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the load factor
@@ -1068,7 +1309,7 @@ BEMPD_API bempd_status bempd_copy_edge_forces(bempd_model* model, int32_t region
 
 /** @brief Number of pieces that the body consists of: material points and boundary elements that intact bonds,
  * interfaces and BEM regions join. A point without any bond is a piece too. Faces that press on each other (option
- * pd.contact) join nothing, as they part under the first pull: two held pieces that press feel each other's force and
+ * contact) join nothing, as they part under the first pull: two held pieces that press feel each other's force and
  * bear, so that the body is not separated, but bempd_are_connected() tells 0. A piece that nothing but pressed faces
  * would hold counts as come free of all supports (fragments in reports): it stays where it is, and its loads are
  * dropped. Prepares the model.
@@ -1131,7 +1372,7 @@ BEMPD_API bempd_status bempd_get_piece(bempd_model* model, int32_t number, bempd
  * At an interface the values are those of the peridynamic region, between regions of one kind those of the one with the
  * lower id; on a crack in a BEM region those of its left face, seen from its first point. bempd_evaluate_in() asks for
  * another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and grows as
- * they get smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
+ * they get smaller; bempd_stress_orders() tells. At crack tips it is refused.
  * @param[in] model the model @param[in] count number of places
  * @param[in] points shape [count][2] [m] @param[out] displacement shape [count][2] [m]; may be NULL
  * @param[out] stress shape [count][3], xx, yy, xy [Pa]; may be NULL
@@ -1168,9 +1409,8 @@ typedef enum bempd_singularity_kind {
 /** @brief A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
  *
  * At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there depend on the elements or
- * the lattice spacing alone. The exponent is the least solution with a real part below 0.99 of the equations of the
- * wedges that meet there (M. L. Williams, J. Appl. Mech. 19, 1952), with their angles, materials and supports; loads do
- * not enter, and may leave the strongest term out. Cracks in peridynamic regions are not listed. @since 0.3 */
+ * the lattice spacing alone. The exponent is that of the wedges that meet there (docs/theory.md); loads do not enter,
+ * and may leave the strongest term out. Cracks in peridynamic regions are not listed. @since 0.3 */
 typedef struct bempd_singularity {
   int64_t struct_size; /**< sizeof(bempd_singularity), set by bempd_singularity_init() */
   int32_t kind;        /**< a bempd_singularity_kind */
@@ -1195,6 +1435,13 @@ BEMPD_API bempd_status bempd_singularity_count(bempd_model* model, int64_t* coun
  * @param[in,out] singularity struct_size in, the rest out @return status @since 0.3 */
 BEMPD_API bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_singularity* singularity);
 
+/** @brief How strongly stress grows at places: where it is unbounded what bempd_evaluate() gives there depends on the
+ * elements. Prepares the model.
+ * @param[in] model the model @param[in] count number of places @param[in] points shape [count][2] [m]
+ * @param[out] orders shape [count]: 0 where stress is bounded, else p where it grows as r^-p with the distance r [-]
+ * @return status @since 0.3 */
+BEMPD_API bempd_status bempd_stress_orders(bempd_model* model, int64_t count, const double* points, double* orders);
+
 /** @brief End of a crack. @since 0.3 */
 typedef enum bempd_tip_end { BEMPD_CRACK_START = 1, BEMPD_CRACK_END = 2 } bempd_tip_end;
 
@@ -1214,27 +1461,23 @@ typedef enum bempd_tip_method {
  * moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the boundary's
  * elements are no longer than what they border on.
  *
- * In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
- * rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field of
- * power -1, G from the factors. They belong to the effective tip, which lies `felt_ahead` ahead of the place given,
- * and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20
- * spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is, which makes its
- * factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than two horizons
- * around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring fits and
- * `contours` is 0. Of a crack that grows as a line the factors and G are then those by which it grows, fitted to the
- * stress ahead (BEMPD_TIP_STRESS), which were within 9 % of K of boundary elements behind kinks and 13 % beside steep
- * cracks; T, the error and felt_ahead, and bond by bond the factors too, are NaN: not known.
+ * In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from rings around the tip and belong to the
+ * effective tip, which lies `felt_ahead` ahead of the place given: they agree there with a crack in a BEM region to 0.1
+ * to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to its middle. Where no ring fits
+ * `contours` is 0; of a crack that grows as a line the factors and G are then those by which it grows
+ * (BEMPD_TIP_STRESS), and T, the error and felt_ahead, bond by bond the factors too, are NaN: not known. How tips are
+ * found is in docs/theory.md.
  *
  * A tip stays where it is while the load factor lies between `critical_load_factor_down` and `critical_load_factor`,
  * and grows at either: there it reaches its toughness in the direction in which it goes on, by the option
- * growth.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
+ * crack.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
  * grows at the present load factor, unless stepping.control is path. If it grows at every load factor the first is the
  * largest double and the second minus that. A tip with elements that has stopped at an interface grows at none. Those
  * of a frozen tip are as if it were free.
  *
- * In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those that grow, also of
+ * In a lattice whose cracks grow as lines (crack.rule = "line" or "tips") the tips are those that grow, also of
  * cracks that began in the run; the load factors and angles of growth are what the next step will do. Bond by bond
- * (pd.crack_rule = "bond") tips are looked for among broken bonds: a tip is at the crack's end until bonds between
+ * (crack.rule = "bond") tips are looked for among broken bonds: a tip is at the crack's end until bonds between
  * nearest neighbours have broken next to it, and then in the middle of the lattice cell that lies farthest along the
  * cells which such bonds join to the end; its load factors are those of its stress intensity factors. Cracks that begin
  * away from initial ones, and branches beside the farthest one, have no tips there; `branched` tells of the latter.
@@ -1248,7 +1491,7 @@ typedef struct bempd_crack_tip {
   double direction_x;          /**< unit vector in which the crack would go straight on [-] */
   double direction_y;          /**< [-] */
   double stress_intensity_1;   /**< K_I [Pa m^(1/2)]; 0 where faces press on each other at the tip,
-                                    negative if they overlap (option bem.contact = none) */
+                                    negative if they overlap (option contact = none) */
   double stress_intensity_2;   /**< K_II, positive if the left side, seen in the direction, moves forward
                                   [Pa m^(1/2)] */
   double energy_release_rate;  /**< G of growth straight on [J/m^2] */
@@ -1256,7 +1499,7 @@ typedef struct bempd_crack_tip {
   double error;                /**< estimate of the error of the stress intensity factors, from elements twice as long
                                   or from other rings [Pa m^(1/2)] */
   double kink_angle;           /**< angle by which the tip turns if it grows at the present load factor, by the option
-                                  growth.criterion; from the direction, counter-clockwise [rad] */
+                                  crack.criterion; from the direction, counter-clockwise [rad] */
   double critical_load_factor; /**< load factor at which the tip grows while it rises; the largest double (DBL_MAX)
                                   if it never grows or its material does not break [-] */
   int32_t method;              /**< a bempd_tip_method (since 0.3, as all that follows) */
@@ -1316,13 +1559,13 @@ BEMPD_API bempd_status bempd_get_tip_history(const bempd_model* model, int64_t i
  * @param[in] count number of places
  * @param[in] fractions shape [count], places as fractions of the crack's length (bempd_crack_length()), 0 .. 1 [-]
  * @param[out] normal shape [count], positive if it is open, negative if its faces overlap, which they
- * do with the option bem.contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
+ * do with the option contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
  * @param[out] tangential shape [count], along the crack [m]; may be NULL @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_opening(bempd_model* model, int32_t crack, int64_t count, const double* fractions,
                                            double* normal, double* tangential);
 
 /** @brief Number of cracks: those that were described, also removed ones, and those that began in the run, which have
- * the next ids, by order of beginning. Cracks that grow bond by bond (pd.crack_rule = "bond") begin without an id.
+ * the next ids, by order of beginning. Cracks that grow bond by bond (crack.rule = "bond") begin without an id.
  * @param[in] model the model @param[out] count number of cracks @return status @since 0.3 */
 BEMPD_API bempd_status bempd_crack_count(const bempd_model* model, int64_t* count);
 
@@ -1379,12 +1622,12 @@ BEMPD_API bempd_status bempd_growth_init(bempd_growth* growth, int64_t struct_si
  *
  * The load factor is solved for: the smallest one >= 0 at which the energy release rate of a tip reaches its
  * material's fracture_energy in the direction in which it grows, that of the largest hoop stress or, with the option
- * growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose load factor
- * is at most the share growth.share higher; where growth.exponent is not 0, by lengths that follow their energy release
- * rates. An extension is straight; growth.direction = "chord" makes paths of long extensions follow those of short
- * ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a
- * crack by less than a tenth of its way ends at that. Loads on crack faces stay where they are and go on beyond the
- * ends of what they were given on.
+ * crack.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose load factor
+ * is at most the share crack.tie_share higher; where crack.exponent is not 0, by lengths that follow their energy
+ * release rates. An extension is straight; crack.direction =
+ * "chord" makes paths of long extensions follow those of short ones. A tip that meets an edge, a hole or a
+ * crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth of its way ends at
+ * that. Loads on crack faces stay where they are and go on beyond the ends of what they were given on.
  *
  * Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
  * they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the

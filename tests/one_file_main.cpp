@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 
@@ -44,6 +45,7 @@ std::string filter_of_file(const std::string& file, const std::string& filter) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  setenv("BEMPD_TEST_HOOKS", "1", 1);  // options whose names begin with test.
   testing::InitGoogleTest(&argc, argv);
   if (argc > 1) testing::GTEST_FLAG(filter) = filter_of_file(argv[1], testing::GTEST_FLAG(filter));
   const int failed = RUN_ALL_TESTS();

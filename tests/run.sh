@@ -62,7 +62,7 @@ run_stage() {
     site) BEMPD_LIBRARY="$root/build/ci/src/capi/libbempd.so" docs/build.sh look ;;
     scenes) with_library ci python3 tests/differential/random_scenes.py --count "$scenes" &&
       with_library ci python3 tests/differential/random_scenes.py --lines --count "$((scenes / 10))" &&
-      for contact in faces rough none; do
+      for contact in faces none; do
         with_library ci python3 tests/differential/pressed_plates.py --contact "$contact" --count "$((scenes / 10))" || return 1
       done &&
       with_library ci python3 tests/differential/properties.py --count "$((scenes / 20))" ;;

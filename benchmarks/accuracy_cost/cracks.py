@@ -16,7 +16,7 @@ from sweeps import ONE_THREAD, Trial, over
 SIDE, PULL = 50e-3, 2e-8  # pull of each end per unit of load factor, in m
 TOUGHNESS = 27.5  # J/m^2, near that of the paper's critical stretch for its spacing and horizon
 STRIP = 2  # region of the lattice
-REFERENCE = {"stepping.tie_band": 0.0}  # bonds one by one, everything else by default
+REFERENCE = {"crack.tie_share": 0.0}  # bonds one by one, everything else by default
 OTHER_BODY = ("horizon ratio", "spacing", "scheme")  # knobs of the discretization, not of how breaks are followed
 
 
@@ -81,13 +81,10 @@ CRACKS = {
 
 def crack_trials() -> list[Trial]:
     trials: list[Trial] = []
-    increments = {**ONE_THREAD, "stepping.mode": "paper"}
+    increments = {**ONE_THREAD, "paper.mode": "paper"}
     for scene in CRACKS:
-        trials += over(scene, "tie band", "stepping.tie_band", (0.0, 1e-3, 1e-2, 5e-2, 0.1), slow=True)
-        trials += over(scene, "breaks per solve", "stepping.max_breaks_per_solve", (1, 10),
-                       {**ONE_THREAD, "stepping.tie_band": 0.1}, slow=True)
-        trials += over(scene, "increments", "stepping.increment", (1.0, 10.0), increments, slow=True)
-        trials += over(scene, "accuracy", "accuracy", ("draft", "standard", "fine"), slow=True)
+        trials += over(scene, "tie band", "crack.tie_share", (0.0, 1e-3, 1e-2, 5e-2, 0.1), slow=True)
+        trials += over(scene, "increments", "paper.increment", (1.0, 10.0), increments, slow=True)
         trials += over(scene, "horizon ratio", "horizon_ratio", (3, 4, 5), slow=True)
     trials += over("slanted_crack", "spacing", "spacing", (1e-3, 0.5e-3, 0.25e-3), slow=True)
     trials += over("centre_crack", "scheme", "scheme", ("symmetric", "paper"), {**ONE_THREAD, "paper.lattice": "nodal"},

@@ -58,7 +58,7 @@ def candidates_of_peer(program: str, problem: str) -> list[Row]:
 def candidates_of_bempd(problem: str) -> list[Row]:
     rows: list[Row] = []
     for length, grading in product(ELEMENT_LENGTHS, GRADINGS):
-        settings = {"element_length": length, "edge_grading": grading, "accuracy": "draft", "threads": 1}
+        settings = {"element_length": length, "edge_grading": grading, "bem.quadrature_tolerance": 1e-6, "threads": 1}
         result = run_json(bempd_command(problem, settings, 0.05), 1)
         by = f"graded by hand, {grading}" if grading else "graded automatically"
         rows.append({"problem": problem, "program": "bempd", "setting": f"{length:.3g} m, {by}, draft",

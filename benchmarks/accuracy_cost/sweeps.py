@@ -41,6 +41,4 @@ def all_trials() -> list[Trial]:
     trials += over("shear", "threads", "threads", (1, 2), {"element_length": 0.01})
     trials += over("coupled_cantilever", "spacing", "spacing", (0.1, 0.05, 0.025, 0.0125))
     trials += over("coupled_cantilever", "horizon ratio", "horizon_ratio", (2, 3, 4, 5, 6))
-    for scene in ("plate", "shear", "hole", "coupled_cantilever"):
-        trials += over(scene, "accuracy", "accuracy", ("draft", "standard", "fine"))
     return trials

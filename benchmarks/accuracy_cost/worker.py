@@ -30,7 +30,7 @@ def main() -> None:
     scene, settings, budget = (SCENES | CRACKS)[sys.argv[1]], json.loads(sys.argv[2]), float(sys.argv[3])
     knobs = {**scene.knobs, **{key: value for key, value in settings.items() if key in scene.knobs}}
     # Plates are torn bond by bond.
-    options = {"pd.crack_rule": "bond", **{key: value for key, value in settings.items() if key not in scene.knobs}}
+    options = {"crack.rule": "bond", **{key: value for key, value in settings.items() if key not in scene.knobs}}
     idle = peak_megabytes()
 
     def run() -> tuple[float, Any]:

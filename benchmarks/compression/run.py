@@ -17,7 +17,7 @@ def by_criteria() -> str:
 
 def slot(criterion: str, solver: str, sign: int) -> tuple[float, int]:
     """Processor seconds of 250 events after the first in a plate with a slot at 45 degrees, and bonds broken by then."""
-    model = bempd.Model(options={"pd.crack_rule": "bond", "pd.criterion": criterion, "stepping.solver": solver})
+    model = bempd.Model(options={"crack.rule": "bond", "pd.criterion": criterion, "test.solver": solver})
     solid = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     body = model.add_pd_region(solid, bempd.rectangle(0, 0, 90, 110), 1, 3)
     model.add_crack([(30.25, 40.75), (59.75, 70.25)])

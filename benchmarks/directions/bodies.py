@@ -25,12 +25,12 @@ def build(name: str, spacing: float, m: int) -> tuple[bempd.Model, int]:
     model = bempd.Model()
     if spacing:
         # No strength: holes and the short cracks beside them are small for the horizon.
-        model.options["pd.crack_rule"] = "tips"
+        model.options["crack.rule"] = "tips"
         model.options["stepping.control"] = "path"
     else:
-        model.options["growth.direction"] = "chord"
+        model.options["crack.direction"] = "chord"
         if is_plate:
-            model.options["growth.share"] = 0 if name == "plate held" else 1e6
+            model.options["crack.tie_share"] = 0 if name == "plate held" else 1e6
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
     # A crack opens at the middle of a chord of the outline: with the finest spacing all chords are alike only if the beam with its
     # supports lies half a spacing to the left, else no network of bonds is found.

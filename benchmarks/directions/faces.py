@@ -39,12 +39,14 @@ def plate(name: str, kind: str, m: int = 3, angle: float = 0) -> tuple[bempd.Mod
     side, held, cracks, _ = SCENES[name]
     model = bempd.Model()
     if kind != "bem":
-        model.options["pd.crack_rule"] = kind
+        model.options["crack.rule"] = kind
         model.options["stepping.control"] = "path"
-        model.options["pd.lattice_angle"] = math.radians(angle)
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
     box = bempd.rectangle(0, -side / 2, side, side / 2)
-    body = model.add_bem_region(material, box, side / 16) if kind == "bem" else model.add_pd_region(material, box, 1.0, m)
+    if kind == "bem":
+        body = model.add_bem_region(material, box, side / 16)
+    else:
+        body = model.add_pd_region(material, box, 1.0, m, lattice_angle=math.radians(angle))
     for crack in cracks:
         model.add_crack(crack)
     for edge, value in ((1, -1.0), (3, 1.0)):

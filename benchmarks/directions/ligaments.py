@@ -16,7 +16,7 @@ TIPS_SPACING, TIP_PARTS = 5e-4, (0, 0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9)
 
 def strip(rule: str, spacing: float = 0.001, m: int = 4, control: str = "load", beyond: float = 0, tip: str = "ahead") -> bempd.Model:
     """`rule`: "bem" or a crack rule; `beyond`: so many spacings deeper; `tip`: the option pd.crack_tip."""
-    model = bempd.Model() if rule == "bem" else bempd.Model(options={"pd.crack_rule": rule, "stepping.control": control, "pd.crack_tip": tip})
+    model = bempd.Model() if rule == "bem" else bempd.Model(options={"crack.rule": rule, "stepping.control": control, "pd.crack_tip": tip})
     material = model.add_material(young_modulus=YOUNG, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=TOUGHNESS)
     if rule == "bem":
         left = right = model.add_bem_region(material, bempd.rectangle(0, 0, LENGTH, HEIGHT), 0.002)
@@ -70,7 +70,7 @@ def tip_at(m: int, part: float) -> dict[str, float]:
 
 
 def tip_rows(found: dict[tuple, dict[str, float]]) -> list[str]:
-    table = ["| m | `pd.crack_rule`, `pd.crack_tip` | first load over boundary elements', tip at " + ", ".join(f"{part:g}" for part in TIP_PARTS) +
+    table = ["| m | `crack.rule`, `pd.crack_tip` | first load over boundary elements', tip at " + ", ".join(f"{part:g}" for part in TIP_PARTS) +
              " of the way between rows |", "|---|---|---|"]
     for m in (3, 4):
         some = {job[2]: result for job, result in found.items() if job[:2] == ("tip", m)}

@@ -27,12 +27,14 @@ def plate(kind: str, crack: list[tuple[float, float]], m: int = 3, angle: float 
     """A plate between clamps that move apart; `kind` is "bem" or a crack rule, `angle` that of the lattice [deg]."""
     model = bempd.Model()
     if kind != "bem":
-        model.options["pd.crack_rule"] = kind
+        model.options["crack.rule"] = kind
         model.options["stepping.control"] = "path"
-        model.options["pd.lattice_angle"] = math.radians(angle)
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
     box = bempd.rectangle(0, -side / 2, side, side / 2)
-    body = model.add_bem_region(material, box, side / 16) if kind == "bem" else model.add_pd_region(material, box, 1.0, m)
+    if kind == "bem":
+        body = model.add_bem_region(material, box, side / 16)
+    else:
+        body = model.add_pd_region(material, box, 1.0, m, lattice_angle=math.radians(angle))
     if crack:
         model.add_crack(crack)
     for edge, value in ((1, -1.0), (3, 1.0)):
@@ -97,10 +99,10 @@ def inclined(incline: float, m: int, angle: float, rule: str, start: float, fine
 
 def bar(m: int, angle: float, hole: bool) -> tuple[bempd.Model, int]:
     """No crack: a strip with a round hole of 8 spacings, or with slanted sides, pulled at its ends."""
-    model = bempd.Model(options={"pd.crack_rule": "line", "pd.lattice_angle": math.radians(angle), "pd.outline_points": "always"})
+    model = bempd.Model(options={"crack.rule": "line", "test.outline_points": "always"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     outline = bempd.rectangle(0, -24, 64, 24) if hole else [(0, -24), (32, -15), (64, -24), (64, 24), (32, 15), (0, 24)]
-    body = model.add_pd_region(material, outline, 1, m)
+    body = model.add_pd_region(material, outline, 1, m, lattice_angle=math.radians(angle))
     if hole:
         model.add_circular_hole(body, (32, 0), 8)
     right = 2 if hole else 3

@@ -24,9 +24,10 @@ DRAWN_ANGLE = 20.0
 
 
 def strip(rule: str, m: int, angle: float, start: float) -> tuple[bempd.Model, int]:
-    model = bempd.Model(options={"pd.crack_rule": rule, "stepping.control": "path", "pd.lattice_angle": math.radians(angle)})
+    model = bempd.Model(options={"crack.rule": rule, "stepping.control": "path"})
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
-    body = model.add_pd_region(material, bempd.rectangle(0, -HEIGHT / 2, LENGTH, HEIGHT / 2), 1.0, m)
+    body = model.add_pd_region(material, bempd.rectangle(0, -HEIGHT / 2, LENGTH, HEIGHT / 2), 1.0, m,
+                               lattice_angle=math.radians(angle))
     model.add_crack([(0, start), (TIP, start)])
     for edge, value in ((1, -1.0), (3, 1.0)):
         model.prescribe_edge(body, edge, "y", value)

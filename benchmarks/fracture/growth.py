@@ -16,7 +16,7 @@ def slanted(element: float = 0.25, **options: float | str) -> bempd.Model:
     """A slanted edge crack in a strip 2 x 6 pulled along it."""
     model = scenes.plate(1, 3, element, [[(-1, -0.2), (-0.7, -0.1)]], energy=1)
     for name, value in options.items():
-        model.options["growth." + name] = value
+        model.options["crack." + name] = value
     return model
 
 
@@ -46,7 +46,7 @@ def steps() -> list[str]:
     """Height of the tip after a way of 0.64 against the length of steps, for both directions of an extension."""
     def height(count: int, direction: str) -> float:
         model = scenes.plate(1, 1, 0.25, [[(-1, -0.5), (-0.7, -0.2)]], energy=1)
-        model.options["growth.direction"] = direction
+        model.options["crack.direction"] = direction
         for _ in range(count):
             model.grow_cracks(0.64 / count)
         return model.tips()[0].y
@@ -94,7 +94,7 @@ def section() -> str:
         "## Growth", "A slanted edge crack in a strip. Released energy of the history, of the body's potential energy alone, "
         "against the mean of the energy release rates at both ends of each extension times its length:", "\n".join(energies()),
         "A slanted edge crack in a square that has turned after a way of 0.64: height of its tip off that after 256 steps, in "
-        "half widths (options `growth.direction` = tip and chord):", "\n".join(steps()),
+        "half widths (options `crack.direction` = tip and chord):", "\n".join(steps()),
         "100 increments of the slanted crack across the strip, each with its load factor, direction and energies; beside them the "
         "same bodies built from nothing, with the factors of their tips (mean of ten). *Kernels* counts their evaluations for the "
         "equations: what is kept is neither integrated nor factored again:", "\n".join(seconds()))

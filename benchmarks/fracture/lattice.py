@@ -27,7 +27,7 @@ class Plate:
 
     def model(self, spacing: float = 0, horizon_ratio: int = 0, ahead: tuple[float, float] = (0, 0)) -> bempd.Model:
         """`ahead`: by how much the crack is longer at its ends."""
-        model = bempd.Model(options={"pd.crack_rule": "bond"})
+        model = bempd.Model(options={"crack.rule": "bond"})
         material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=self.energy)
         low = -self.half_width if self.left is None else self.left
         corners = bempd.rectangle(low, -self.half_height, self.half_width, self.half_height)

@@ -85,7 +85,7 @@ def own_rows(problem: Problem, reference: tuple[float, float]) -> list[Row]:
         for _ in range(4 * REPEATS):
             model = scene()
             model.options["threads"] = 1
-            model.options["accuracy"] = "draft"
+            model.options["bem.quadrature_tolerance"] = 1e-6
             start = time.process_time()
             model.step(1)
             found = factors(model, problem)

@@ -29,7 +29,7 @@ ahead* the distance, in spacings; *spread* is the error that `bempd_tip()` tells
 of inner cracks. Plane stress, accuracy standard."""
 PEERS = """dolfinx with quadratic triangles that grow with the distance from the tip, quarter points, J or (inclined crack)
 interaction integrals over a ring (`benchmarks/peers/dolfinx_crack.py`), on the whole plate as bempd has it and, where it says
-symmetric, on the quarter or half of it that symmetry leaves. bempd with `accuracy` = draft, one thread, few elements where
+symmetric, on the quarter or half of it that symmetry leaves. bempd with `bem.quadrature_tolerance` = 1e-6, one thread, few elements where
 nothing happens. The inclined crack of half length a and the hole of radius R lie in squares of 40 a and 40 R. *Difference* is
 that of both factors together from bempd with many elements."""
 CHORDS = """The crack along a quarter of a circle by chords that touch it, against the closed form (Cotterell and Rice 1980);

@@ -14,10 +14,10 @@ PLACES = 10
 def felt(horizon_ratio: int, degrees: float, tip: tuple[float, float], crack_tip: str, shear: bool, outlined: bool,
          poisson: float) -> float:
     """How far ahead the tip is felt, in spacings, in a square of lattice under tension across the crack or shear along it."""
-    model = bempd.Model(options={"threads": 1, "pd.crack_tip": crack_tip,
-                                 "pd.lattice_angle": -math.radians(degrees) if outlined else 0.0})
+    model = bempd.Model(options={"threads": 1, "pd.crack_tip": crack_tip})
     material = model.add_material(young_modulus=1, poisson_ratio=poisson)
-    plate = model.add_pd_region(material, bempd.rectangle(-HALF, -HALF, HALF, HALF), 1, horizon_ratio)
+    plate = model.add_pd_region(material, bempd.rectangle(-HALF, -HALF, HALF, HALF), 1, horizon_ratio,
+                                lattice_angle=-math.radians(degrees) if outlined else 0.0)
     angle = 0.0 if outlined else math.radians(degrees)
     along, across = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
     end = tuple(round(CRACK * t) + p for t, p in zip(along, tip))

@@ -12,8 +12,8 @@ import numpy as np
 
 from timing import least_in_turns
 
-RULES = ("none", "faces", "rough")
-BONDS = {"pd.crack_rule": "bond"}
+RULES = ("none", "faces")
+BONDS = {"crack.rule": "bond"}
 
 
 def squeezed(rule: str, m: int, stress: tuple[float, float, float], crack: list[tuple[float, float]], cells: int = 60,
@@ -22,7 +22,7 @@ def squeezed(rule: str, m: int, stress: tuple[float, float, float], crack: list[
     """A square whose outline moves as under a stress (xx, yy, xy) of plane stress, the load factor being the share of it."""
     xx, yy, xy = stress
     exx, eyy, exy = xx - ratio * yy, yy - ratio * xx, (1 + ratio) * xy
-    model = bempd.Model(options={"pd.contact": rule, **BONDS, **(options or {})})
+    model = bempd.Model(options={"contact": rule, **BONDS, **(options or {})})
     solid = model.add_material(young_modulus=1, poisson_ratio=ratio, **({"fracture_energy": energy} if energy else {}))
     region = model.add_pd_region(solid, bempd.rectangle(0, 0, cells, cells), 1, m)
     if crack:
@@ -136,7 +136,7 @@ def wing_rows() -> list[list[str]]:
     for m, breaks in ((3, 330), (4, 800), (5, 1500)):
         limit = f"{hoop_strain_angle(20.5, m):.0f}"
         for rule in ("none", "faces"):
-            line = wing(rule, m, {"pd.crack_rule": "line"}, breaks) if rule == "faces" else ["-"] * 3
+            line = wing(rule, m, {"crack.rule": "line"}, breaks) if rule == "faces" else ["-"] * 3
             found.append([f"{m}", rule, limit, *wing(rule, m, {}, breaks), *line])
             print(found[-1], flush=True)
     return found
@@ -167,7 +167,7 @@ def torn_strip(model: bempd.Model) -> float:
 
 def seconds_of_run(build: Callable[[bempd.Model], float], rule: str, torn: bool) -> float:
     """Processor seconds from an empty model to its elastic answer, or until it is in two."""
-    model = bempd.Model(options={"pd.contact": rule, "threads": 1, **BONDS})
+    model = bempd.Model(options={"contact": rule, "threads": 1, **BONDS})
     began = time.process_time()
     load_factor = build(model)
     if torn:
@@ -184,7 +184,7 @@ def cost_rows() -> list[list[str]]:
         least = least_in_turns({(rule, torn): partial(seconds_of_run, build, rule, torn)
                                 for rule in ("none", "faces") for torn in (False, True)})
         for rule in ("none", "faces"):
-            model = bempd.Model(options={"pd.contact": rule, "threads": 1, **BONDS})
+            model = bempd.Model(options={"contact": rule, "threads": 1, **BONDS})
             build(model)
             report, s = model.run_to_separation(1e9), model.statistics()
             found.append([name, rule, f"{report.total_events}", f"{report.face_switches}",
@@ -194,8 +194,8 @@ def cost_rows() -> list[list[str]]:
     return found
 
 
-COST_HEADS = ["run until it is in two", "pd.contact", "events", "places switched", "elastic solves' time", "factorizations",
+COST_HEADS = ["run until it is in two", "contact", "events", "places switched", "elastic solves' time", "factorizations",
               "changes of rank one", "solutions"]
-HEADS = ["m", "pd.contact", "pressed across", "pressed both ways", "slip at shear / pressure 0.3", "1", "3", "first break"]
-WING_HEADS = ["m", "pd.contact", "largest hoop strain at the horizon", "bond: 1 to 3 spacings", "3 to 6", "6 to 9",
+HEADS = ["m", "contact", "pressed across", "pressed both ways", "slip at shear / pressure 0.3", "1", "3", "first break"]
+WING_HEADS = ["m", "contact", "largest hoop strain at the horizon", "bond: 1 to 3 spacings", "3 to 6", "6 to 9",
               "line: 1 to 3", "3 to 6", "6 to 9"]

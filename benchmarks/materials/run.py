@@ -18,7 +18,7 @@ from stored_tables import store
 from timing import least_in_turns
 
 RATIOS = {"stress": (-0.2, 0.0, 0.2, 1 / 3, 0.45, 0.49), "strain": (0.0, 0.25, 0.4, 0.45, 0.49)}
-BONDS = {"pd.crack_rule": "bond"}
+BONDS = {"crack.rule": "bond"}
 Field = Callable[[float, float], tuple[float, float]]
 
 
@@ -336,7 +336,7 @@ class Front:
 
 def updates_per_bond(plane: str, ratio: float, m: int) -> float:
     """Changes of rank one of the factor for each bond that breaks, where the whole body is solved at every event."""
-    model, _, _ = strip_model(plane, ratio, m, 41, 60, 20.5, {"stepping.solver": "plain"})
+    model, _, _ = strip_model(plane, ratio, m, 41, 60, 20.5, {"test.solver": "plain"})
     for _ in range(40):
         model.step_to_next_event(1e9)
     statistics = model.statistics()

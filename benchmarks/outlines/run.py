@@ -93,7 +93,7 @@ def ratios_table() -> str:
 
 def first_break(radius: float, horizon_ratio: int | None, angle: float, balance: str, place: float) -> float:
     """Load factor of the first break at a hole in a square plate, side 10 radii; of boundary elements by their stress."""
-    options = {"threads": 1, "pd.crack_rule": "bond", "pd.lattice_angle": angle, "pd.outline_balance": balance}
+    options = {"threads": 1, "crack.rule": "bond", "test.outline_balance": balance}
     model = bempd.Model(options=options)
     half, strength = 5 * radius, 1e-3
     outline, centre = bempd.rectangle(-half, -half, half, half), (place, 0.7 * place)
@@ -101,7 +101,7 @@ def first_break(radius: float, horizon_ratio: int | None, angle: float, balance:
         plate = model.add_bem_region(model.add_material(young_modulus=1, poisson_ratio=NU), outline, half / 12)
     else:
         material = model.add_material(young_modulus=1, poisson_ratio=NU, critical_stretch=strength)
-        plate = model.add_pd_region(material, outline, 1, horizon_ratio)
+        plate = model.add_pd_region(material, outline, 1, horizon_ratio, lattice_angle=angle)
     model.add_circular_hole(plate, centre, radius)
     model.add_traction(plate, 1, "y", -1)
     model.add_traction(plate, 3, "y", 1)
@@ -132,14 +132,14 @@ def breaks_table() -> str:
 def cracked_hole(radius: float, lengths: tuple[float, float], lattice_angle: float | None) -> list[bempd.CrackTip]:
     """Tips of two cracks at a hole in a square plate, side 8 radii, pulled across them (Bowie, Journal of Mathematics and
     Physics 35, 1956, has the wide plate): in a lattice, or in boundary elements."""
-    model = bempd.Model(options={"threads": 1, "pd.lattice_angle": lattice_angle or 0})
+    model = bempd.Model(options={"threads": 1})
     material = model.add_material(young_modulus=1, poisson_ratio=NU)
     half = 4 * radius
     outline = bempd.rectangle(-half, -half, half, half)
     if lattice_angle is None:
         plate = model.add_bem_region(material, outline, half / 6)
     else:
-        plate = model.add_pd_region(material, outline, 1, 4)
+        plate = model.add_pd_region(material, outline, 1, 4, lattice_angle=lattice_angle)
     model.add_circular_hole(plate, (0, 0), radius)
     for side, length in zip((1, -1), lengths):
         model.add_crack([(side * radius, 0), (side * (radius + length), 0)])
@@ -172,7 +172,7 @@ def crossing(lean: float | None, rule: str) -> float:
     """Largest load factor until a crack from the left edge has run halfway through a plate that is two regions with a
     common edge upright or leaning in its middle, or one region."""
     width, height, start, energy = 40, 30, 8.5, 1e-4
-    model = bempd.Model(options={"pd.outline_points": "always", "pd.crack_rule": rule, "threads": 1})
+    model = bempd.Model(options={"test.outline_points": "always", "crack.rule": rule, "threads": 1})
     material = model.add_material(young_modulus=1, poisson_ratio=NU, fracture_energy=energy)
     parts = [bempd.rectangle(0, 0, width, height)]
     if lean is not None:
@@ -207,13 +207,13 @@ ROUNDS = 7
 PLATES = {"lattice rows": ("slanted", 0, False), "points on its outline": ("always", 0, False),
           "turned by 17 degrees": ("slanted", 17, False), "with a round hole": ("slanted", 0, True),
           "turned, with the hole": ("slanted", 17, True),
-          "the same, `pd.outline_balance` = `linear`": ("slanted", 17, True, "linear")}
+          "the same, `test.outline_balance` = `linear`": ("slanted", 17, True, "linear")}
 
 
 def costs(side: int, points: str, degrees: float, hole: bool, balance: str = "constant") -> tuple[int, float, float]:
     """Points, and processor seconds of preparing and of the elastic solve."""
     angle = math.radians(degrees)
-    model = bempd.Model(options={"pd.outline_points": points, "pd.outline_balance": balance, "threads": 1})
+    model = bempd.Model(options={"test.outline_points": points, "test.outline_balance": balance, "threads": 1})
     material = model.add_material(young_modulus=1, poisson_ratio=NU)
     plate = model.add_pd_region(material, turned(bempd.rectangle(0, 0, side, side), angle), 1, 4)
     if hole:

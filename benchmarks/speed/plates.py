@@ -35,15 +35,15 @@ def plate(arguments: argparse.Namespace, columns: list[str],
             if n > 200 and band > 1e-3 or n > 400 and until == "force":
                 continue  # minutes
             history = str(OUT / f"history_{n}_window.npz") if until == "separation" else None
-            result = measure("plate", {"n": n}, {"stepping.tie_band": band}, until, repeats, history=history)
+            result = measure("plate", {"n": n}, {"crack.tie_share": band}, until, repeats, history=history)
             end = "0.1 % of the force" if until == "force" else "separation"
             table.add(row_of(scene, f"window, band {band:g}, to {end}", result))
             if until == "force" and band == 1e-3 and "failed" not in result:
                 own[n] = result
-        result = measure("plate", {"n": n}, {"pd.crack_rule": "line"}, "force", repeats)
+        result = measure("plate", {"n": n}, {"crack.rule": "line"}, "force", repeats)
         table.add(row_of(scene, "line, to 0.1 % of the force", result))
         if n <= 100:
-            result = measure("plate", {"n": n}, {"stepping.solver": "plain"}, "separation", 1,
+            result = measure("plate", {"n": n}, {"test.solver": "plain"}, "separation", 1,
                              history=str(OUT / f"history_{n}_plain.npz"))
             table.add(row_of(scene, "plain, band 0.001, to separation", result))
             compared.append(f"N = {n}: {same_sequence(str(n))}")
@@ -58,7 +58,7 @@ def paper_sequences(arguments: argparse.Namespace, columns: list[str],
     compared = []
     for scene in ("paper_crack", "paper_slanted_crack", "paper_edge_cracks"):
         for way in ("window", "plain"):
-            result = measure(scene, {}, {"stepping.solver": way}, "separation", 1,
+            result = measure(scene, {}, {"test.solver": way}, "separation", 1,
                              history=str(OUT / f"history_{scene}_{way}.npz"))
             result.pop("peak_force", None)  # that of a plate pulled by its ends
             table.add(row_of(scene, way, result))

@@ -34,10 +34,10 @@ def row_of(scene: str, way: str, result: dict[str, Any]) -> list[Any]:
 
 def paper(arguments: argparse.Namespace) -> None:
     table = Table("paper", "Paper's centre crack, to separation", COLUMNS)
-    increments = {"stepping.mode": "paper", "stepping.increment": 1}
+    increments = {"paper.mode": "paper", "paper.increment": 1}
     ways: list[tuple[str, dict[str, Any]]] = [
         ("symmetric, events, window", {"scheme": "symmetric"}),
-        ("symmetric, events, plain", {"scheme": "symmetric", "stepping.solver": "plain"}),
+        ("symmetric, events, plain", {"scheme": "symmetric", "test.solver": "plain"}),
         ("symmetric, increments", {"scheme": "symmetric"} | increments),
         ("paper, increments", {"scheme": "paper"} | increments)]
     if arguments.full:

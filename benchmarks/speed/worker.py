@@ -26,7 +26,7 @@ FORCE_LEFT = 1e-3
 
 def new_model(task: dict[str, Any]) -> bempd.Model:
     """Cracks grow bond by bond unless the task says otherwise."""
-    model = bempd.Model(options={"pd.crack_rule": "bond"} | task["options"])
+    model = bempd.Model(options={"crack.rule": "bond"} | task["options"])
     SCENES[task["scene"]](model, **task["arguments"])
     return model
 

@@ -24,7 +24,7 @@ def together(models: int, n: int) -> float:
     from scenes import SCENES
 
     def run() -> None:
-        model = bempd.Model(options={"pd.crack_rule": "bond"})
+        model = bempd.Model(options={"crack.rule": "bond"})
         SCENES["plate"](model, n)
         model.run_to_separation(1e9)
 

@@ -47,7 +47,7 @@ SCENES_BESIDES = {
 }
 # What acts where cracks grow as lines.
 LINES = ("least_way", "beside_way", "worthwhile_steps")
-LINE = {"pd.crack_rule": "line"}
+LINE = {"crack.rule": "line"}
 SCENES_OF_LINES = {
     "plate of 50 x 50": ["plate", {"n": 50}, LINE],
     "plate of 100 x 100": ["plate", {"n": 100}, LINE],

@@ -30,7 +30,7 @@ def digest(model: bempd.Model) -> str:
 
 def run(scene: str, arguments: dict[str, Any], options: dict[str, Any] = {}) -> tuple[float, str]:
     start = time.process_time()
-    model = bempd.Model(options={"threads": 1, "pd.crack_rule": "bond", **options})
+    model = bempd.Model(options={"threads": 1, "crack.rule": "bond", **options})
     SCENES[scene](model, **arguments)
     model.run_to_separation(1e9)
     return time.process_time() - start, digest(model)

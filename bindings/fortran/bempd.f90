@@ -60,7 +60,7 @@ module bempd
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
     procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
-    procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
+    procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities, stress_orders
     procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
     procedure :: set_load_values_at, fractions_on_edge, edge_nodes, edge_elements, edge_forces
     procedure :: piece_count, piece, node_pieces, support_piece, load_piece, are_connected
@@ -172,7 +172,8 @@ module bempd
       character(*), intent(inout), optional :: errmsg
       real(c_double), intent(in), optional :: bulges(:)
     end subroutine add_bem_region
-    module subroutine add_pd_region(self, material, vertices, spacing, horizon_ratio, region, stat, errmsg, bulges)
+    module subroutine add_pd_region(self, material, vertices, spacing, horizon_ratio, region, stat, errmsg, bulges, &
+      angle)
       class(bempd_model), intent(inout) :: self
       integer(c_int32_t), intent(in) :: material
       real(c_double), intent(in) :: vertices(:, :), spacing
@@ -181,6 +182,7 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
       real(c_double), intent(in), optional :: bulges(:)
+      real(c_double), intent(in), optional :: angle
     end subroutine add_pd_region
     module subroutine add_hole(self, region, vertices, first_edge, stat, errmsg, bulges)
       class(bempd_model), intent(inout) :: self
@@ -702,6 +704,14 @@ module bempd
       integer, intent(out), optional :: stat
       character(*), intent(inout), optional :: errmsg
     end subroutine evaluate_in
+    !> How strongly stress grows at places: 0 where it is bounded, as bempd_stress_orders has it.
+    module subroutine stress_orders(self, points, orders, stat, errmsg)
+      class(bempd_model), intent(inout) :: self
+      real(c_double), intent(in) :: points(:, :)
+      real(c_double), allocatable, intent(out) :: orders(:)
+      integer, intent(out), optional :: stat
+      character(*), intent(inout), optional :: errmsg
+    end subroutine stress_orders
     !> All places where stress is unbounded, as bempd_get_singularity has them.
     module subroutine singularities(self, found, stat, errmsg)
       class(bempd_model), intent(inout) :: self

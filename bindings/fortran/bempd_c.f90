@@ -63,6 +63,21 @@ module bempd_c
   integer(c_int), parameter :: BEMPD_Y = 2
   integer(c_int), parameter :: BEMPD_BOTH = 3
 
+  !> How values vary along a part of an edge or a crack.
+  !>
+  !> since: 0.3
+  integer, parameter :: bempd_value_kind = c_int
+  !> one row
+  integer(c_int), parameter :: BEMPD_UNIFORM = 1
+  !> rows at equally spaced places from the start of the part to its end, linear between them
+  integer(c_int), parameter :: BEMPD_LINEAR = 2
+  !> rows at fractions of the part, linear between them, constant before the first and behind the last one
+  integer(c_int), parameter :: BEMPD_TABLE = 3
+  !> a row for each node of the part, in order; for new values only
+  integer(c_int), parameter :: BEMPD_NODAL = 4
+  !> a function of the position; when a support or a load is made only
+  integer(c_int), parameter :: BEMPD_FUNCTION = 5
+
   !> What acts on the faces of a crack.
   !>
   !> since: 0.3
@@ -94,7 +109,7 @@ module bempd_c
   !>
   !> since: 0.3
   integer(c_int), parameter :: BEMPD_STOP_NO_ADMISSIBLE_LOAD = 5
-  !> Equilibrium does not exist after the bonds of the next increment break (option stepping.mode = "paper"). The step
+  !> Equilibrium does not exist after the bonds of the next increment break (option paper.mode = "paper"). The step
   !> keeps the increments before. If its first increment already leaves no equilibrium, the step fails instead, with
   !> BEMPD_ERROR_UNSOLVABLE.
   !>
@@ -269,12 +284,10 @@ module bempd_c
   !> Peridynamic regions take Poisson's ratios from -0.2 to 0.49; bonds alone make 1/3 in plane stress and 1/4 in plane
   !> strain, up to 1e-6, and to any other ratio the cells of the lattice, and triangles beside other outlines, add the
   !> rest, each as long as the bonds along its edges and diagonals are whole (not in scheme "paper"). Give
-  !> critical_stretch or fracture_energy, or neither for a material that does not break. From the fracture energy G0,
-  !> the horizon delta and E' = E, in plane strain E / (1 - nu^2), the square of the critical stretch is 64 pi G0 / (105
-  !> E' delta); where nu is below the ratio that bonds make alone, times 3 E' / (8 beta), beta = (lambda + mu) / 2 with
-  !> Lame's constants in the plane: 3 (1 - nu) / 2 in plane stress. At that stretch a bond breaks (option pd.crack_rule
-  !> = "bond") or a crack begins; cracks that grow as lines, the default, take G0, or the one that belongs to the
-  !> critical stretch given.
+  !> critical_stretch or fracture_energy, or neither for a material that does not break; which critical stretch belongs
+  !> to a fracture energy is in docs/theory.md. At that stretch a bond breaks (option crack.rule = "bond") or a crack
+  !> begins; cracks that grow as lines, the default, take the fracture energy, or the one that belongs to the critical
+  !> stretch given.
   !>
   !> since: 0.1
   type, bind(c) :: bempd_material
@@ -299,6 +312,30 @@ module bempd_c
     !> since: 0.3
     real(c_double) :: thermal_expansion
   end type bempd_material
+
+  !> Values along a part of an edge or a crack; bempd_edge_values_init() sets zeros and components = 1.
+  !>
+  !> since: 0.3
+  type, bind(c) :: bempd_edge_values
+    !> set by bempd_edge_values_init()
+    integer(c_int64_t) :: struct_size
+    !> a bempd_value_kind [-]
+    integer(c_int32_t) :: kind
+    !> numbers in a row: 1, for each component that is held or loaded, or 2, x and y [-]
+    integer(c_int32_t) :: components
+    !> number of rows; BEMPD_UNIFORM has one and BEMPD_FUNCTION none, whatever stands here
+    integer(c_int64_t) :: count
+    !> shape [count], BEMPD_TABLE: ascending fractions of the part [-]
+    type(c_ptr) :: fractions
+    !> shape [count][components], constant part [m] or [Pa]; NULL for 0
+    type(c_ptr) :: constant
+    !> shape [count][components], part multiplied by the load factor; NULL for 0
+    type(c_ptr) :: proportional
+    !> BEMPD_FUNCTION
+    type(c_funptr) :: function
+    !> handed to the function; may be NULL
+    type(c_ptr) :: user
+  end type bempd_edge_values
 
   !> What a step did. Fill it with bempd_step_report_init().
   !>
@@ -365,8 +402,8 @@ module bempd_c
     integer(c_int32_t) :: hanging
     !> 0
     integer(c_int32_t) :: reserved
-    !> places at which faces of cracks press on each other at the end: about one a spacing in lattices (option
-    !> pd.contact), nodes of elements on cracks in BEM regions (bem.contact)
+    !> places at which faces of cracks press on each other at the end: about one a spacing in lattices, nodes of
+    !> elements on cracks in BEM regions (option contact)
     integer(c_int64_t) :: closed_places
     !> how often such places have closed or opened in this step
     integer(c_int64_t) :: face_switches
@@ -412,9 +449,8 @@ module bempd_c
   !> A place where the stress of the elastic body is unbounded. Fill it with bempd_singularity_init().
   !>
   !> At the distance r from it stress grows as r^(exponent - 1), so numbers for the stress there depend on the elements
-  !> or the lattice spacing alone. The exponent is the least solution with a real part below 0.99 of the equations of
-  !> the wedges that meet there (M. L. Williams, J. Appl. Mech. 19, 1952), with their angles, materials and supports;
-  !> loads do not enter, and may leave the strongest term out. Cracks in peridynamic regions are not listed.
+  !> or the lattice spacing alone. The exponent is that of the wedges that meet there (docs/theory.md); loads do not
+  !> enter, and may leave the strongest term out. Cracks in peridynamic regions are not listed.
   !>
   !> since: 0.3
   type, bind(c) :: bempd_singularity
@@ -440,27 +476,23 @@ module bempd_c
   !> tip moves, shared among the modes as the openings next to it are; they are right to 1e-4 and better where the
   !> boundary's elements are no longer than what they border on.
   !>
-  !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from the work that bond forces do across
-  !> rings around the tip on the singular dual fields of Williams' expansion, and reversely; T-stress by the dual field
-  !> of power -1, G from the factors. They belong to the effective tip, which lies `felt_ahead` ahead of the place
-  !> given, and agree there with a crack in a BEM region to 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the
-  !> crack has 20 spacings to its middle. A crack in a lattice acts 0.3 to 0.8 spacings longer at each tip than it is,
-  !> which makes its factors 1 to 2 % larger then; `error`, the spread among rings, does not count that. Where less than
-  !> two horizons around a tip are free of other cracks, bends and branches, or the crack behind it is shorter, no ring
-  !> fits and `contours` is 0. Of a crack that grows as a line the factors and G are then those by which it grows,
-  !> fitted to the stress ahead (BEMPD_TIP_STRESS), which were within 9 % of K of boundary elements behind kinks and 13
-  !> % beside steep cracks; T, the error and felt_ahead, and bond by bond the factors too, are NaN: not known.
+  !> In peridynamic regions (BEMPD_TIP_CONTOURS, scheme symmetric) they come from rings around the tip and belong to the
+  !> effective tip, which lies `felt_ahead` ahead of the place given: they agree there with a crack in a BEM region to
+  !> 0.1 to 0.6 % of K in mode I and 1 % in mixed mode if the crack has 20 spacings to its middle. Where no ring fits
+  !> `contours` is 0; of a crack that grows as a line the factors and G are then those by which it grows
+  !> (BEMPD_TIP_STRESS), and T, the error and felt_ahead, bond by bond the factors too, are NaN: not known. How tips are
+  !> found is in docs/theory.md.
   !>
   !> A tip stays where it is while the load factor lies between `critical_load_factor_down` and `critical_load_factor`,
   !> and grows at either: there it reaches its toughness in the direction in which it goes on, by the option
-  !> growth.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
+  !> crack.criterion, if until then no faces close or open and nothing else grows. A tip that is beyond them already
   !> grows at the present load factor, unless stepping.control is path. If it grows at every load factor the first is
   !> the largest double and the second minus that. A tip with elements that has stopped at an interface grows at none.
   !> Those of a frozen tip are as if it were free.
   !>
-  !> In a lattice whose cracks grow as lines (pd.crack_rule = "line" or "tips") the tips are those that grow, also of
+  !> In a lattice whose cracks grow as lines (crack.rule = "line" or "tips") the tips are those that grow, also of
   !> cracks that began in the run; the load factors and angles of growth are what the next step will do. Bond by bond
-  !> (pd.crack_rule = "bond") tips are looked for among broken bonds: a tip is at the crack's end until bonds between
+  !> (crack.rule = "bond") tips are looked for among broken bonds: a tip is at the crack's end until bonds between
   !> nearest neighbours have broken next to it, and then in the middle of the lattice cell that lies farthest along the
   !> cells which such bonds join to the end; its load factors are those of its stress intensity factors. Cracks that
   !> begin away from initial ones, and branches beside the farthest one, have no tips there; `branched` tells of the
@@ -482,8 +514,7 @@ module bempd_c
     real(c_double) :: direction_x
     !> [-]
     real(c_double) :: direction_y
-    !> K_I [Pa m^(1/2)]; 0 where faces press on each other at the tip, negative if they overlap (option bem.contact =
-    !> none)
+    !> K_I [Pa m^(1/2)]; 0 where faces press on each other at the tip, negative if they overlap (option contact = none)
     real(c_double) :: stress_intensity_1
     !> K_II, positive if the left side, seen in the direction, moves forward [Pa m^(1/2)]
     real(c_double) :: stress_intensity_2
@@ -494,7 +525,7 @@ module bempd_c
     !> estimate of the error of the stress intensity factors, from elements twice as long or from other rings [Pa
     !> m^(1/2)]
     real(c_double) :: error
-    !> angle by which the tip turns if it grows at the present load factor, by the option growth.criterion; from the
+    !> angle by which the tip turns if it grows at the present load factor, by the option crack.criterion; from the
     !> direction, counter-clockwise [rad]
     real(c_double) :: kink_angle
     !> load factor at which the tip grows while it rises; the largest double (DBL_MAX) if it never grows or its material
@@ -1075,21 +1106,21 @@ module bempd_c
     !> with bonds across, if spacing, horizon and the numbers of the material are the same (not in scheme "paper");
     !> others only share the points of the common edge.
     !>
-    !> With slanted or round edges, round holes, an option pd.lattice_angle other than 0 or pd.outline_points "always"
-    !> (not in scheme "paper"), edges are divided into equal parts about a spacing long, with material points between
-    !> them, and inside are those of a square lattice; round edges count as the chords between their points. Constant
-    !> stress is exact there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings
-    !> of width, radii a spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds
-    !> that only pull. Elements of BEM regions follow the material points on common edges, also round ones, unless
-    !> bempd_set_edge_mesh() is called for a straight edge; peridynamic regions of the same spacing share the points of
-    !> a common edge, without bonds across.
+    !> With slanted or round edges, round holes or a turned lattice (bempd_add_turned_pd_region(); not in scheme
+    !> "paper"), edges are divided into equal parts about a spacing long, with material points between them, and inside
+    !> are those of a square lattice; round edges count as the chords between their points. Constant stress is exact
+    !> there, too. Corners inside the body need 60 degrees, better 65, parts of it about three spacings of width, radii
+    !> a spacing, the horizon three spacings: bempd_prepare() says where there is no network of bonds that only pull.
+    !> Elements of BEM regions follow the material points on common edges, also round ones, unless bempd_set_edge_mesh()
+    !> is called for a straight edge; peridynamic regions of the same spacing share the points of a common edge, without
+    !> bonds across.
     !>
     !> model [in]: the model
     !> material [in]: id of a material with a Poisson's ratio from -0.2 to 0.49
     !> vertex_count [in]: number of vertices, >= 3
     !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
     !> spacing [in]: lattice spacing [m], > 0
-    !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+    !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for 4 [-]
     !> region [out]: its id; may be NULL
     !> return: status
     !> since: 0.1
@@ -1115,7 +1146,7 @@ module bempd_c
     !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
     !> bulges [in]: shape [vertex_count]; NULL for straight edges [-]
     !> spacing [in]: lattice spacing [m], > 0
-    !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for the option pd.horizon_ratio [-]
+    !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for 4 [-]
     !> region [out]: its id; may be NULL
     !> return: status
     !> since: 0.3
@@ -1132,6 +1163,35 @@ module bempd_c
       type(c_ptr), value :: region
       integer(c_int) :: bempd_add_pd_region_with_arcs
     end function bempd_add_pd_region_with_arcs
+
+    !> Add a region as bempd_add_pd_region_with_arcs() does, with a lattice whose rows are turned. With an angle other
+    !> than 0 it has points on its outline.
+    !>
+    !> model [in]: the model
+    !> material [in]: id of a material, as for bempd_add_pd_region()
+    !> vertex_count [in]: number of vertices, >= 3
+    !> vertices [in]: shape [vertex_count][2], counter-clockwise [m]
+    !> bulges [in]: shape [vertex_count]; NULL for straight edges [-]
+    !> spacing [in]: lattice spacing [m], > 0
+    !> horizon_ratio [in]: horizon over spacing, 2 .. 8, or 0 for 4 [-]
+    !> angle [in]: from the x axis to the rows of the lattice, counter-clockwise [rad]
+    !> region [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_turned_pd_region(model, material, vertex_count, vertices, bulges, spacing, horizon_ratio, &
+        angle, region) bind(c, name="bempd_add_turned_pd_region")
+      import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: material
+      integer(c_int64_t), value :: vertex_count
+      real(c_double), intent(in) :: vertices(2, *)
+      type(c_ptr), value :: bulges
+      real(c_double), value :: spacing
+      integer(c_int32_t), value :: horizon_ratio
+      real(c_double), value :: angle
+      type(c_ptr), value :: region
+      integer(c_int) :: bempd_add_turned_pd_region
+    end function bempd_add_turned_pd_region
 
     !> Cut a hole into a region. The hole's edges continue the region's numbering.
     !>
@@ -1475,6 +1535,73 @@ module bempd_c
       integer(c_int) :: bempd_prescribe_edge_function
     end function bempd_prescribe_edge_function
 
+    !> Set struct_size, zeros and components = 1.
+    !>
+    !> values [out]: the struct to fill
+    !> struct_size [in]: sizeof(bempd_edge_values) as the caller was compiled: older programs keep working when it grows
+    !> return: status
+    !> since: 0.3
+    function bempd_edge_values_init(values, struct_size) bind(c, name="bempd_edge_values_init")
+      import :: bempd_edge_values, c_int, c_int64_t
+      type(bempd_edge_values), intent(inout) :: values
+      integer(c_int64_t), value :: struct_size
+      integer(c_int) :: bempd_edge_values_init
+    end function bempd_edge_values_init
+
+    !> Prescribe the displacement of an edge or a part of it by values of any kind; bempd_prescribe_edge() and
+    !> bempd_prescribe_edge_function() are short forms of this.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> from [in]: start of the part as a fraction of the edge, 0 <= from < to [-]
+    !> to [in]: end of the part, from < to <= 1 [-]
+    !> component [in]: a bempd_component, BEMPD_BOTH allowed
+    !> values [in]: displacements [m], copied
+    !> support [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_prescribe_edge_values(model, region, edge, from, to, component, values, support) &
+        bind(c, name="bempd_prescribe_edge_values")
+      import :: bempd_edge_values, c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: from
+      real(c_double), value :: to
+      integer(c_int32_t), value :: component
+      type(bempd_edge_values), intent(in) :: values
+      type(c_ptr), value :: support
+      integer(c_int) :: bempd_prescribe_edge_values
+    end function bempd_prescribe_edge_values
+
+    !> Add a traction on a part of an edge by values of any kind; bempd_add_traction() and bempd_add_traction_function()
+    !> are short forms of this.
+    !>
+    !> model [in]: the model
+    !> region [in]: id of a region
+    !> edge [in]: edge number
+    !> from [in]: start of the part as a fraction of the edge, 0 <= from < to [-]
+    !> to [in]: end of the part, from < to <= 1 [-]
+    !> component [in]: a bempd_component, BEMPD_BOTH allowed
+    !> values [in]: tractions [Pa], copied
+    !> load [out]: its id; may be NULL
+    !> return: status
+    !> since: 0.3
+    function bempd_add_traction_values(model, region, edge, from, to, component, values, load) &
+        bind(c, name="bempd_add_traction_values")
+      import :: bempd_edge_values, c_double, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: region
+      integer(c_int32_t), value :: edge
+      real(c_double), value :: from
+      real(c_double), value :: to
+      integer(c_int32_t), value :: component
+      type(bempd_edge_values), intent(in) :: values
+      type(c_ptr), value :: load
+      integer(c_int) :: bempd_add_traction_values
+    end function bempd_add_traction_values
+
     !> Prescribe the displacement of the node or material point at a place.
     !>
     !> model [in]: the model
@@ -1684,10 +1811,9 @@ module bempd_c
     !> Change the temperature of a whole region, the same everywhere in it. Its material, free to do so, would lengthen
     !> by the thermal_expansion times that; in plane strain what is held across the plane pushes, too.
     !>
-    !> Bonds break by what they are stretched beyond that. Temperatures of a region add up. With one there are no
-    !> windows (stepping.solver): every event is found in the whole body. Temperatures take new values by
-    !> bempd_set_load_values(), bempd_step_to_values() goes to them on a straight line, and they may have columns in a
-    !> load program.
+    !> Bonds break by what they are stretched beyond that. Temperatures of a region add up. With one every event is
+    !> found in the whole body, without windows. Temperatures take new values by bempd_set_load_values(),
+    !> bempd_step_to_values() goes to them on a straight line, and they may have columns in a load program.
     !>
     !> model [in]: the model
     !> region [in]: id of a region
@@ -1852,6 +1978,39 @@ module bempd_c
       type(c_ptr), value :: proportional
       integer(c_int) :: bempd_set_support_values_at
     end function bempd_set_support_values_at
+
+    !> Give a support on an edge new values of any kind but BEMPD_FUNCTION, at any time; bempd_set_support_values(),
+    !> bempd_set_support_values_at() and bempd_set_support_nodal_values() are short forms of this.
+    !>
+    !> model [in]: the model; BEMPD_NODAL prepares it
+    !> support [in]: id of a support on a part of an edge
+    !> values [in]: displacements [m], copied
+    !> return: status
+    !> since: 0.3
+    function bempd_set_support_edge_values(model, support, values) bind(c, name="bempd_set_support_edge_values")
+      import :: bempd_edge_values, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: support
+      type(bempd_edge_values), intent(in) :: values
+      integer(c_int) :: bempd_set_support_edge_values
+    end function bempd_set_support_edge_values
+
+    !> Give a load along an edge or a crack new values of any kind but BEMPD_FUNCTION, at any time;
+    !> bempd_set_load_values(), bempd_set_load_values_at() and bempd_set_load_nodal_values() are short forms of this. A
+    !> pressure takes the first number of each row.
+    !>
+    !> model [in]: the model; BEMPD_NODAL prepares it
+    !> load [in]: id of a load along an edge or a crack
+    !> values [in]: in the unit of the load, copied
+    !> return: status
+    !> since: 0.3
+    function bempd_set_load_edge_values(model, load, values) bind(c, name="bempd_set_load_edge_values")
+      import :: bempd_edge_values, c_int, c_int32_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int32_t), value :: load
+      type(bempd_edge_values), intent(in) :: values
+      integer(c_int) :: bempd_set_load_edge_values
+    end function bempd_set_load_edge_values
 
     !> Give a load along an edge or a crack new values at places; else as bempd_set_support_values_at(). A pressure or
     !> shear takes the component of its number: x for BEMPD_PRESSURE and pressures on edges, y for BEMPD_SHEAR.
@@ -2076,16 +2235,16 @@ module bempd_c
     !> Between two events the response is linear in the load factor: a step without an event costs no solution. In
     !> peridynamic regions cracks grow as lines by default: at an event the tip that reaches its toughness first goes on
     !> by a lattice spacing towards the largest hoop stress, and all bonds across that way break; or a bond away from
-    !> all tips reaches its critical stretch, and a crack begins there. With the option pd.crack_rule = "bond" the most
-    !> stretched bonds break (those within the option stepping.tie_band of the largest stretch ratio). Then equilibrium
-    !> is found again at the same load factor, until nothing exceeds what it bears. With the option stepping.mode =
-    !> "paper" the load factor goes in fixed increments instead (option stepping.increment), and at the end of each
-    !> every bond that exceeds its critical stretch breaks.
+    !> all tips reaches its critical stretch, and a crack begins there. With the option crack.rule = "bond" the most
+    !> stretched bonds break (those within the option crack.tie_share of the largest stretch ratio). Then equilibrium is
+    !> found again at the same load factor, until nothing exceeds what it bears. With the option paper.mode = "paper"
+    !> the load factor goes in fixed increments instead (option paper.increment), and at the end of each every bond that
+    !> exceeds its critical stretch breaks.
     !>
     !> Cracks of BEM regions grow too, if their material has a fracture_energy: at an event the tip that reaches its
     !> toughness first, there or in a lattice, goes on by a straight piece. The library chooses its length from the
-    !> length of the crack and the way to what is near, or the option growth.step says it. bempd_set_tip_frozen() keeps
-    !> a tip where it is. With stepping.mode = "paper" these cracks stay as they are.
+    !> length of the crack and the way to what is near, or the option crack.step says it. bempd_set_tip_frozen() keeps a
+    !> tip where it is. With paper.mode = "paper" these cracks stay as they are.
     !>
     !> Where growth is unstable no equilibrium is left at the present load factor while bonds break, and the energy that
     !> the body gives away is more than what bonds take (bond_energy). With the option stepping.control = "path" the
@@ -2557,7 +2716,7 @@ module bempd_c
     end function bempd_copy_edge_forces
 
     !> Number of pieces that the body consists of: material points and boundary elements that intact bonds, interfaces
-    !> and BEM regions join. A point without any bond is a piece too. Faces that press on each other (option pd.contact)
+    !> and BEM regions join. A point without any bond is a piece too. Faces that press on each other (option contact)
     !> join nothing, as they part under the first pull: two held pieces that press feel each other's force and bear, so
     !> that the body is not separated, but bempd_are_connected() tells 0. A piece that nothing but pressed faces would
     !> hold counts as come free of all supports (fragments in reports): it stays where it is, and its loads are dropped.
@@ -2673,7 +2832,7 @@ module bempd_c
     !> At an interface the values are those of the peridynamic region, between regions of one kind those of the one with
     !> the lower id; on a crack in a BEM region those of its left face, seen from its first point. bempd_evaluate_in()
     !> asks for another side. Where stress is unbounded (bempd_get_singularity()) the number depends on the elements and
-    !> grows as they get smaller; the option results.singular_stress refuses it. At crack tips it is refused always.
+    !> grows as they get smaller; bempd_stress_orders() tells. At crack tips it is refused.
     !>
     !> model [in]: the model
     !> count [in]: number of places
@@ -2759,6 +2918,24 @@ module bempd_c
       type(bempd_singularity), intent(inout) :: singularity
       integer(c_int) :: bempd_get_singularity
     end function bempd_get_singularity
+
+    !> How strongly stress grows at places: where it is unbounded what bempd_evaluate() gives there depends on the
+    !> elements. Prepares the model.
+    !>
+    !> model [in]: the model
+    !> count [in]: number of places
+    !> points [in]: shape [count][2] [m]
+    !> orders [out]: shape [count]: 0 where stress is bounded, else p where it grows as r^-p with the distance r [-]
+    !> return: status
+    !> since: 0.3
+    function bempd_stress_orders(model, count, points, orders) bind(c, name="bempd_stress_orders")
+      import :: c_double, c_int, c_int64_t, c_ptr
+      type(c_ptr), value :: model
+      integer(c_int64_t), value :: count
+      real(c_double), intent(in) :: points(2, *)
+      real(c_double), intent(inout) :: orders(*)
+      integer(c_int) :: bempd_stress_orders
+    end function bempd_stress_orders
 
     !> Set struct_size and zeros.
     !>
@@ -2856,7 +3033,7 @@ module bempd_c
     !> count [in]: number of places
     !> fractions [in]: shape [count], places as fractions of the crack's length (bempd_crack_length()), 0 .. 1 [-]
     !> normal [out]: shape [count], positive if it is open, negative if its faces overlap, which they do with the option
-    !>   bem.contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
+    !>   contact = none, and between nodes of elements beside closed ones a little [m]; may be NULL
     !> tangential [out]: shape [count], along the crack [m]; may be NULL
     !> return: status
     !> since: 0.3
@@ -2873,7 +3050,7 @@ module bempd_c
     end function bempd_crack_opening
 
     !> Number of cracks: those that were described, also removed ones, and those that began in the run, which have the
-    !> next ids, by order of beginning. Cracks that grow bond by bond (pd.crack_rule = "bond") begin without an id.
+    !> next ids, by order of beginning. Cracks that grow bond by bond (crack.rule = "bond") begin without an id.
     !>
     !> model [in]: the model
     !> count [out]: number of cracks
@@ -2964,12 +3141,13 @@ module bempd_c
     !>
     !> The load factor is solved for: the smallest one >= 0 at which the energy release rate of a tip reaches its
     !> material's fracture_energy in the direction in which it grows, that of the largest hoop stress or, with the
-    !> option growth.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose
-    !> load factor is at most the share growth.share higher; where growth.exponent is not 0, by lengths that follow
-    !> their energy release rates. An extension is straight; growth.direction = "chord" makes paths of long extensions
-    !> follow those of short ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one
-    !> that passes the end of a crack by less than a tenth of its way ends at that. Loads on crack faces stay where they
-    !> are and go on beyond the ends of what they were given on.
+    !> option crack.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose
+    !> load factor is at most the share crack.tie_share higher; where crack.exponent is not 0, by lengths that follow
+    !> their energy release rates. An extension is straight: the chord of a curved path, which turns by half the angle
+    !> by which its end would turn on, so that paths of long extensions follow those of short ones. A tip that meets an
+    !> edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
+    !> of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were
+    !> given on.
     !>
     !> Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
     !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the

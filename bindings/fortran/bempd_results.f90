@@ -286,6 +286,12 @@ contains
     if (present(stress)) call move_alloc(s, stress)
   end procedure evaluate_in
 
+  module procedure stress_orders
+    if (.not. are_points(self, "bempd_stress_orders", "points", points, stat, errmsg)) return
+    allocate (orders(size(points, 2)), source=0.0_c_double)
+    call finish(self, bempd_stress_orders(self%handle, size(points, 2, c_int64_t), points, orders), stat, errmsg)
+  end procedure stress_orders
+
   module procedure singularities
     integer(c_int64_t) :: count, k
     integer(c_int) :: status

@@ -76,7 +76,11 @@ contains
     if (present(horizon_ratio)) ratio = horizon_ratio
     new = 0
     if (can_be_loop(self, "bempd_add_pd_region", vertices, bulges, bends, stat, errmsg)) then
-      if (present(bulges)) then
+      if (present(angle)) then
+        if (.not. present(bulges)) allocate (bends(size(vertices, 2)), source=0._c_double)
+        call finish(self, bempd_add_turned_pd_region(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
+          c_loc(bends), spacing, ratio, angle, c_loc(new)), stat, errmsg)
+      else if (present(bulges)) then
         call finish(self, bempd_add_pd_region_with_arcs(self%handle, material, size(vertices, 2, c_int64_t), vertices, &
           c_loc(bends), spacing, ratio, c_loc(new)), stat, errmsg)
       else

@@ -23,7 +23,7 @@ STRENGTH = YOUNG * CRITICAL_STRETCH
 def build(spacing: float, criterion: str) -> tuple[bempd.Model, int]:
     """At load factor one the force is that at which the stress in the middle is the strength of the material: 2 P / (pi D t)
     for loads at points, by a factor less for pressed arcs (Hondros 1959)."""
-    model = bempd.Model(options={"pd.crack_rule": "bond", "pd.criterion": criterion, "stepping.control": "load"})
+    model = bempd.Model(options={"crack.rule": "bond", "pd.criterion": criterion, "stepping.control": "load"})
     rock = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, critical_stretch=CRITICAL_STRETCH)
     half_width = (round(CORE[0] / spacing) + 0.5) * spacing
     half_height = round(CORE[1] / spacing) * spacing

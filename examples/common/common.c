@@ -59,7 +59,7 @@ bempd_model* create_model(const char* scheme) {
   ensure(NULL, bempd_model_create(&model));
   ensure(model, bempd_set_option_text(model, "scheme", scheme));
   /* The paper's cracks, in both schemes. */
-  ensure(model, bempd_set_option_text(model, "pd.crack_rule", "bond"));
+  ensure(model, bempd_set_option_text(model, "crack.rule", "bond"));
   return model;
 }
 

@@ -7,9 +7,9 @@
 #include "common/elastic.h"
 
 void step_as_the_paper(bempd_model* model) {
-  ensure(model, bempd_set_option_text(model, "stepping.mode", "paper"));
-  ensure(model, bempd_set_option(model, "stepping.increment", 1.0));
-  ensure(model, bempd_set_option_text(model, "pd.contact", "none"));
+  ensure(model, bempd_set_option_text(model, "paper.mode", "paper"));
+  ensure(model, bempd_set_option(model, "paper.increment", 1.0));
+  ensure(model, bempd_set_option_text(model, "contact", "none"));
 }
 
 static void write_stage(bempd_model* model, const crack_run* run, const char* stage, const char* prefix) {

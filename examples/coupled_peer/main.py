@@ -25,7 +25,7 @@ class Specimen:
     """A strip of acrylic glass with an edge crack: boundary elements | lattice | boundary elements."""
 
     def __init__(self, spacing: float, tough: bool = False) -> None:
-        self.model = model = bempd.Model(options={"pd.crack_rule": "bond"})
+        self.model = model = bempd.Model(options={"crack.rule": "bond"})
         acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005,
                                      fracture_energy=0 if tough else 300)
         left = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.020, 0.020), element_length=0.004)

@@ -102,10 +102,10 @@ def compressed_plate(tip: Place) -> bempd.Model:
 
 def run(model: bempd.Model, length: float, steps: int, **options: float | str) -> bempd.Model:
     """Lets cracks grow until they cut the body in two or have no tip left."""
-    model.options["growth.direction"] = "chord"
-    model.options["growth.share"] = 0.01  # symmetric tips grow together
+    model.options["crack.direction"] = "chord"
+    model.options["crack.tie_share"] = 0.01  # symmetric tips grow together
     for name, value in options.items():
-        model.options["growth." + name] = value
+        model.options["crack." + name] = value
     for _ in range(steps):
         try:
             model.grow_cracks(length)

@@ -80,7 +80,7 @@
 
       WIDTH = 0.02D0
       CALL SPECIM%CREATE()
-      CALL SPECIM%SET_OPTION("pd.crack_rule", "bond")
+      CALL SPECIM%SET_OPTION("crack.rule", "bond")
       CALL SPECIM%ADD_MATERIAL(3.0D9, 1.0D0 / 3.0D0, MAT, THICKNESS=0.005D0, FRACTURE_ENERGY=300.0D0)
       DO K = 1, 3
         BOX(1, :) = WIDTH * (K - 1)

@@ -49,12 +49,15 @@ def body(kind: str, spacing: float, turned: float = 0.0, shift: float = 0.0) -> 
 
     `turned` is the angle of the lattice's rows in degrees; `shift` moves crack and holes over the lattice, to the right and up.
     """
-    model = bempd.Model(options={"pd.lattice_angle": math.radians(turned)} if kind == "lattice" else {})
+    model = bempd.Model()
     pmma = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, fracture_energy=FRACTURE_ENERGY)
     left, bottom, right, top = WINDOW
     notch = [(0, top), (right, top), (right, bottom), (0, bottom)] if kind == "both" else []
     outline = [*bempd.rectangle(0, 0, WIDTH, HEIGHT), *notch]
-    plate = model.add_pd_region(pmma, outline, spacing, 4) if kind == "lattice" else model.add_bem_region(pmma, outline, 4e-3)
+    if kind == "lattice":
+        plate = model.add_pd_region(pmma, outline, spacing, 4, lattice_angle=math.radians(turned))
+    else:
+        plate = model.add_bem_region(pmma, outline, 4e-3)
     for centre, radius in HOLES:
         model.add_circular_hole(plate, np.add(centre, shift), radius)
     if kind == "both":

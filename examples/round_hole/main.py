@@ -26,11 +26,10 @@ def placed(x: float, y: float) -> tuple[float, float]:
 
 def build(spacing: float, horizon_ratio: int, lattice_angle: float, rule: str) -> tuple[bempd.Model, int]:
     model = bempd.Model()
-    model.options["pd.crack_rule"] = rule
-    model.options["pd.lattice_angle"] = lattice_angle
+    model.options["crack.rule"] = rule
     glass = model.add_material(young_modulus=70e9, poisson_ratio=1 / 3, thickness=1e-3, fracture_energy=10)
     corners = [placed(x, y) for x, y in bempd.rectangle(0, 0, WIDTH, HEIGHT)]
-    plate = model.add_pd_region(glass, corners, spacing, horizon_ratio)
+    plate = model.add_pd_region(glass, corners, spacing, horizon_ratio, lattice_angle=lattice_angle)
     model.add_circular_hole(plate, placed(*CENTRE), RADIUS)
     model.add_crack([placed(0, NOTCH[0]), placed(NOTCH[1], NOTCH[0])])
     model.fix_edge(plate, 1)

@@ -26,7 +26,7 @@ def temperature(y: float, time: float) -> float:
 
 def build(spacing: float) -> tuple[bempd.Model, list[int], dict[int, float]]:
     """The model, its regions, and the middle height of each temperature."""
-    model = bempd.Model(options={"pd.crack_rule": "bond"})
+    model = bempd.Model(options={"crack.rule": "bond"})
     alumina = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, fracture_energy=ENERGY, thickness=1e-3,
                                  thermal_expansion=EXPANSION)
     heights = [2 * spacing * k for k in range(LAYERS + 1)] + [HEIGHT]

@@ -27,7 +27,7 @@ def seat(middle: float, length: float) -> tuple[float, float]:
 
 
 def build(spacing: float, rule: str, control: str) -> tuple[bempd.Model, int, int]:
-    model = bempd.Model(options={"pd.crack_rule": rule, "stepping.control": control})
+    model = bempd.Model(options={"crack.rule": rule, "stepping.control": control})
     resin = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, fracture_energy=ENERGY)
     half, end = (round(8e-3 / spacing) + 0.5) * spacing, SPAN / 2 + 4e-3
     left = model.add_bem_region(resin, bempd.rectangle(-end, 0, -half, HEIGHT), 2e-3)

@@ -121,7 +121,7 @@ static void run_events(summary* table, const char* scheme) {
   snprintf(name, sizeof name, "events_%s", scheme);
   task.meeting_distance = spacing;
   /* Bonds that are nearly as stretched as the worst break with it, so that both cracks go on growing. */
-  ensure(model, bempd_set_option(model, "stepping.tie_band", 0.02));
+  ensure(model, bempd_set_option(model, "crack.tie_share", 0.02));
   result = run_crack(model, &task);
   add_run(table, "events", scheme, &result, known);
   print_paths(paths);

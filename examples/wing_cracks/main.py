@@ -24,7 +24,7 @@ DISTANCES = (1, 3), (3, 6), (6, 9), (9, 14)  # from the tip, in spacings
 
 
 def build(spacing: float, contact: str) -> tuple[bempd.Model, int]:
-    model = bempd.Model(options={"pd.crack_rule": "bond", "pd.contact": contact, "pd.criterion": "opening"})
+    model = bempd.Model(options={"crack.rule": "bond", "contact": contact, "pd.criterion": "opening"})
     pmma = model.add_material(young_modulus=YOUNG, poisson_ratio=RATIO, thickness=THICKNESS, fracture_energy=FRACTURE_ENERGY)
     corners = SIDE / math.sqrt(2) * np.array([(math.cos(a), math.sin(a)) for a in ANGLE + np.pi / 4 * np.array([-3, -1, 1, 3])])
     plate = model.add_bem_region(pmma, corners, 15e-3)
@@ -113,7 +113,7 @@ def main() -> None:
     arguments.folder.mkdir(parents=True, exist_ok=True)
     spacing, length = (1.5e-3, 7e-3) if arguments.short else (0.75e-3, 12e-3)
     reference = largest_hoop_strain(4 * spacing)
-    table = [["pd.contact", "pressure at the first break [MPa]", "pressure at the end [MPa]",
+    table = [["contact", "pressure at the first break [MPa]", "pressure at the end [MPa]",
               *(f"direction {near} to {far} spacings away" for near, far in DISTANCES), "exact hoop strain at the horizon",
               "closed places", "bonds broken", "balance error"]]
     models = []
@@ -136,7 +136,7 @@ def main() -> None:
         figure, axes = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
         for model, one, (contact, *_) in zip(models, axes, table[1:]):
             model.plot("damage", axes=one, magnification=20)
-            one.set_title(f"pd.contact = {contact}")
+            one.set_title(f"contact = {contact}")
             one.set_xlim(-45, 45)
             one.set_ylim(-40, 40)
         figure.savefig(arguments.folder / "wing_cracks.png", dpi=110)

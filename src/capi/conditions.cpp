@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "capi/guard.hpp"
+#include "capi/host_function.hpp"
 #include "regions/places/crack_faces.hpp"
 #include "regions/places/edge_part.hpp"
 #include "regions/places/forced_nodes.hpp"
@@ -17,8 +18,6 @@ using namespace bempd::capi;
 
 namespace {
 
-using scene::BoundaryFunction;
-using scene::BoundaryValue;
 using scene::Condition;
 using scene::SampledValues;
 
@@ -33,23 +32,6 @@ SampledValues samples(std::int64_t count, const double* constant, const double* 
 }
 
 SampledValues single(double constant, double proportional) { return {{constant}, {proportional}}; }
-
-// Function that asks the host once per place and remembers the answer.
-BoundaryFunction remember(bempd_boundary_function function, void* user) {
-  require(function != nullptr, "function is NULL; give a function of the position");
-  auto known = std::make_shared<std::map<std::pair<double, double>, BoundaryValue>>();
-  return [known, function, user](const Point& p, double) {
-    const auto key = std::make_pair(p.x(), p.y());
-    if (const auto found = known->find(key); found != known->end()) return found->second;
-    double constant[2] = {0, 0}, proportional[2] = {0, 0};
-    if (function(p.x(), p.y(), constant, proportional, user) != 0) {
-      fail(Failure::cancelled, "the boundary function asked to stop at (", p.x(), ", ", p.y(), ")");
-    }
-    const BoundaryValue value{Point(constant[0], constant[1]), Point(proportional[0], proportional[1])};
-    known->emplace(key, value);
-    return value;
-  };
-}
 
 void require_single(std::int32_t component) {
   require(component == BEMPD_X || component == BEMPD_Y, "component is ", component,
@@ -83,6 +65,22 @@ bempd_status add_load(bempd_model* handle, const char* function, std::int32_t* i
 
 }  // namespace
 
+scene::BoundaryFunction bempd::capi::host_function(bempd_boundary_function function, void* user) {
+  require(function != nullptr, "function is NULL; give a function of the position");
+  auto known = std::make_shared<std::map<std::pair<double, double>, scene::BoundaryValue>>();
+  return [known, function, user](const Point& p, double) {
+    const auto key = std::make_pair(p.x(), p.y());
+    if (const auto found = known->find(key); found != known->end()) return found->second;
+    double constant[2] = {0, 0}, proportional[2] = {0, 0};
+    if (function(p.x(), p.y(), constant, proportional, user) != 0) {
+      fail(Failure::cancelled, "the boundary function asked to stop at (", p.x(), ", ", p.y(), ")");
+    }
+    const scene::BoundaryValue value{Point(constant[0], constant[1]), Point(proportional[0], proportional[1])};
+    known->emplace(key, value);
+    return value;
+  };
+}
+
 bempd_status bempd_fix_edge(bempd_model* model, int32_t region, int32_t edge, int32_t component, int32_t* support) {
   return add_support(model, __func__, support, [&] {
     return Condition{on_edge(region, edge, 0, 1), component, single(0, 0)};
@@ -106,7 +104,7 @@ bempd_status bempd_prescribe_edge_function(bempd_model* model, int32_t region, i
                                            int32_t component, bempd_boundary_function function, void* user,
                                            int32_t* support) {
   return add_support(model, __func__, support, [&] {
-    return Condition{on_edge(region, edge, from, to), component, remember(function, user)};
+    return Condition{on_edge(region, edge, from, to), component, host_function(function, user)};
   });
 }
 
@@ -130,7 +128,7 @@ bempd_status bempd_add_traction(bempd_model* model, int32_t region, int32_t edge
 bempd_status bempd_add_traction_function(bempd_model* model, int32_t region, int32_t edge, double from, double to,
                                          bempd_boundary_function function, void* user, int32_t* load) {
   return add_load(model, __func__, load, [&] {
-    return Condition{on_edge(region, edge, from, to), BEMPD_BOTH, remember(function, user)};
+    return Condition{on_edge(region, edge, from, to), BEMPD_BOTH, host_function(function, user)};
   });
 }
 
@@ -185,7 +183,7 @@ bempd_status bempd_add_temperature(bempd_model* model, int32_t region, double co
 bempd_status bempd_add_temperature_function(bempd_model* model, int32_t region, bempd_boundary_function function,
                                             void* user, int32_t* load) {
   return add_load(model, __func__, load, [&] {
-    return Condition{std::make_shared<const regions::HeatedRegion>(region), BEMPD_X, remember(function, user)};
+    return Condition{std::make_shared<const regions::HeatedRegion>(region), BEMPD_X, host_function(function, user)};
   });
 }
 

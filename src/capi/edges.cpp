@@ -63,6 +63,10 @@ bempd_status bempd_fractions_on_edge(const bempd_model* model, int32_t region, i
     const Edge line = m.region_with_edge(region, edge).edge(edge);
     const std::vector<Point> places = points_from(points, count, "points");
     for (std::size_t i = 0; i < places.size(); ++i) {
+      require(std::isfinite(distance(line, places[i])), "point ", i + 1, " is (", places[i].x(), ", ", places[i].y(),
+              "); its distance to the edge must be a finite number");
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
       if (fractions) fractions[i] = std::clamp(closest_fraction(line, places[i]), 0.0, 1.0);
       if (distances) distances[i] = distance(line, places[i]);
     }

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "linalg/blas_threads.hpp"
+#include "no_memory.hpp"
 #include "phase.hpp"
 
 namespace bempd::capi {
@@ -44,6 +45,8 @@ bempd_status catch_all(const char* function, Message& error, bool* broken, const
       return BEMPD_OK;
     } catch (const Error& e) {
       return report(status_of(e.failure()), e.what());
+    } catch (const NoMemory& e) {
+      return report(BEMPD_ERROR_MEMORY, e.what());
     } catch (const std::bad_alloc&) {
       return report(BEMPD_ERROR_MEMORY, "not enough memory; use fewer elements or a coarser lattice");
     } catch (const std::exception& e) {

@@ -106,6 +106,7 @@ bempd_status bempd_set_option(bempd_model* model, const char* name, double value
 bempd_status bempd_get_option(const bempd_model* model, const char* name, double* value) {
   return with_model(model, __func__, [&](const model::Model& m) {
     require(name != nullptr, "name is NULL; give an option's name");
+    scene::Options::require_known(name);
     out(value, "value") = m.options().number(name);
   });
 }
@@ -122,6 +123,7 @@ bempd_status bempd_get_option_text(const bempd_model* model, const char* name, c
                                    int64_t* needed) {
   return with_model(model, __func__, [&](const model::Model& m) {
     require(name != nullptr, "name is NULL; give an option's name");
+    scene::Options::require_known(name);
     const std::string& value = m.options().text_value(name);
     const auto size = static_cast<int64_t>(value.size()) + 1;
     if (needed) *needed = size;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "capi/guard.hpp"
 #include "regions/boundary/boundary_description.hpp"
@@ -33,14 +35,17 @@ bempd_status add_bem_region(bempd_model* model, const char* call, int32_t materi
 }
 
 bempd_status add_pd_region(bempd_model* model, const char* call, int32_t material, const GivenLoop& loop,
-                           double spacing, int32_t horizon_ratio, int32_t* region) {
+                           double spacing, int32_t horizon_ratio, double angle, int32_t* region) {
   return with_model(model, call, [&](model::Model& m) {
+    constexpr int usual_horizon_ratio = 4;
+    constexpr double most_angle = 2 * std::numbers::pi;
     const auto points = loop.points();
-    const int ratio = horizon_ratio == 0 ? m.options().whole_number("pd.horizon_ratio") : horizon_ratio;
-    const regions::PointChoice choice{
-        m.options().text_value("pd.outline_points") == "always", m.options().number("pd.lattice_angle"),
-        m.options().text_value("pd.outline_balance") == "linear" ? pd::OutlineBalance::linear_stress
-                                                                 : pd::OutlineBalance::constant_stress};
+    require(std::abs(angle) <= most_angle, "angle is ", angle, "; it must lie between -2 pi and 2 pi");
+    const int ratio = horizon_ratio == 0 ? usual_horizon_ratio : horizon_ratio;
+    const regions::PointChoice choice{m.options().text_value("test.outline_points") == "always", angle,
+                                      m.options().text_value("test.outline_balance") == "linear"
+                                          ? pd::OutlineBalance::linear_stress
+                                          : pd::OutlineBalance::constant_stress};
     const int added =
         regions::add_peridynamic_region(m.editable_scene(), material, points, spacing, ratio, choice, loop.bends());
     if (region) *region = added;
@@ -106,13 +111,20 @@ bempd_status bempd_add_bem_disc(bempd_model* model, int32_t material, double x, 
 
 bempd_status bempd_add_pd_region(bempd_model* model, int32_t material, int64_t vertex_count, const double* vertices,
                                  double spacing, int32_t horizon_ratio, int32_t* region) {
-  return add_pd_region(model, __func__, material, {vertex_count, vertices}, spacing, horizon_ratio, region);
+  return add_pd_region(model, __func__, material, {vertex_count, vertices}, spacing, horizon_ratio, 0, region);
 }
 
 bempd_status bempd_add_pd_region_with_arcs(bempd_model* model, int32_t material, int64_t vertex_count,
                                            const double* vertices, const double* bulges, double spacing,
                                            int32_t horizon_ratio, int32_t* region) {
-  return add_pd_region(model, __func__, material, {vertex_count, vertices, bulges}, spacing, horizon_ratio, region);
+  return add_pd_region(model, __func__, material, {vertex_count, vertices, bulges}, spacing, horizon_ratio, 0, region);
+}
+
+bempd_status bempd_add_turned_pd_region(bempd_model* model, int32_t material, int64_t vertex_count,
+                                        const double* vertices, const double* bulges, double spacing,
+                                        int32_t horizon_ratio, double angle, int32_t* region) {
+  return add_pd_region(model, __func__, material, {vertex_count, vertices, bulges}, spacing, horizon_ratio, angle,
+                       region);
 }
 
 bempd_status bempd_add_hole(bempd_model* model, int32_t region, int64_t vertex_count, const double* vertices,

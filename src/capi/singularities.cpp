@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "capi/guard.hpp"
 
 using namespace bempd;
@@ -22,5 +24,12 @@ bempd_status bempd_get_singularity(bempd_model* model, int64_t index, bempd_sing
                  bempd_singularity{sizeof(bempd_singularity), static_cast<int32_t>(s.kind), s.region, s.place.x(),
                                    s.place.y(), s.exponent.real(), s.exponent.imag()},
                  "singularity");
+  });
+}
+
+bempd_status bempd_stress_orders(bempd_model* model, int64_t count, const double* points, double* orders) {
+  return with_model(model, __func__, [&](model::Model& m) {
+    const std::vector<double> found = m.stress_orders(points_from(points, count, "points"));
+    std::copy(found.begin(), found.end(), found.empty() ? orders : &out(orders, "orders"));
   });
 }

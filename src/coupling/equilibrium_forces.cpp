@@ -61,8 +61,7 @@ double EquilibriumSystem::energy_slope(const Eigen::VectorXd& displacement, doub
   const double* u = displacement.data();
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (!intact_[t]) continue;
-    sum += terms_.constant(t, 1) * terms_.elongation(t, u) -
-           present_stiffness_[t] * terms_.elastic_elongation(t, u, load_factor) * terms_.rest(t, 1);
+    sum -= present_stiffness_[t] * terms_.elastic_elongation(t, u, load_factor) * terms_.rest(t, 1);
   }
   for (const OperatorSchurComplement& op : operators_) sum += op.energy_slope(displacement, load_factor);
   return sum;
@@ -151,13 +150,12 @@ void EquilibriumSystem::add_pressing_supports(const Affine& support, Affine& loa
   });
 }
 
-// Adds the forces of terms that remain where nothing moves: they pull with q - k e0.
+// Adds the forces of terms that remain where nothing moves: they pull with -k e0.
 void EquilibriumSystem::add_offsets(Affine& load) const {
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (!intact_[t]) continue;
     const double k = present_stiffness_[t];
-    const Eigen::RowVector2d tension(terms_.constant(t, 0) - k * terms_.rest(t, 0),
-                                     terms_.constant(t, 1) - k * terms_.rest(t, 1));
+    const Eigen::RowVector2d tension(-k * terms_.rest(t, 0), -k * terms_.rest(t, 1));
     if (tension.isZero(0)) continue;
     terms_.for_each_entry(t, [&](int node, double x, double y) {
       load.row(2 * node) -= x * tension;

@@ -203,7 +203,7 @@ class EquilibriumSystem {
   SoftMotion softest_motion();
 
   // Nodal forces of operators and terms (not of holding springs) under a displacement at a load factor, which rest
-  // elongations, rest displacements and constant forces may depend on. Forces on tied nodes are counted at their
+  // elongations and rest displacements may depend on. Forces on tied nodes are counted at their
   // masters.
   Eigen::VectorXd internal_force(const Eigen::VectorXd& displacement, double load_factor = 0) const;
 
@@ -214,7 +214,7 @@ class EquilibriumSystem {
                                     double load_factor) const;
 
   // Energy of operators and terms at a displacement and a load factor; and its derivative by the load factor alone,
-  // from the proportional parts of rest elongations, rest displacements and constant forces.
+  // from the proportional parts of rest elongations and rest displacements.
   double energy(const Eigen::VectorXd& displacement, double load_factor = 0) const;
   double energy_slope(const Eigen::VectorXd& displacement, double load_factor) const;
   // Strain energy of the proportional parts of displacements and rest elongations.

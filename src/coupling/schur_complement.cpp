@@ -18,8 +18,11 @@ SchurComplement::SchurComplement(Stiffness stiffness, std::vector<DofKind> kind)
 void SchurComplement::fail_singular() {
   fail(
       Failure::unsolvable,
-      "the stiffness of a boundary element region is numerically singular; check its supports, and its shape for parts "
-      "that are very thin");
+      "the stiffness of a boundary element region is numerically singular: strips of it, also those that holes, cracks "
+      "and edges leave between them, that are thinner than some thousandth of their length bend without a resistance "
+      "that numbers can tell from rounding: make them thicker or leave them out. If there are none, supports hardly "
+      "hold "
+      "the region");
 }
 
 }  // namespace bempd::coupling

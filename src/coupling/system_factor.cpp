@@ -142,7 +142,10 @@ Eigen::VectorXd SystemFactor::solve(const Eigen::VectorXd& rhs, const SystemSolv
     const double rounding = acceptable_rounding * largest_diagonal_ * size(solution);
     if (fresh && result.relative_residual * size(rhs) <= rounding) return solution;
   }
-  fail(Failure::unsolvable, "the stiffness matrix is numerically singular; check supports and very slender parts");
+  fail(
+      Failure::unsolvable,
+      "the stiffness matrix is numerically singular: look for parts that are very thin or slender, cracks that leave a "
+      "part hanging on next to nothing, and parts that supports hardly hold");
 }
 
 bool SystemFactor::pivots_are_sound() const {

@@ -40,23 +40,15 @@ void Terms::add_follower(int follower, std::span<const int> leaders) {
   }
 }
 
-void Terms::set(std::array<std::vector<double>, 2>& values, int term, double constant, double proportional) {
+void Terms::set_rest_elongation(int term, double constant, double proportional) {
   const double parts[2] = {constant, proportional};
   for (int part = 0; part < 2; ++part) {
-    std::vector<double>& list = values[part];
+    std::vector<double>& list = rest_elongation[part];
     const auto place = static_cast<std::size_t>(term);
     if (parts[part] == 0 && place >= list.size()) continue;
     if (list.size() <= place) list.resize(place + 1, 0.0);
     list[place] = parts[part];
   }
-}
-
-void Terms::set_rest_elongation(int term, double constant, double proportional) {
-  set(rest_elongation, term, constant, proportional);
-}
-
-void Terms::set_constant_force(int term, double constant, double proportional) {
-  set(constant_force, term, constant, proportional);
 }
 
 void Terms::set_contraction(int term, double ratio) {

@@ -35,9 +35,9 @@ struct TermEntry {
   bool operator==(const TermEntry&) const = default;
 };
 
-// Terms of the energy, which are squares of the displacements u: each is k/2 (c.u - e0)^2 + q (c.u), with c its
-// coefficients, c.u its elongation [m], k its stiffness [N/m], e0 its rest elongation [m] and q its constant force [N].
-// Rest elongations and constant forces have a constant part and one that is proportional to the load factor.
+// Terms of the energy, which are squares of the displacements u: each is k/2 (c.u - e0)^2, with c its coefficients, c.u
+// its elongation [m], k its stiffness [N/m] and e0 its rest elongation [m], which has a constant part and one that is
+// proportional to the load factor.
 //
 // A bond is the term of two nodes whose coefficients are -n and n, where n is the unit vector from the first to the
 // second; stepping sweeps over all of them at every event, hence the structure of arrays. Terms of any other shape
@@ -51,7 +51,6 @@ struct Terms {
 
   // Constant and proportional parts. Terms beyond the end have 0: the arrays are empty where nothing uses them.
   std::array<std::vector<double>, 2> rest_elongation;  // [m]
-  std::array<std::vector<double>, 2> constant_force;   // [N]
 
   // Poisson's ratio in the plane of bonds whose stretch counts the effect of compression across them; terms beyond the
   // end have 0 and do not count it.
@@ -98,7 +97,6 @@ struct Terms {
   bool wide_terms_only_follow() const { return wide_followers == wide.term.size(); }
 
   void set_rest_elongation(int term, double constant, double proportional = 0);
-  void set_constant_force(int term, double constant, double proportional = 0);
 
   void set_contraction(int term, double ratio);
   double contraction_of(std::size_t term) const { return term < contraction.size() ? contraction[term] : 0; }
@@ -114,14 +112,14 @@ struct Terms {
   std::vector<int> broken_by(std::span<const StageChange> changes) const;
 
   // Whether some term has a force without elongation.
-  bool have_offsets() const {
-    return has(rest_elongation, 0) || has(rest_elongation, 1) || has(constant_force, 0) || has(constant_force, 1);
-  }
-  bool have_offsets(int part) const { return has(rest_elongation, part) || has(constant_force, part); }
+  bool have_offsets() const { return have_offsets(0) || have_offsets(1); }
+  bool have_offsets(int part) const { return !rest_elongation[part].empty(); }
 
-  // Rest elongation e0 and constant force q, part 0 (constant) or 1 (proportional).
-  double rest(std::size_t term, int part) const { return value(rest_elongation[part], term); }
-  double constant(std::size_t term, int part) const { return value(constant_force[part], term); }
+  // Rest elongation e0, part 0 (constant) or 1 (proportional).
+  double rest(std::size_t term, int part) const {
+    const std::vector<double>& values = rest_elongation[part];
+    return term < values.size() ? values[term] : 0;
+  }
 
   // Calls visit(node, x, y) for every coefficient vector.
   template <class Visit>
@@ -152,17 +150,15 @@ struct Terms {
     return elongation(term, displacement) - (rest(term, 0) + load_factor * rest(term, 1));
   }
 
-  // Force k (c.u - e0) + q with a stiffness that need not be the virgin one.
+  // Force k (c.u - e0) with a stiffness that need not be the virgin one.
   double tension(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
-    return present_stiffness * elastic_elongation(term, displacement, load_factor) + constant(term, 0) +
-           load_factor * constant(term, 1);
+    return present_stiffness * elastic_elongation(term, displacement, load_factor);
   }
 
-  // Energy k/2 (c.u - e0)^2 + q (c.u) with such a stiffness.
+  // Energy k/2 (c.u - e0)^2 with such a stiffness.
   double energy(std::size_t term, double present_stiffness, const double* displacement, double load_factor) const {
     const double elastic = elastic_elongation(term, displacement, load_factor);
-    const double force = constant(term, 0) + load_factor * constant(term, 1);
-    return 0.5 * present_stiffness * elastic * elastic + force * elongation(term, displacement);
+    return 0.5 * present_stiffness * elastic * elastic;
   }
 
   CriticalScales critical_scales(const std::vector<double>& critical_stretch) const;
@@ -171,16 +167,10 @@ struct Terms {
   void critical_shares(const Affine& displacement, const CriticalScales& scales, std::vector<double>& constant_part,
                        std::vector<double>& proportional_part) const;
 
-  // Adds the forces stiffness (c.u) c of all terms, without rest elongations and constant forces, on all nodes.
+  // Energy k/2 (c.u - e0)^2 with such a stiffness.
   void add_forces(const std::vector<double>& present_stiffness, const double* displacement, double* force) const;
 
  private:
-  static bool has(const std::array<std::vector<double>, 2>& values, int part) { return !values[part].empty(); }
-  static double value(const std::vector<double>& values, std::size_t term) {
-    return term < values.size() ? values[term] : 0;
-  }
-  static void set(std::array<std::vector<double>, 2>& values, int term, double constant, double proportional);
-
   std::size_t place_of_wide(std::size_t term) const {
     return static_cast<std::size_t>(std::lower_bound(wide.term.begin(), wide.term.end(), static_cast<int>(term)) -
                                     wide.term.begin());

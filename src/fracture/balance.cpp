@@ -29,6 +29,10 @@ constexpr double scale_without_stress = 1e-5;
 // rests at zero all forces are rounding. A way of loads has larger ones unless it is 1e6 times as short as its time.
 constexpr double scale_of_parts = 1e-6;
 
+constexpr char causes_of_rounding[] =
+    "look for strips that are very thin for their length, also those that holes, cracks and edges leave between "
+    "them, and for parts that supports or a few bonds hardly hold";
+
 // How far supports, and springs that hold what came free, have moved the body.
 double moved_by_holds(const coupling::EquilibriumSystem& system, double load_factor) {
   double largest = std::max(system.support_motion(load_factor), system.rest_motion(load_factor));
@@ -84,11 +88,11 @@ double least_energy_scale(const coupling::EquilibriumSystem& system, double load
 void require_balance(double residual, double energy_balance_error) {
   if (residual > most_residual) {
     fail(Failure::unsolvable, "forces are out of balance by ", residual,
-         " of the largest one: a part is held by next to nothing, or very slender; check supports and cracks");
+         " of the largest one: rounding is as large in this body; ", causes_of_rounding);
   }
   if (energy_balance_error > most_imbalance) {
     fail(Failure::unsolvable, "work and energies differ by ", energy_balance_error,
-         " of the largest work: a part is held by next to nothing, or very slender; check supports and cracks");
+         " of the largest work: rounding is as large in this body; ", causes_of_rounding);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fracture/loaded_body.hpp"
+#include "number_range.hpp"
 
 namespace bempd::fracture {
 
@@ -52,21 +53,30 @@ std::vector<double> LoadedBody::support_displacements() const {
   return result;
 }
 
+Point LoadedBody::load_on(int node, double load_factor) const {
+  return system_.force().middleRows<2>(2 * static_cast<Eigen::Index>(node)) * Eigen::Vector2d(1, load_factor);
+}
+
 double LoadedBody::resistance(const std::vector<double>& reactions, double load_factor) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < reactions.size(); i += 2) sum += std::hypot(reactions[i], reactions[i + 1]);
-  const Eigen::Vector2d at(1, load_factor);
-  for (int node : loaded_nodes_) sum += (system_.force().middleRows<2>(2 * node) * at).norm();
-  return 0.5 * sum;
+  double half = 0;
+  for (std::size_t i = 0; i < reactions.size(); i += 2) half += 0.5 * std::hypot(reactions[i], reactions[i + 1]);
+  for (int node : loaded_nodes_) {
+    const Point load = load_on(node, load_factor);
+    half += 0.5 * std::hypot(load.x(), load.y());  // no square of it has to be within the range of numbers
+  }
+  return in_range(half);
 }
 
 double LoadedBody::unbalanced_share() const {
-  const Eigen::Vector2d at(1, state_.load_factor);
-  const auto load_on = [&](int node) -> Point { return system_.force().middleRows<2>(2 * node) * at; };
+  // Loads are divided by a power of 2 of their size: squares of far loads are beyond the range of numbers.
+  double largest = 0;
+  for (int node : loaded_nodes_)
+    largest = std::max(largest, load_on(node, state_.load_factor).lpNorm<Eigen::Infinity>());
+  const double unit = std::ldexp(1.0, -far_exponent(largest));
   double size = 0;
   Point sum = Point::Zero(), centre = Point::Zero();
   for (int node : loaded_nodes_) {
-    const Point load = load_on(node);
+    const Point load = unit * load_on(node, state_.load_factor);
     sum += load;
     size += load.norm();
     centre += load.norm() * positions_[static_cast<std::size_t>(node)];
@@ -75,7 +85,8 @@ double LoadedBody::unbalanced_share() const {
   centre /= size;
   double moment = 0, inertia = 0;
   for (int node : loaded_nodes_) {
-    const Point load = load_on(node), arm = positions_[static_cast<std::size_t>(node)] - centre;
+    const Point load = unit * load_on(node, state_.load_factor),
+                arm = positions_[static_cast<std::size_t>(node)] - centre;
     moment += cross(arm, load);
     inertia += load.norm() * arm.squaredNorm();
   }

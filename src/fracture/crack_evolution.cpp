@@ -71,6 +71,7 @@ StopReason CrackEvolution::advance(double target, Goal goal, const SteppingOptio
   sources_.refresh();
   sources_.freeze(options.frozen);
   sources_.go_on();
+  sources_.begin_call();
   const Start start = this->start();
   try {
     const StopReason reason = run(target, goal, options, on_event);

@@ -69,8 +69,12 @@ class CrackEvolution {
   struct Loads {
     ActingLoads acting;
     Eigen::Matrix2d work_within;
+    Continuation way_on;
   };
-  Loads loads() const { return {body_.acting_loads(), work_within_}; }
+  Loads loads() {
+    sources_.refresh();
+    return {body_.acting_loads(), work_within_, sources_.continuation()};
+  }
   void restore_loads(Loads loads) noexcept;
 
   // Other rests of terms and operators, as heat makes them. What they do to the stored energy where nothing moves is
@@ -216,6 +220,7 @@ class CrackEvolution {
   void book(const Event& event, const Outcome& outcome, const SteppingOptions& options);
   void book_lines(const Outcome& outcome, double released_energy);
   void pass(const Outcome& outcome);
+  void find_lost_work(double stored_energy);
   void note_separation(const Outcome& outcome);
   void end_step();
   // Throws Error (unsolvable) for a line whose forces or energies do not balance.

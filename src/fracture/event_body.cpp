@@ -8,29 +8,23 @@ namespace {
 
 std::vector<ChangingTerm> changing_terms(const Event& event, const coupling::EquilibriumSystem& system,
                                          const EventBody& body) {
-  const coupling::Terms& terms = system.terms();
   std::vector<ChangingTerm> result;
   result.reserve(event.changes.size());
   for (const coupling::StageChange& change : event.changes) {
     const auto term = static_cast<std::size_t>(change.term);
-    const bool breaks = terms.is_broken(term, change.stage);
     result.push_back({change.term, system.present_stiffness()[term] - system.stiffness_after(change),
-                      breaks ? terms.constant(term, 0) + event.load_factor * terms.constant(term, 1) : 0,
                       body.elongation(change.term, event.load_factor)});
   }
   return result;
 }
 
 // Potential energy lost. It is a quadratic function of the displacements that is least in equilibrium: where a
-// stiffness k and a constant force q of a term are lost, whose elastic elongation grows from e to e' with its
-// elongation growing from c.u to c.u', it falls by k e e' / 2 + q (c.u + c.u') / 2.
+// stiffness k of a term is lost, whose elastic elongation grows from e to e', it falls by k e e' / 2.
 double released_energy(const std::vector<ChangingTerm>& terms, const BodyChange& change, const EventBody& body,
                        double load_factor) {
   double sum = change.released_first;
   for (const ChangingTerm& term : terms) {
-    const Elongation after = body.elongation(term.term, load_factor);
-    sum += 0.5 * term.stiffness_lost * term.before.elastic * after.elastic;
-    if (term.force_lost != 0) sum += 0.5 * term.force_lost * (term.before.whole + after.whole);
+    sum += 0.5 * term.stiffness_lost * term.before.elastic * body.elongation(term.term, load_factor).elastic;
   }
   for (const double energy : change.released_then) sum += energy;
   return sum;

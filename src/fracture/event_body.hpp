@@ -17,7 +17,7 @@ struct Elongation {
 // A term whose stage changes, as it is just before.
 struct ChangingTerm {
   int term;
-  double stiffness_lost, force_lost;  // force: the constant one of a term that breaks
+  double stiffness_lost;
   Elongation before;
 };
 

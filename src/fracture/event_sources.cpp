@@ -1,6 +1,7 @@
 #include "fracture/event_sources.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "fracture/window/window_settings.hpp"
 
@@ -107,6 +108,7 @@ Outcome EventSources::perform() {
 }
 
 void EventSources::settle() {
+  keep_way_on();
   complete_mark();
   close_awaited();
   window_.close();
@@ -142,8 +144,25 @@ void EventSources::refresh() {
   if (!body_.state().in_equilibrium) close_awaited();  // other loads act since
 }
 
+// Without a window the first search for an event may change the system's factor; with an open one nothing changes
+// before the first mark.
+void EventSources::begin_call() {
+  call_.emplace();
+  if (!window_.is_open()) keep_way_on();
+}
+
+void EventSources::keep_way_on() {
+  if (call_ && !call_->way_on) call_->way_on = continuation();
+}
+
+void EventSources::drop_mark() {
+  mark_.reset();
+  call_.reset();
+}
+
 void EventSources::mark() {
   if (mark_) return;
+  keep_way_on();
   if (window_.is_open()) {
     mark_ = Mark{{}, window_.place()};
   } else {
@@ -169,8 +188,11 @@ void EventSources::return_to_mark() noexcept {
   if (has_state) body_.state() = std::move(mark_->state);
   if (mark_ && mark_->place) window_.return_to(*mark_->place);
   // An open window is whole wherever the mark is a place in it, or nothing was marked; all else may be half done.
-  if (has_state || !window_.is_open()) abandon();
-  mark_.reset();
+  if (has_state || !window_.is_open()) {
+    abandon();
+    if (call_ && call_->way_on) continue_with(std::move(*call_->way_on));
+  }
+  drop_mark();
 }
 
 }  // namespace bempd::fracture

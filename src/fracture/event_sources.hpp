@@ -51,9 +51,11 @@ class EventSources {
   void continue_with(Continuation continuation) noexcept { awaited_ = std::move(continuation); }
   void go_on();
 
-  // One state of the body to return to: the one at the first mark since the last was dropped.
+  // One state of the body to return to: the one at the first mark since the last was dropped; with what is known beside
+  // it where begin_call() was called before.
+  void begin_call();
   void mark();
-  void drop_mark() { mark_.reset(); }
+  void drop_mark();
   void return_to_mark() noexcept;
 
  private:
@@ -72,9 +74,15 @@ class EventSources {
   void be_patient();
   void keep_present();
   void complete_mark();
+  void keep_way_on();
   void remember(const Continuation& continuation);
   bool open_again(const Continuation& continuation);
   void close_awaited();
+
+  // What was known beside the state when a call began, for the case that it fails: kept once it is about to change.
+  struct Call {
+    std::optional<Continuation> way_on;
+  };
 
   LoadedBody& body_;
   WholeBodyEvents whole_body_;
@@ -84,6 +92,7 @@ class EventSources {
   EventSource* told_ = nullptr;  // the next event
   Event growth_;                 // of a tip with boundary elements, that was told
   std::optional<Mark> mark_;
+  std::optional<Call> call_;
   std::optional<Continuation> awaited_;  // after refresh(): only what has an open window
   bool is_stale_ = false;
   int whole_body_events_ = 0;  // to come before the next window is tried

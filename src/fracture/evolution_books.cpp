@@ -1,6 +1,7 @@
 // The books of a run: work and energies, what the body bears, and lines of the history.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fracture/balance.hpp"
 #include "fracture/crack_evolution.hpp"
@@ -25,6 +26,7 @@ double CrackEvolution::work_that_moves(const Event& event, const Outcome& outcom
 void CrackEvolution::book(const Event& event, const Outcome& outcome, const SteppingOptions& options) {
   const double moved = work_that_moves(event, outcome, options);
   state_.work += outcome.work_before;
+  find_lost_work(outcome.stored_energy_before);
   HistoryEntry line;
   line.load_factor_before = state_.load_factor;
   line.stored_energy_before = in_range(outcome.stored_energy_before + outcome.within_before);
@@ -71,6 +73,14 @@ void CrackEvolution::note_separation(const Outcome& outcome) {
     state_.separated = true;
 }
 
+// Work that was beyond the range of numbers is known again where energies are within it: what is stored and released.
+void CrackEvolution::find_lost_work(double stored_energy) {
+  const auto is_lost = [](double energy) { return !(std::abs(energy) < std::numeric_limits<double>::max()); };
+  if (!is_lost(state_.work) || is_lost(stored_energy) || is_lost(state_.released_energy)) return;
+  state_.work = stored_energy + state_.released_energy;
+  state_.largest_work = 0;
+}
+
 void CrackEvolution::end_step() {
   sources_.bring_up_to_date();
   HistoryEntry line;
@@ -81,6 +91,7 @@ void CrackEvolution::end_step() {
   const std::vector<double> reactions = body_.reactions();
   line.load_factor_before = state_.load_factor;
   line.stored_energy_before = line.critical_stored_energy;
+  find_lost_work(line.stored_energy);
   line.work_before = work();
   line.resistance_before = line.resistance = body_.resistance(reactions);
   write_line(line, least_energy_scale(system_, state_.load_factor), reactions, reactions);
@@ -92,6 +103,7 @@ void CrackEvolution::write_line(const HistoryEntry& known, double energy_scale,
   line.total_broken_bonds = state_.broken_bonds;
   line.load_factor = state_.load_factor;
   line.stored_energy = in_range(line.stored_energy);
+  find_lost_work(line.stored_energy);
   line.released_energy = state_.released_energy;
   line.bond_energy = state_.bond_energy;
   const double difference = std::abs(state_.work - line.stored_energy - state_.released_energy);

@@ -30,6 +30,7 @@ void CrackEvolution::restore_loads(Loads loads) noexcept {
   body_.restore_loads(std::move(loads.acting));
   work_within_ = loads.work_within;
   sources_.abandon();
+  sources_.continue_with(std::move(loads.way_on));
 }
 
 CrackEvolution::Heat CrackEvolution::heat(coupling::Rests rests) {

@@ -125,6 +125,7 @@ class LoadedBody {
   // How far supports move the body at the present load factor, x and y of each: the mean over its nodes, NaN where it
   // does not say.
   std::vector<double> support_displacements() const;
+  Point load_on(int node, double load_factor) const;  // [N]
   // Half of the sum of the magnitudes of these reactions and of the nodal loads at a load factor.
   double resistance(const std::vector<double>& reactions, double load_factor) const;
   double resistance(const std::vector<double>& reactions) const { return resistance(reactions, state_.load_factor); }

@@ -1,9 +1,16 @@
 #include "linalg/blas.hpp"
 
 #include <dlfcn.h>
+#if __has_include(<sys/mman.h>)
+#include <sys/mman.h>
+#endif
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <atomic>
+
+#include "no_memory.hpp"
 
 namespace bempd::linalg {
 
@@ -28,7 +35,38 @@ constexpr std::array older_cores = {
     "Atom",    "Dunnington",   "Nehalem",       "Athlon",      "Opteron",   "Barcelona",  "Bobcat",     "Nano",
     "Unknown", "Opteron_SSE3", "Opteron(SSE3)", "Sandybridge", "Bulldozer", "Piledriver", "Steamroller"};
 
+// What OpenBLAS asks the system for on processors of 64 bits (BUFFER_SIZE of its param.h), and a little more.
+constexpr std::size_t openblas_buffer = (std::size_t{128} << 20) + (std::size_t{1} << 20);
+
+bool system_gives(std::size_t bytes) {
+#if __has_include(<sys/mman.h>)
+  void* const block = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (block == MAP_FAILED) return false;
+  munmap(block, bytes);
+#endif
+  return true;
+}
+
+// A product that is large enough for OpenBLAS's own kernels, which work in the buffer.
+void multiply_once() {
+  constexpr Eigen::Index size = 64;
+  const Eigen::MatrixXd factor = Eigen::MatrixXd::Ones(size, size);
+  Eigen::MatrixXd product(size, size);
+  product.noalias() = factor * factor;
+}
+
 }  // namespace
+
+void require_blas_buffer() {
+  static std::atomic<bool> is_taken = false;
+  if (is_taken || running_blas().name.rfind("OpenBLAS", 0) != 0) return;
+  if (!system_gives(openblas_buffer))
+    throw NoMemory(
+        "the system gives no 128 MB of memory in one piece, which OpenBLAS needs once; raise the limit of the "
+        "process's address space (ulimit -v)");
+  multiply_once();
+  is_taken = true;
+}
 
 Blas running_blas() {
   const std::string config = ask<const char*>("openblas_get_config", "BLAS");

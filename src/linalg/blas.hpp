@@ -23,4 +23,8 @@ bool is_before_avx2(std::string_view core);
 // Whether the processor of this machine has AVX2 and its fused multiplication and addition.
 bool processor_has_avx2();
 
+// Makes OpenBLAS take its buffer of 128 MB before the first computation: it tries forever where the system gives it
+// none. Throws NoMemory instead.
+void require_blas_buffer();
+
 }  // namespace bempd::linalg

@@ -141,7 +141,7 @@ Grown Model::grown(const std::vector<scene::Crack>& before, Growing growing, boo
     for (const fracture::CrackExtension& e : growing.extensions) all.push_back(e.angle);
     return all;
   }();
-  const bool chords = options_.text_value("growth.direction") == "chord";
+  const bool chords = options_.text_value("crack.direction") == "chord";
   Grown result;
   for (int halvings = 0;; ++halvings) {
     result.scene = extended_scene(before, growing, on_way);

@@ -66,7 +66,7 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
   } else {
     growing.critical_load_factor = critical_load_factor(tips[first], load_factor, options);
   }
-  const double share = options.number("growth.share");
+  const double share = options.number("crack.tie_share");
   for (std::size_t t = 0; t < tips.size(); ++t) {
     if (t != first && !(share > 0 && ratio_of(tips[t]) >= growing.ratio / (1 + share))) continue;
     const regions::TipValues& tip = tips[t];
@@ -82,7 +82,7 @@ Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t fi
 }
 
 void set_lengths(Growing& growing, double length, const scene::Options& options) {
-  const double exponent = options.number("growth.exponent");
+  const double exponent = options.number("crack.exponent");
   growing.lengths.clear();
   for (const regions::TipValues& tip : growing.tips) {
     const double factor = kink_at(tip, growing.load_factor, options).equivalent_factor;
@@ -91,7 +91,7 @@ void set_lengths(Growing& growing, double length, const scene::Options& options)
 }
 
 double chosen_length(const scene::Scene& scene, const Growing& growing, const scene::Options& options) {
-  if (const double said = options.number("growth.step"); said > 0) return said;
+  if (const double said = options.number("crack.step"); said > 0) return said;
   double least = std::numeric_limits<double>::infinity();
   for (const regions::TipValues& tip : growing.tips) {
     const double length = length_of(scene.crack(tip.crack));

@@ -31,15 +31,15 @@ crack::GrowthLaw law_of(const regions::TipValues& tip, const scene::Options& opt
 // The tip of a carrier, with known factors.
 crack::Tip carried(const regions::TipValues& tip, const scene::Options& options);
 
-// The tip with this number, and with it those that the option growth.share lets grow too.
+// The tip with this number, and with it those that the option crack.tie_share lets grow too.
 Growing growing_with(const std::vector<regions::TipValues>& tips, std::size_t first, double load_factor,
                      const scene::Options& options);
 
-// Every tip grows by this length, or by less as the option growth.exponent has it.
+// Every tip grows by this length, or by less as the option crack.exponent has it.
 void set_lengths(Growing& growing, double length, const scene::Options& options);
 
 // How far growing tips go at once: a share of the crack's length and of the way to what is near, or what the option
-// growth.step says.
+// crack.step says.
 double chosen_length(const scene::Scene& scene, const Growing& growing, const scene::Options& options);
 
 // The cracks with their extensions, which become known.

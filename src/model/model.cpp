@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "fracture/connectivity.hpp"
 #include "geometry/outline.hpp"
+#include "linalg/blas.hpp"
 #include "model/crack_way.hpp"
 #include "model/driven_growth.hpp"
 #include "model/growth_options.hpp"
@@ -45,6 +46,23 @@ bool is_island(const scene::Scene& scene, const regions::Discretization& d, cons
   });
 }
 
+double extent(const std::vector<Point>& positions, const std::vector<int>& nodes) {
+  double farthest = 0;
+  for (const int node : nodes) farthest = std::max(farthest, (positions[node] - positions[nodes.front()]).norm());
+  return farthest;
+}
+
+// Supports on a very small part of a body prevent its rotation on paper, but not within the digits of a number.
+[[noreturn]] void fail_free(const std::string& regions, const std::string& motion, double held, double size) {
+  constexpr double small_part = 1e-5;
+  if (motion == "rotate" && held > 0 && held < small_part * size)
+    fail(Failure::unsolvable, "supports hold ", regions, " along ", held, " only, of a size of ", size,
+         ", which does not keep it from rotating within the digits of a number: hold it at another place as well, or "
+         "make it thicker there");
+  fail(Failure::unsolvable, regions, " can ", motion,
+       "; add supports that prevent this, for example with bempd_fix_point()");
+}
+
 }  // namespace
 
 Seconds seconds_of(const PreparedScene& prepared) {
@@ -75,16 +93,18 @@ void Model::call_failed(bool was_prepared, bool unsolvable) noexcept {
 void Model::check_mechanism(const PreparedScene& p) const {
   const std::vector<Point>& positions = p.discretization.positions;
   for (const std::vector<int>& nodes : fracture::Connectivity(*p.system).pieces()) {
+    std::vector<int> held;
+    for (const coupling::HeldDirection& h : held_directions(p, nodes)) held.push_back(h.node);
     const coupling::RigidMotion motion(positions, nodes, held_directions(p, nodes));
     if (motion.free_count() == 0 || is_island(scene_, p.discretization, nodes)) continue;
-    fail(Failure::unsolvable, p.discretization.regions_with(nodes), " can ", motion.describe(),
-         "; add supports that prevent this, for example with bempd_fix_point()");
+    fail_free(p.discretization.regions_with(nodes), motion.describe(), extent(positions, held),
+              extent(positions, nodes));
   }
 }
 
 // Prepares the growth of cracks as lines, unless they grow bond by bond.
 void Model::grow_lines(PreparedScene& p) const {
-  const std::string rule = options_.text_in_effect("pd.crack_rule");
+  const std::string rule = options_.text_in_effect("crack.rule");
   if (rule == "bond") return;
   pd::TipLaws laws;
   laws.more_begin = rule != "tips";
@@ -117,23 +137,18 @@ void Model::grow_lines(PreparedScene& p) const {
 }
 
 fracture::ContactPlan Model::contact_plan(const PreparedScene& p) const {
-  using fracture::ContactRule;
-  const std::string rule = options_.text_value("pd.contact");
-  const bool symmetric = options_.text_value("scheme") == "symmetric";
-  require(rule != "rough" || symmetric,
-          "pd.contact is rough, which scheme symmetric has; choose that scheme, or pd.contact = none");
-  if (rule == "none" || !symmetric) return {};
-  if (rule == "rough") return {ContactRule::rough, {}, {}};
+  if (options_.text_value("contact") == "none" || options_.text_value("scheme") != "symmetric") return {};
   pd::FacePlaces lattices = regions::face_lattices(p.discretization);
   if (lattices.lattice_count() == 0) return {};
   std::vector<pd::FacePlace> places = regions::places_on_cracks(p.cracks, p.discretization, lattices);
-  return {ContactRule::faces, std::move(lattices), std::move(places)};
+  return {true, std::move(lattices), std::move(places)};
 }
 
 void Model::prepare() {
   if (prepared_) return;
   if (scene_.region_ids().empty()) fail(Failure::order, "the scene has no region; add one first");
   regions::require_memory(scene_, options_);
+  linalg::require_blas_buffer();
   prepared_ = build(nullptr);
   ++generation_;
   prepared_->anchored_pieces = anchored_pieces();

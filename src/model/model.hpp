@@ -136,6 +136,8 @@ class Model {
                                             const results::Side& side = {});
   // Places where stress is unbounded.
   const std::vector<regions::SingularPlace>& singular_places();
+  // Order of the stress at each of these places: 0 where it is bounded.
+  std::vector<double> stress_orders(const std::vector<Point>& places);
 
   // Tips of cracks with elements, by crack, then tips in lattices; computed once per generation (crack_results.cpp).
   const std::vector<regions::TipValues>& tips();

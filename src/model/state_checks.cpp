@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "error.hpp"
 
@@ -19,17 +20,28 @@ bool is_sound(const coupling::HoldingSpring& s, Eigen::Index dofs) {
          std::isfinite(s.anchor);
 }
 
-// Whether the numbers of a line are finite. Only energies may be beyond the range of doubles
-// (CrackEvolution::energies_are_lost).
-bool is_sound(const fracture::HistoryEntry& line) {
-  return line.event >= 0 && line.total_broken_bonds >= 0 && std::isfinite(line.load_factor) &&
-         std::isfinite(line.stretch_ratio) && std::isfinite(line.critical_load_factor) &&
-         std::isfinite(line.load_factor_before);
+bool are_finite(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
 }
 
+// Energies beyond the range of numbers are written as the largest one (in_range).
+bool is_sound(const fracture::HistoryEntry& h) {
+  return h.event >= 0 && h.total_broken_bonds >= 0 &&
+         are_finite({h.load_factor, h.stretch_ratio, h.stored_energy, h.released_energy, h.work, h.energy_balance_error,
+                     h.residual, h.critical_load_factor, h.critical_stored_energy, h.bond_energy, h.load_factor_before,
+                     h.stored_energy_before, h.work_before, h.resistance_before, h.resistance});
+}
+
+// Stress intensity factors and energy release rates are NaN where they are not known.
 bool is_sound(const fracture::CrackExtension& e) {
-  return e.crack >= 1 && (e.end == 0 || e.end == 1) && std::isfinite(e.x) && std::isfinite(e.y) &&
-         e.state <= crack::TipState::separated;
+  return e.crack >= 1 && (e.end == 0 || e.end == 1) && e.state <= crack::TipState::separated &&
+         are_finite({e.x, e.y, e.from_x, e.from_y, e.angle, e.length, e.crack_length, e.load_factor}) &&
+         !std::isnan(e.released_energy) && !std::isnan(e.resistance);
+}
+
+bool is_sound(const fracture::Sums& s) {
+  return are_finite({s.released_energy, s.bond_energy, s.work, s.largest_work, s.worst_energy_balance_error, s.residual,
+                     s.resistance.present, s.resistance.peak, s.resistance.stiffness, s.work_out_of_balance});
 }
 
 void sound(bool good, const char* what) { require(good, "the bytes of the state are damaged: ", what); }
@@ -66,6 +78,9 @@ void require_consistent(const fracture::EvolutionState& e) {
         "a displacement or a force is not a finite number");
   sound(e.events >= 0 && e.broken_bonds >= 0 && e.fragments >= 0 && e.contact_switches >= 0 && e.ties >= 0,
         "a count is negative");
+  sound(is_sound(static_cast<const fracture::Sums&>(e)) && !std::isnan(e.first_unit_energy) &&
+            std::isfinite(e.largest_force),
+        "a sum of its run is not a finite number");
   sound(are_flags(e.unloaded) && are_flags(e.faces.closed) && are_flags(e.faces.closed_inside),
         "a flag is neither 0 nor 1");
   sound(std::all_of(e.springs.begin(), e.springs.end(), [&](const auto& spring) { return is_sound(spring, dofs); }),
@@ -78,6 +93,8 @@ void require_consistent(const fracture::EvolutionState& e) {
         "its reactions are not those of the lines of its history");
   sound(std::all_of(e.reactions.begin(), e.reactions.end(), [](double force) { return std::isfinite(force); }),
         "a reaction is not a finite number");
+  sound(std::none_of(e.reactions_before.begin(), e.reactions_before.end(), [](double f) { return std::isnan(f); }),
+        "a reaction before an event is not a number");
   sound(std::all_of(e.extensions.begin(), e.extensions.end(), [](const auto& one) { return is_sound(one); }),
         "an extension of a crack is none");
 }

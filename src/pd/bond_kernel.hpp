@@ -22,7 +22,4 @@ class BondKernel {
 // Kernel c0 (1 - r^2/delta^2)^2 with c0 = 35 C1111 / (pi delta^3): see micromodulus.hpp.
 const BondKernel& quartic_kernel();
 
-// Kernel c0 (1 - r/delta) with c0 = 32 C1111 / (pi delta^3).
-const BondKernel& conical_kernel();
-
 }  // namespace bempd::pd

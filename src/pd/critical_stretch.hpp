@@ -39,8 +39,4 @@ inline double printed_critical_stretch(double fracture_energy, double young_modu
   return std::sqrt(fracture_energy / (printed_fracture_energy_factor() * young_modulus * horizon));
 }
 
-inline double printed_fracture_energy(double critical_stretch, double young_modulus, double horizon) {
-  return printed_fracture_energy_factor() * young_modulus * horizon * critical_stretch * critical_stretch;
-}
-
 }  // namespace bempd::pd

@@ -4,10 +4,12 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
 #include "error.hpp"
+#include "regions/cgroup_limit.hpp"
 
 namespace bempd::regions {
 
@@ -16,11 +18,12 @@ namespace {
 constexpr double gigabyte = 1e9;
 
 const scene::OptionGroup memory_group(scene::OptionPlace::general, [] {
-  scene::OptionDescription limit =
-      scene::number_option("memory.limit",
-                           "Memory that preparing may need by estimate, without the sparse factor; scenes that need "
-                           "more are refused. 0 for all that the machine has.",
-                           0, 0, 1e9, false);
+  scene::OptionDescription limit = scene::number_option(
+      "memory.limit",
+      "Memory that preparing may need by estimate, without the sparse factor; scenes that need "
+      "more are refused. 0 for all that the machine has, or that the control group of the process (a container, "
+      "a batch job) may use.",
+      0, 0, 1e9, false);
   limit.unit = "GB";
   return std::vector<scene::OptionDescription>{limit};
 });
@@ -31,6 +34,11 @@ double memory_of_machine() {
   if (pages > 0 && size > 0) return static_cast<double>(pages) * static_cast<double>(size);
 #endif
   return std::numeric_limits<double>::infinity();
+}
+
+// In containers and batch systems the process may use less.
+double memory_of_process() {
+  return std::min(memory_of_machine(), cgroup_memory_limit("/proc/self/cgroup", "/sys/fs/cgroup"));
 }
 
 }  // namespace
@@ -48,10 +56,12 @@ void require_memory(const scene::Scene& scene, const scene::Options& options) {
 void require_memory_for(double bytes, const std::string& what, const std::string& advice,
                         const scene::Options& options) {
   const double wanted = options.number("memory.limit");
-  const double limit = wanted > 0 ? wanted * gigabyte : memory_of_machine();
+  const double limit = wanted > 0 ? wanted * gigabyte : memory_of_process();
   require(bytes <= limit, "preparing would need about ", bytes / gigabyte, " GB for ", what, "; ",
-          wanted > 0 ? "the option memory.limit allows " : "the machine has ", limit / gigabyte, " GB: ", advice,
-          wanted > 0 ? ", or raise the option" : "");
+          wanted > 0                    ? "the option memory.limit allows "
+          : limit < memory_of_machine() ? "the control group of this process allows "
+                                        : "the machine has ",
+          limit / gigabyte, " GB: ", advice, wanted > 0 ? ", or raise the option" : "");
 }
 
 }  // namespace bempd::regions

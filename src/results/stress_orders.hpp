@@ -11,11 +11,10 @@ class StressOrders {
   // `places` stay with the caller; what is closer than some `tolerance` is the same place.
   StressOrders(const std::vector<regions::SingularPlace>& places, double tolerance);
 
-  // Order of the stress at the nodes: 0 where it is bounded; else stress grows as r to the power of minus this.
+  // Order of the stress at a place or at nodes: 0 where it is bounded; else stress grows as r to the power of minus
+  // this.
+  double order_at(const Point& place) const;
   regions::FieldValues at_nodes(const regions::FieldValues& positions) const;
-
-  // Throws Error (argument) for places where stress is unbounded.
-  void require_bounded(const std::vector<Point>& asked) const;
 
  private:
   const regions::SingularPlace* at(const Point& place) const;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
-#include <span>
 
 #include "error.hpp"
 
@@ -18,29 +18,39 @@ std::multimap<OptionPlace, OptionGroup::Describe>& groups() {
 
 const OptionGroup general(OptionPlace::general, [] {
   return std::vector<OptionDescription>{
-      text_option("accuracy",
-                  "Defaults of bem.quadrature_tolerance and stepping.tie_band: draft, 1e-6 for the first; standard, "
-                  "their own; fine, 1e-15 and 0. A value set by hand stands, before or after.",
-                  "draft | standard | fine", "standard"),
       number_option("threads", "Threads for the library's own loops, 0 for all cores; and for the BLAS, 0 for one.", 0,
                     0, 1024, true)};
 });
 
-// Default that the option `accuracy` moves. A lattice's horizon is not among these: it is part of the material.
-struct PresetValue {
-  const char* option;
-  double value;
+// Names of earlier versions, and what to do instead.
+struct RemovedName {
+  std::string_view name;
+  const char* instead;
 };
 
-// Draft values. Crack runs have none: a tie band of 1 % breaks more bonds at once, but takes no less time.
-constexpr PresetValue draft_values[] = {{"bem.quadrature_tolerance", 1e-6}};
-constexpr PresetValue fine_values[] = {{"bem.quadrature_tolerance", 1e-15}, {"stepping.tie_band", 0}};
-
-std::span<const PresetValue> preset_values(std::string_view accuracy) {
-  if (accuracy == "draft") return draft_values;
-  if (accuracy == "fine") return fine_values;
-  return {};
-}
+constexpr RemovedName removed_names[] = {
+    {"accuracy", "set bem.quadrature_tolerance, and crack.tie_share where cracks grow bond by bond"},
+    {"pd.contact", "use contact, which is for faces of cracks in regions of all kinds"},
+    {"bem.contact", "use contact, which is for faces of cracks in regions of all kinds"},
+    {"pd.crack_rule", "use crack.rule"},
+    {"growth.criterion", "use crack.criterion"},
+    {"growth.share", "use crack.tie_share"},
+    {"stepping.tie_band", "use crack.tie_share"},
+    {"growth.exponent", "use crack.exponent"},
+    {"growth.step", "use crack.step"},
+    {"growth.direction", "use crack.direction"},
+    {"stepping.mode", "use paper.mode"},
+    {"stepping.increment", "use paper.increment"},
+    {"stepping.solver", "leave it out: windows serve wherever they can, and break the same bonds"},
+    {"stepping.window_length", "leave it out: the library chooses it"},
+    {"stepping.factorization", "leave it out: the factorization is kept"},
+    {"stepping.max_breaks_per_solve", "leave it out: there is no limit"},
+    {"pd.horizon_ratio", "give each region its horizon_ratio; 0 stands for 4"},
+    {"pd.lattice_angle", "use bempd_add_turned_pd_region(), which takes the angle as an argument"},
+    {"pd.outline_points", "leave it out: there are points on outlines where an edge is round or slanted"},
+    {"pd.outline_balance", "leave it out: bonds near outlines carry constant stress exactly"},
+    {"results.singular_stress",
+     "use bempd_stress_orders() or bempd_get_singularity(), which tell where stress is unbounded"}};
 
 // Number of single-letter edits between two names.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -74,10 +84,17 @@ std::string near_names(std::string_view name) {
   return list;
 }
 
+const OptionDescription* find(const std::vector<OptionDescription>& options, std::string_view name) {
+  const auto found = std::find_if(options.begin(), options.end(),
+                                  [&](const OptionDescription& option) { return name == option.name; });
+  return found == options.end() ? nullptr : &*found;
+}
+
 const OptionDescription& describe(std::string_view name) {
-  for (const OptionDescription& option : option_descriptions()) {
-    if (name == option.name) return option;
-  }
+  if (const OptionDescription* option = find(option_descriptions(), name)) return *option;
+  if (const OptionDescription* hook = find(test_hook_descriptions(), name)) return *hook;
+  for (const RemovedName& removed : removed_names)
+    require(name != removed.name, "there is no option '", name, "' any more; ", removed.instead);
   fail(Failure::argument, "there is no option '", name, "'; near names are ", near_names(name));
 }
 
@@ -99,19 +116,43 @@ OptionDescription shaping(OptionDescription option) {
 
 OptionGroup::OptionGroup(OptionPlace place, Describe describe) { groups().emplace(place, describe); }
 
+namespace {
+
+std::vector<OptionDescription> described(bool hooks) {
+  std::vector<OptionDescription> options;
+  for (const auto& [place, describe] : groups()) {
+    if ((place == OptionPlace::test_hooks) != hooks) continue;
+    const std::vector<OptionDescription> more = describe();
+    options.insert(options.end(), more.begin(), more.end());
+  }
+  return options;
+}
+
+bool hooks_are_allowed() {
+  const char* const value = std::getenv("BEMPD_TEST_HOOKS");
+  return value != nullptr && std::string_view(value) == "1";
+}
+
+}  // namespace
+
 const std::vector<OptionDescription>& option_descriptions() {
-  static const std::vector<OptionDescription> all = [] {
-    std::vector<OptionDescription> options;
-    for (const auto& [place, describe] : groups()) {
-      const std::vector<OptionDescription> more = describe();
-      options.insert(options.end(), more.begin(), more.end());
-    }
-    return options;
-  }();
+  static const std::vector<OptionDescription> all = described(false);
   return all;
 }
 
+const std::vector<OptionDescription>& test_hook_descriptions() {
+  static const std::vector<OptionDescription> all = described(true);
+  return all;
+}
+
+void Options::require_known(std::string_view name) {
+  if (find(test_hook_descriptions(), name) && !hooks_are_allowed())
+    fail(Failure::argument, "there is no option '", name, "'; near names are ", near_names(name));
+  describe(name);
+}
+
 void Options::set(std::string_view name, double value) {
+  require_known(name);
   const OptionDescription& option = describe(name);
   require(!option.is_text, "option ", name, " takes a word (", option.choices, "), not a number");
   require(std::isfinite(value) && value >= option.minimum && value <= option.maximum, "option ", name, " is ", value,
@@ -122,6 +163,7 @@ void Options::set(std::string_view name, double value) {
 }
 
 void Options::set_text(std::string_view name, std::string_view value) {
+  require_known(name);
   const OptionDescription& option = describe(name);
   require(option.is_text, "option ", name, " takes a number, not a word");
   const std::string choices = std::string(" | ") + option.choices + " | ";
@@ -134,10 +176,8 @@ void Options::set_text(std::string_view name, std::string_view value) {
 double Options::number(std::string_view name) const {
   const OptionDescription& option = describe(name);
   require(!option.is_text, "option ", name, " takes a word; ask for its text");
-  if (const auto own = numbers_.find(name); own != numbers_.end()) return own->second;
-  for (const PresetValue& preset : preset_values(text_value("accuracy")))
-    if (name == preset.option) return preset.value;
-  return option.default_value;
+  const auto own = numbers_.find(name);
+  return own != numbers_.end() ? own->second : option.default_value;
 }
 
 std::string Options::text_value(std::string_view name) const {

@@ -40,8 +40,8 @@ contains
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_add_bem_region: ")
     call model%add_crack(reshape([0._dp, 0._dp], [2, 1]), stat=stat, errmsg=message)
     call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "bempd_add_crack: ")
-    call model%set_option("pd.horizont_ratio", 4._dp, stat, message)
-    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "pd.horizon_ratio")
+    call model%set_option("crack.exponnet", 4._dp, stat, message)
+    call check_error(stat, BEMPD_ERROR_ARGUMENT, message, "crack.exponent")
   end subroutine errors_of_the_library_arrive_in_stat_and_errmsg
 
   subroutine wrong_shapes_are_refused_by_the_module()

@@ -269,8 +269,8 @@ contains
     integer :: k, texts
 
     call model%create()
-    call model%set_option("pd.horizon_ratio ", 5._dp)
-    call model%get_option("pd.horizon_ratio", number)
+    call model%set_option("crack.exponent ", 5._dp)
+    call model%get_option("crack.exponent", number)
     call check(abs(number - 5) <= 0, "a number option is read back")
     call model%set_option("critical_stretch", "printed")
     call model%get_option("critical_stretch", word)

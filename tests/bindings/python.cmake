@@ -17,7 +17,7 @@ file(MAKE_DIRECTORY "${python_work}")
 function(bempd_add_python_test name)
   add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" ${ARGN} WORKING_DIRECTORY "${python_work}")
   set_tests_properties(${name} PROPERTIES TIMEOUT 600
-    ENVIRONMENT "PYTHONPATH=${python_package};BEMPD_LIBRARY=$<TARGET_FILE:bempd>;PYTHONDONTWRITEBYTECODE=1")
+    ENVIRONMENT "PYTHONPATH=${python_package};BEMPD_LIBRARY=$<TARGET_FILE:bempd>;PYTHONDONTWRITEBYTECODE=1;BEMPD_TEST_HOOKS=1")
 endfunction()
 
 bempd_add_python_test(bindings.python -m pytest -q -p no:cacheprovider "${CMAKE_CURRENT_SOURCE_DIR}/python")

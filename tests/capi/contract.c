@@ -34,7 +34,7 @@ static void wrong_conditions(bempd_model* model) {
   WRONG(bempd_add_point_force(model, never, 0.0, BEMPD_X, 1.0, 0.0, NULL));
   WRONG(bempd_set_load_values(model, 5, 1, NULL, NULL));
   WRONG(bempd_set_support_values(model, 50, 1, NULL, NULL));
-  WRONG(bempd_set_option(model, "stepping.tie_band", -1.0));
+  WRONG(bempd_set_option(model, "crack.tie_share", -1.0));
   WRONG(bempd_set_option_text(model, "scheme", "best"));
 }
 

@@ -19,7 +19,7 @@ static bempd_model* square(double thickness) {
   CHECK_OK(model, bempd_add_bem_region(model, id, 4, vertices, 0.25, NULL));
   CHECK_OK(model, bempd_fix_point(model, -1, -1, BEMPD_BOTH, NULL));
   CHECK_OK(model, bempd_fix_point(model, 1, -1, BEMPD_Y, NULL));
-  CHECK_OK(model, bempd_set_option(model, "growth.share", 0.01));
+  CHECK_OK(model, bempd_set_option(model, "crack.tie_share", 0.01));
   return model;
 }
 
@@ -88,7 +88,7 @@ static void released_energy_is_the_integral_of_the_rates(int faces) {
     CHECK_OK(model, bempd_add_crack_traction(model, 1, BEMPD_PRESSURE, 1, NULL, &half, NULL));
     CHECK_OK(model, bempd_add_crack_traction(model, 1, BEMPD_SHEAR, 1, NULL, &quarter, NULL));
   }
-  CHECK_OK(model, bempd_set_option(model, "growth.share", 1));
+  CHECK_OK(model, bempd_set_option(model, "crack.tie_share", 1));
   CHECK_OK(model, bempd_step(model, 0.1, NULL));
   for (int k = 0; k < 8; ++k) {
     const bempd_growth growth = grow(model, 0.03);
@@ -128,14 +128,14 @@ static void the_most_critical_tip_grows_alone(void) {
   bempd_model_free(model);
 }
 
-/** Two tips grow together if growth.share allows it, by lengths that follow their rates if growth.exponent says so. */
+/** Two tips grow together if crack.tie_share allows it, by lengths that follow their rates if crack.exponent says so. */
 static void lengths_follow_the_rates(void) {
   bempd_model* model = square(1);
   add_crack(model, -1, -0.3, -0.6, -0.3);
   add_crack(model, 1, 0.3, 0.7, 0.3);
   pull(model);
-  CHECK_OK(model, bempd_set_option(model, "growth.share", 2));
-  CHECK_OK(model, bempd_set_option(model, "growth.exponent", 1.5));
+  CHECK_OK(model, bempd_set_option(model, "crack.tie_share", 2));
+  CHECK_OK(model, bempd_set_option(model, "crack.exponent", 1.5));
   CHECK(grow(model, 0.05).tips == 2);
   {
     const bempd_crack_extension first = extension_of(model, 0), second = extension_of(model, 1);
@@ -173,7 +173,7 @@ static void the_criterion_chooses_the_direction(void) {
     bempd_model* model = square(1);
     add_crack(model, -0.01, 0, 0.01, 0);
     CHECK_OK(model, bempd_add_crack_traction(model, 1, BEMPD_SHEAR, 1, NULL, &one, NULL));
-    CHECK_OK(model, bempd_set_option_text(model, "growth.criterion", names[k]));
+    CHECK_OK(model, bempd_set_option_text(model, "crack.criterion", names[k]));
     CHECK(grow(model, 0.001).tips == 2);
     CHECK_CLOSE(fabs(extension_of(model, 0).angle) * 180 / pi, degrees[k], 0.3);
     CHECK_CLOSE(extension_of(model, 0).energy_release_rate_before, 1, 1e-9);
@@ -287,7 +287,7 @@ static void chords_follow_the_curve(void) {
       bempd_model* model = square(1);
       add_crack(model, -1, -0.5, -0.7, -0.2);
       pull(model);
-      CHECK_OK(model, bempd_set_option_text(model, "growth.direction", names[k]));
+      CHECK_OK(model, bempd_set_option_text(model, "crack.direction", names[k]));
       for (int step = 0; step < (fine ? 32 : 4); ++step) grow(model, fine ? 0.01 : 0.08);
       y[fine] = tip_of(model, 0).y;
       bempd_model_free(model);
@@ -322,9 +322,9 @@ static void misuse(void) {
   CHECK(bempd_set_tip_frozen(NULL, 1, BEMPD_CRACK_END, 1) == BEMPD_ERROR_ARGUMENT);
   CHECK(bempd_extension_count(NULL, &count) == BEMPD_ERROR_ARGUMENT);
   CHECK(bempd_extension(NULL, 0, &extension) == BEMPD_ERROR_ARGUMENT);
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "growth.share", bempd_set_option(model, "growth.share", -1));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "growth.criterion",
-              bempd_set_option_text(model, "growth.criterion", "strain"));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack.tie_share", bempd_set_option(model, "crack.tie_share", -1));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "crack.criterion",
+              bempd_set_option_text(model, "crack.criterion", "strain"));
   bempd_model_free(model);
 }
 

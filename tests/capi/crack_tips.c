@@ -116,7 +116,7 @@ static void count_overlaps(int32_t level, const char* message, void* user) {
 static void faces_that_overlap_are_warned_of_once(void) {
   const double crack[] = {-0.5, 0, 0.5, 0};
   bempd_model* model = cracked_plate(2, crack, 0);
-  CHECK_OK(model, bempd_set_option_text(model, "bem.contact", "none"));
+  CHECK_OK(model, bempd_set_option_text(model, "contact", "none"));
   CHECK_OK(model, bempd_set_log(model, count_overlaps, NULL));
   CHECK_OK(model, bempd_step(model, 1.0, NULL));
   CHECK(warnings == 0);
@@ -251,7 +251,7 @@ static void cracks_grow_until_they_cut_the_plate(void) {
   int64_t pieces = 0;
   int steps = 0;
   /* The tips of the crack grow together, in steps of the host. */
-  CHECK_OK(model, bempd_set_option(model, "growth.share", 0.01));
+  CHECK_OK(model, bempd_set_option(model, "crack.tie_share", 0.01));
   CHECK_OK(model, bempd_step(model, 0.5, NULL));
   CHECK_OK(model, bempd_growth_init(&growth, sizeof growth));
   {

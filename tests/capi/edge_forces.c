@@ -42,7 +42,7 @@ static bempd_model* held_block(int kind, int32_t* left, int32_t* right) {
   bempd_model* model = kind == 0 ? bem_block() : NULL;
   if (model == NULL) {
     model = new_model();
-    if (kind == 2) CHECK_OK(model, bempd_set_option_text(model, "pd.outline_points", "always"));
+    if (kind == 2) CHECK_OK(model, bempd_set_option_text(model, "test.outline_points", "always"));
     add_pd_rectangle(model, add_sound_material(model), 0.0, 0.0, 10.0, 8.0, 1.0);
   }
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, left));
@@ -89,7 +89,7 @@ static void constant_stress_gives_forces_by_the_weights(void) {
     int64_t k;
     if (model == NULL) {
       model = new_model();
-      if (kind == 2) CHECK_OK(model, bempd_set_option_text(model, "pd.outline_points", "always"));
+      if (kind == 2) CHECK_OK(model, bempd_set_option_text(model, "test.outline_points", "always"));
       add_pd_rectangle(model, add_sound_material(model), 0.0, 0.0, 10.0, 8.0, 1.0);
     }
     CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_X, &side));

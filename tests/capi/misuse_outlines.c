@@ -20,7 +20,7 @@ static void sharp_corners_are_refused_with_advice(void) {
 static void chords_of_a_corner_are_alike(void) {
   const double vertices[] = {0, 0, 10, 0, 10, 8, 0.5, 8, 0.5, 7.5, 0, 7.5};
   bempd_model* model = new_model();
-  CHECK_OK(model, bempd_set_option_text(model, "pd.outline_points", "always"));
+  CHECK_OK(model, bempd_set_option_text(model, "test.outline_points", "always"));
   CHECK_OK(model, bempd_add_pd_region(model, add_sound_material(model), 6, vertices, 1.0, 4, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_BOTH, NULL));
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "more alike", bempd_prepare(model));
@@ -45,10 +45,9 @@ static void nearest_neighbours_are_too_few(void) {
   add_pd_rectangle(model, material, 0.0, 0.0, 10.0, 8.0, 1.0);
   bempd_model_free(model);
   model = new_model();
-  CHECK_OK(model, bempd_set_option(model, "pd.horizon_ratio", 2.0));
   {
     const rectangle r = rectangle_of(0.0, 0.0, 10.0, 8.0);
-    CHECK_OK(model, bempd_add_pd_region(model, add_sound_material(model), 4, r.vertices, 1.0, 0, NULL));
+    CHECK_OK(model, bempd_add_pd_region(model, add_sound_material(model), 4, r.vertices, 1.0, 2, NULL));
   }
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "at least 3", bempd_add_circular_hole(model, 1, 5.0, 4.0, 2.0, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 1, BEMPD_BOTH, NULL));

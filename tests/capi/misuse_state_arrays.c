@@ -223,7 +223,13 @@ static void numbers_have_to_be_finite(bempd_model* model, const bytes* saved) {
     put_double(model, saved, last, INFINITY, "an infinite number");
   }
   put_double(model, saved, offset_load_factor, NAN, "the load factor");
-  put_double(model, saved, saved->begin[history] + 8 + 16, NAN, "the load factor of a line of the history");
+  for (k = 2; k < 17; ++k)
+    put_double(model, saved, saved->begin[history] + 8 + 8 * (int64_t)k, NAN, "a number of a line of the history");
+  for (k = 0; k < 12; ++k) put_double(model, saved, offset_events + 3 * 8 + 8 * (int64_t)k, NAN, "a sum of the run");
+  put_double(model, saved, saved->begin[reactions_before] + 8, NAN, "a reaction before an event");
+  if (saved->count[extensions] > 0)
+    for (k = 0; k < 6; ++k)
+      put_double(model, saved, saved->begin[extensions] + 8 + 8 * (int64_t)k, NAN, "a number of an extension");
 }
 
 static void flags_and_counts_are_checked(bempd_model* model, const bytes* saved) {
@@ -358,7 +364,7 @@ static bempd_model* torn_block(const char* solver) {
   const double notch[] = {3.5, 0.0, 3.5, 3.5};
   const double pull = 1.0;
   int k;
-  CHECK_OK(model, bempd_set_option_text(model, "stepping.solver", solver));
+  CHECK_OK(model, bempd_set_option_text(model, "test.solver", solver));
   CHECK_OK(model, bempd_add_crack(model, 2, cuts, NULL));
   CHECK_OK(model, bempd_add_crack(model, 2, notch, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));

@@ -69,6 +69,8 @@ static void energies_beyond_the_range_stay_numbers(void) {
   CHECK(isfinite(report.energy_balance_error) && isfinite(report.residual));
   CHECK_OK(model, bempd_step(model, 0.5, &report));
   CHECK(isfinite(report.work) && isfinite(report.stored_energy) && isfinite(report.energy_balance_error));
+  CHECK_OK(model, bempd_step(model, 1e-200, &report));
+  CHECK(report.work > 0 && fabs(report.work / report.stored_energy - 1.0) < 1e-12);
   bempd_model_free(model);
 }
 

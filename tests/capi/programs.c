@@ -55,7 +55,7 @@ static void a_loop_without_a_break_returns_its_work(void) {
   const double times[] = {2.0, 3.5, 4.0, 5.0}, loop[] = {0.02, -0.05, -0.05, 0.0};
   bempd_step_report report;
   double force, work;
-  CHECK_OK(plate.model, bempd_set_option_text(plate.model, "pd.contact", "none")); /* the same both ways */
+  CHECK_OK(plate.model, bempd_set_option_text(plate.model, "contact", "none")); /* the same both ways */
   report = run(&plate, 1, top, up, BEMPD_UNTIL_VALUES);
   force = force_of(&plate);
   work = report.work;

@@ -6,15 +6,14 @@
 
 #include "check.h"
 
-/** Tests of bonds that break one by one define it as "bond" before they include this. */
-#ifndef CRACK_RULE
-#define CRACK_RULE "auto"
-#endif
+/** Tests of bonds that break one by one define CRACK_RULE as "bond" before they include this. */
 
 static inline bempd_model* new_model(void) {
   bempd_model* model = NULL;
   CHECK_OK(NULL, bempd_model_create(&model));
-  CHECK_OK(model, bempd_set_option_text(model, "pd.crack_rule", CRACK_RULE));
+#ifdef CRACK_RULE
+  CHECK_OK(model, bempd_set_option_text(model, "crack.rule", CRACK_RULE));
+#endif
   return model;
 }
 

@@ -36,7 +36,7 @@ static void stopped_step_keeps_its_events(const char* solver) {
   heard.model = plate.model;
   CHECK_OK(NULL, bempd_step_report_init(&report, sizeof report));
   CHECK_OK(NULL, bempd_history_entry_init(&line, sizeof line));
-  CHECK_OK(plate.model, bempd_set_option_text(plate.model, "stepping.solver", solver));
+  CHECK_OK(plate.model, bempd_set_option_text(plate.model, "test.solver", solver));
   CHECK_OK(plate.model, bempd_set_progress(plate.model, stop_after_events, &heard));
   CHECK_OK(plate.model, bempd_run_to_separation(plate.model, 100.0, &report));
   CHECK(report.stop_reason == BEMPD_STOP_REQUESTED && report.events == 3 && !report.separated);

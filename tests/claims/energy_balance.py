@@ -29,7 +29,7 @@ CLAIMS = json.loads((TESTS / "claims.json").read_text(encoding="utf-8"))["claims
 
 def strip(rule: str, spacing: float = 0.001, **options: str) -> tuple[bempd.Model, int]:
     """README's strip, by default with a lattice twice as coarse."""
-    model = bempd.Model(options={"pd.crack_rule": rule, **{name.replace("__", "."): value for name, value in options.items()}})
+    model = bempd.Model(options={"crack.rule": rule, **{name.replace("__", "."): value for name, value in options.items()}})
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     left = model.add_bem_region(acrylic, bempd.rectangle(0, 0, 0.02, 0.02), element_length=0.01)
     model.add_pd_region(acrylic, bempd.rectangle(0.02, 0, 0.04, 0.02), spacing=spacing, horizon_ratio=3)
@@ -43,7 +43,7 @@ def strips() -> Iterator[tuple[str, float]]:
     for rule in ("line", "bond"):
         for control in ("load", "path"):
             for solver in ("window", "plain"):
-                model, right = strip(rule, stepping__control=control, stepping__solver=solver)
+                model, right = strip(rule, stepping__control=control, test__solver=solver)
                 model.prescribe_edge(right, 2, "x", 1e-6)
                 yield f"strip, {rule}, {control}, {solver}", model.run_to_separation(1e4).energy_balance_error
         for spacing in (0.001, 0.0005):
@@ -84,7 +84,7 @@ def random_bodies(first: int, count: int) -> Iterator[tuple[str, float]]:
 
 def random_plates(first: int, count: int) -> Iterator[tuple[str, float]]:
     for seed in range(first, first + count):
-        for rule, contact in (("line", "faces"), ("bond", "rough")):
+        for rule, contact in (("line", "faces"), ("bond", "faces")):
             model, worst = pressed_plates.build(seed, rule, contact), 0.0
             for _ in range(pressed_plates.EVENTS):
                 report = model.step_to_next_event(1e4)

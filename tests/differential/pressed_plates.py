@@ -1,7 +1,7 @@
 """Random plates with crossing cracks, pressed, sheared and pulled, under loads of which some are constant: parts come free,
 faces press on them and open on the way. No call fails, and each has forces and energies in balance.
 
-    pressed_plates.py [--first SEED] [--count N] [--rule line|bond] [--contact faces|rough|none]
+    pressed_plates.py [--first SEED] [--count N] [--rule line|bond] [--contact faces|none]
 
 Prints a line for every plate that fails and a summary; exits with 1 if any does."""
 
@@ -48,8 +48,8 @@ def add_loads(model: bempd.Model, body: int, width: int, height: int, choose: ra
 def build(seed: int, rule: str, contact: str) -> bempd.Model:
     choose = random.Random(seed)
     width, height, horizon = choose.randrange(6, 26), choose.randrange(6, 20), choose.choice((2, 3, 3, 4))
-    model = bempd.Model(options={"pd.contact": contact, "pd.crack_rule": rule,
-                                 "stepping.tie_band": choose.choice((1e-3, 0.0, 0.02))})
+    model = bempd.Model(options={"contact": contact, "crack.rule": rule,
+                                 "crack.tie_share": choose.choice((1e-3, 0.0, 0.02))})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     body = model.add_pd_region(material, bempd.rectangle(0, 0, width, height), 1, horizon)
     add_cracks(model, width, height, choose)
@@ -82,7 +82,7 @@ def main() -> int:
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--rule", choices=("line", "bond"), default="line")
-    parser.add_argument("--contact", choices=("faces", "rough", "none"), default="faces")
+    parser.add_argument("--contact", choices=("faces", "none"), default="faces")
     given = parser.parse_args()
     failed = 0
     for seed in range(given.first, given.first + given.count):

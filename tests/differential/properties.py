@@ -29,7 +29,7 @@ class Recorder:
 
     def __init__(self, options: dict[str, Any]) -> None:
         # One by one, bonds that are alike by symmetry break in an order that rounding decides.
-        self.options = {**options, "stepping.tie_band": max(options["stepping.tie_band"], 1e-3)}
+        self.options = {**options, "crack.tie_share": max(options["crack.tie_share"], 1e-3)}
         self.calls: list[tuple[str, list[Any], dict[str, Any]]] = []
         self.regions = 0
 
@@ -154,7 +154,7 @@ def small_force(report: bempd.StepReport) -> float:
 def difference(recorder: Recorder, one: Outcome, other: Outcome, saying: Saying) -> Optional[str]:
     """Of two lines that are alike by symmetry the one that grows first is left to rounding, of places within the tie band in which
     lines may begin the one of least number is taken: where something else breaks the comparison ends."""
-    lines = recorder.options["pd.crack_rule"] != "bond"
+    lines = recorder.options["crack.rule"] != "bond"
     first = min(one.reports[0].load_factor, random_scenes.FIRST) if one.reports else 0
     size = max((max(np.abs(r).max(), small_force(report)) for r, report in zip(one.reactions, one.reports)), default=0)
     for event, (a, b) in enumerate(zip(one.reports, other.reports), 1):
@@ -164,7 +164,7 @@ def difference(recorder: Recorder, one: Outcome, other: Outcome, saying: Saying)
         if a.total_broken_bonds != b.total_broken_bonds:
             return None if lines and same_load else f"event {event}: {a.total_broken_bonds} bonds; otherwise {b.total_broken_bonds}"
         if not same_load:
-            if lines and abs(a.load_factor - b.load_factor) <= recorder.options["stepping.tie_band"] * abs(a.load_factor):
+            if lines and abs(a.load_factor - b.load_factor) <= recorder.options["crack.tie_share"] * abs(a.load_factor):
                 return None
             if lines and event > 1 and went_another_way(recorder, saying, event - 1):
                 return None

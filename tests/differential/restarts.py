@@ -10,10 +10,13 @@ not."""
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from typing import Callable, Optional
 
 import bempd
+
+os.environ["BEMPD_TEST_HOOKS"] = "1"  # options whose names begin with test.
 
 Build = Callable[[], bempd.Model]
 Call = Callable[[bempd.Model], object]
@@ -127,29 +130,27 @@ SCENES: dict[str, tuple[Build, list[Call]]] = {
     "windows in small steps": (torn_plate, steps(*(0.4 + 0.01 * k for k in range(40))) + events(5)),
     "windows and looks": (torn_plate, [call for event in events(25) for call in
                                        (event, lambda model: model.field(1, "displacement"))]),
-    "windows around several cracks": (lambda: torn_plate(24, cracks=SEVERAL, stepping__window_length=6), events(40)),
-    "one bond after the other": (lambda: torn_plate(stepping__tie_band=0), events(40)),
-    "whole body": (lambda: torn_plate(stepping__solver="plain"), events(20) + [lambda m: m.run_to_separation(1e9)]),
+    "windows around several cracks": (lambda: torn_plate(24, cracks=SEVERAL, test__window_length=6), events(40)),
+    "one bond after the other": (lambda: torn_plate(crack__tie_share=0), events(40)),
+    "whole body": (lambda: torn_plate(test__solver="plain"), events(20) + [lambda m: m.run_to_separation(1e9)]),
     "equilibrium path": (lambda: torn_plate(stepping__control="path"), events(50)),
-    "increments": (lambda: torn_plate(stepping__mode="paper", stepping__increment=0.05),
+    "increments": (lambda: torn_plate(paper__mode="paper", paper__increment=0.05),
                    steps(*(0.5 + 0.15 * k for k in range(8)))),
-    "fresh": (lambda: torn_plate(stepping__factorization="fresh"), events(10)),
     "squares": (lambda: torn_plate(ratio=0.2), events(40)),
-    "squares in the whole body": (lambda: torn_plate(ratio=0.1, stepping__solver="plain"), events(30)),
+    "squares in the whole body": (lambda: torn_plate(ratio=0.1, test__solver="plain"), events(30)),
     "contact": (lambda: torn_plate(20, cracks=SLANTED), pressed),
-    "contact in the whole body": (lambda: torn_plate(20, cracks=SLANTED, stepping__solver="plain"), pressed),
+    "contact in the whole body": (lambda: torn_plate(20, cracks=SLANTED, test__solver="plain"), pressed),
     "contact in windows": (pulled_plate, [lambda model: [model.step_to_next_event(1e9) for _ in range(318)]] + events(20)),
-    "rough contact": (lambda: torn_plate(20, cracks=SLANTED, pd__contact="rough"), pressed),
-    "lines": (lambda: torn_plate(20, cracks=SLANTED, pd__crack_rule="line"), events(20)),
-    "lines in windows": (lambda: torn_plate(30, pd__crack_rule="line"), [call for event in events(24) for call in
+    "lines": (lambda: torn_plate(20, cracks=SLANTED, crack__rule="line"), events(20)),
+    "lines in windows": (lambda: torn_plate(30, crack__rule="line"), [call for event in events(24) for call in
                                                                          (event, lambda m: m.field(1, "displacement"))]),
-    "lines that begin": (lambda: torn_plate(20, cracks=(), pd__crack_rule="line"), events(20)),
-    "lines on the path": (lambda: torn_plate(24, ratio=0.2, pd__crack_rule="line", stepping__control="path"), events(20)),
-    "lines in the whole body": (lambda: torn_plate(pd__crack_rule="line", stepping__solver="plain"), events(12)),
+    "lines that begin": (lambda: torn_plate(20, cracks=(), crack__rule="line"), events(20)),
+    "lines on the path": (lambda: torn_plate(24, ratio=0.2, crack__rule="line", stepping__control="path"), events(20)),
+    "lines in the whole body": (lambda: torn_plate(crack__rule="line", test__solver="plain"), events(12)),
     "boundary elements": (coupled_strip, events(40)),
-    "boundary elements, no windows": (lambda: coupled_strip(stepping__solver="plain"), steps(0.5, 1, 1.1) + events(30)),
+    "boundary elements, no windows": (lambda: coupled_strip(test__solver="plain"), steps(0.5, 1, 1.1) + events(30)),
     "new values": (torn_plate, moved(0.006, 0.012, 0.016, 0.018, 0.014, 0.02, 0.019, 0.026)),
-    "new values of the whole body": (lambda: torn_plate(stepping__solver="plain"), moved(0.012, 0.016, 0.014, 0.02)),
+    "new values of the whole body": (lambda: torn_plate(test__solver="plain"), moved(0.012, 0.016, 0.014, 0.02)),
     "heat": (heated_bar, reheated(-0.5, -0.9, -1.1, -0.6, -1.3, -1.4) + events(8)),
     "growing crack": (boundary_crack, [lambda model: model.grow_cracks(0.7)] * 4),
     "growing crack of which a tip is kept": (lambda: boundary_crack(((3, 9.7), (6, 10.4))), [

@@ -120,7 +120,7 @@ def symmetric_scene(seed: int, carrier: str) -> Scene:
 
 def say(scene: Scene, saying: Saying) -> tuple[bempd.Model, int, list[int]]:
     """The model, its region, and for each of its cracks the number that it has in the scene."""
-    model = bempd.Model(options={"pd.crack_rule": "bond" if scene.carrier == "bonds" else "line", "stepping.control": scene.control})
+    model = bempd.Model(options={"crack.rule": "bond" if scene.carrier == "bonds" else "line", "stepping.control": scene.control})
     stress = saying.modulus
     material = model.add_material(young_modulus=saying.modulus, poisson_ratio=1 / 3, fracture_energy=1e-3 * saying.modulus * saying.length)
     width, height = scene.size

@@ -1,6 +1,7 @@
 #include "scene.hpp"
 
 #include <array>
+#include <cstdlib>
 
 #include "checks.hpp"
 
@@ -17,6 +18,7 @@ constexpr double most_memory = 0.1;
 }  // namespace
 
 Scene::Scene(Bytes& bytes) : bytes_(bytes) {
+  setenv("BEMPD_TEST_HOOKS", "1", 1);
   good("bempd_model_create", nullptr, bempd_model_create(&model_));
   static constexpr std::array scales = {1.0, 1.0, 1.0, 1e-3, 1e3, 1e-9, 1e60, 1e-60, 1e-140, 1e140};
   scale_ = bytes_.of(scales);
@@ -138,7 +140,7 @@ void Scene::act() {
 
 // One case of act(), so that older inputs keep most of their meaning.
 void Scene::act_on_edges() {
-  switch (bytes_.pick(7)) {
+  switch (bytes_.pick(8)) {
     case 0:
       return add_other_load();
     case 1:
@@ -151,6 +153,8 @@ void Scene::act_on_edges() {
       return listen();
     case 5:
       return read_options();
+    case 6:
+      return give_edge_values();
     default:
       return keep_file();
   }

@@ -71,6 +71,7 @@ class Scene {
 
   // Edges (scene_edges.cpp).
   void add_other_load();
+  void give_edge_values();
   void read_edge();
   void read_bounds();
   void change_values_along();

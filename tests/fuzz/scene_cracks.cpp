@@ -17,7 +17,7 @@ void Scene::add_curved() {
   const std::array vertices = {left, 0.0, left + size, 0.0, left + size, size, left, size};
   const double x = left + 0.5 * size, y = 0.5 * size;
   bool added = false;
-  switch (bytes_.pick(4)) {
+  switch (bytes_.pick(5)) {
     case 0:
       added = FUZZ_CALL(bempd_add_bem_disc, model_, material, x, y, bytes_.mostly(0.5 * size), length, nullptr);
       break;
@@ -28,6 +28,10 @@ void Scene::add_curved() {
     case 2:
       added = FUZZ_CALL(bempd_add_pd_region_with_arcs, model_, material, 4, vertices.data(), bulges.data(), scale_, 3,
                         nullptr);
+      break;
+    case 3:
+      added = FUZZ_CALL(bempd_add_turned_pd_region, model_, material, 4, vertices.data(), nullptr, scale_, 3,
+                        bytes_.mostly(0.3), nullptr);
       break;
     default: {
       const double part = 0.15 * size;

@@ -68,6 +68,34 @@ void Scene::add_other_load() {
   load_values_.push_back(1);
 }
 
+// Values by the struct that has them of any kind.
+void Scene::give_edge_values() {
+  bempd_edge_values values;
+  good("bempd_edge_values_init", nullptr, bempd_edge_values_init(&values, sizeof values));
+  const std::array fractions = {0.0, 0.5, 1.0};
+  const std::array numbers = {bytes_.mostly(1e-3), 1e-3, 0.0, 1e-3, bytes_.mostly(2e-3), 0.0};
+  values.kind = bytes_.pick(7), values.components = 1 + bytes_.pick(2), values.count = 3;
+  values.fractions = fractions.data(), values.constant = bytes_.pick(2) == 0 ? nullptr : numbers.data();
+  values.proportional = numbers.data();
+  if (values.kind == BEMPD_FUNCTION) values.kind = BEMPD_TABLE;
+  const int component = 1 + bytes_.pick(3);
+  switch (bytes_.pick(4)) {
+    case 0:
+      if (FUZZ_CALL(bempd_prescribe_edge_values, model_, region(), edge(), 0.0, 1.0, component, &values, nullptr))
+        ++supports_, support_values_.push_back(3);
+      break;
+    case 1:
+      if (FUZZ_CALL(bempd_add_traction_values, model_, region(), edge(), 0.0, 1.0, component, &values, nullptr))
+        ++loads_, load_values_.push_back(3);
+      break;
+    case 2:
+      FUZZ_CALL(bempd_set_support_edge_values, model_, 1 + bytes_.pick(4), &values);
+      break;
+    default:
+      FUZZ_CALL(bempd_set_load_edge_values, model_, 1 + bytes_.pick(4), &values);
+  }
+}
+
 void Scene::read_edge() {
   const std::int32_t of = region(), number = edge();
   std::int32_t edges = 0;

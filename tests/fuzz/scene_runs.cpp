@@ -146,6 +146,11 @@ void Scene::evaluate() {
 }
 
 void Scene::read_singular_places() {
+  const Place at = place();
+  const std::array point = {at.x, at.y};
+  double order = -1;
+  if (FUZZ_CALL(bempd_stress_orders, model_, 1, point.data(), &order))
+    require_true(order >= 0 && order < 1, "bempd_stress_orders", "no order");
   std::int64_t count = 0;
   if (!FUZZ_CALL(bempd_singularity_count, model_, &count)) return;
   for (std::int64_t k = 0; k <= count; ++k) {

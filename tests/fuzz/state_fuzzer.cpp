@@ -29,7 +29,7 @@ bempd_model* torn_block(const char* crack_rule) {
   const std::array cut = {3.5, 0.0, 3.5, 4.0}, notch = {1.5, 0.0, 1.5, 1.5};
   const double pull = 1;
   const bool built = FUZZ_CALL(bempd_set_option, model, "threads", 1.0) &&
-                     FUZZ_CALL(bempd_set_option_text, model, "pd.crack_rule", crack_rule) &&
+                     FUZZ_CALL(bempd_set_option_text, model, "crack.rule", crack_rule) &&
                      FUZZ_CALL(bempd_set_option, model, "stepping.max_events", 100.0) &&
                      FUZZ_CALL(bempd_add_material, model, &material, nullptr) &&
                      FUZZ_CALL(bempd_add_pd_region, model, 1, 4, vertices.data(), 1, 2, nullptr) &&

@@ -42,7 +42,7 @@ namespace {
 // A boundary element block | a lattice with a crack | another block, pulled apart at the ends, every kind of condition.
 std::vector<Call> coupled_plate() {
   return {create(),
-          text_option("pd.crack_rule", "bond"),
+          text_option("crack.rule", "bond"),
           add_material(bempd_material{}),
           bem(0, {0, 0, 6, 0, 6, 8, 0, 8}, 2),
           pd(1, {6, 0, 15, 0, 15, 8, 6, 8}, 1, 3),
@@ -95,7 +95,7 @@ Program coupled() {
 // A lattice on its own, event after event.
 std::vector<Call> lattice(const char* solver) {
   return {create(),
-          text_option("stepping.solver", solver),
+          text_option("test.solver", solver),
           add_material(bempd_material{}),
           pd(0, {0, 0, 26, 0, 26, 14, 0, 14}, 1, 3),
           crack({13.5, 0, 13.5, 4.5}),
@@ -116,7 +116,7 @@ Program windows() {
 // Cracks that grow as lines, in windows.
 Program lines() {
   Program program{"lines", lattice("window")};
-  add(program, {text_option("pd.crack_rule", "line"), next_event(), next_event(), field(0, BEMPD_STRESS), next_event(),
+  add(program, {text_option("crack.rule", "line"), next_event(), next_event(), field(0, BEMPD_STRESS), next_event(),
                 save(), next_event(), reaction(1), restore(), run(), bonds(0), free_state(), free_model()});
   return program;
 }

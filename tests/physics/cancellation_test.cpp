@@ -141,7 +141,7 @@ TEST_F(Cancellation, is_heard_throughout_a_run_of_lines) {
   expect_heard_throughout([&] {
     const double vertices[] = {0, 0, 100, 0, 100, 100, 0, 100}, crack[] = {40, 50.5, 60, 50.5}, pull = 1;
     int32_t region = 0;
-    bempd_set_option_text(model, "pd.crack_rule", "line");
+    bempd_set_option_text(model, "crack.rule", "line");
     bempd_add_pd_region(model, material, 4, vertices, 1, 4, &region);
     bempd_add_crack(model, 2, crack, nullptr);
     bempd_fix_edge(model, region, 1, BEMPD_BOTH, nullptr);
@@ -170,7 +170,7 @@ TEST_P(CancellationOfRuns, takes_nothing_away) {
     const bempd_material steel = host::material(1000, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3);
     int32_t id = material, region = 0;
     if (each == undisturbed) bempd_add_material(each, &steel, &id);
-    ASSERT_EQ(bempd_set_option_text(each, "pd.crack_rule", GetParam()), BEMPD_OK);
+    ASSERT_EQ(bempd_set_option_text(each, "crack.rule", GetParam()), BEMPD_OK);
     ASSERT_EQ(bempd_add_pd_region(each, id, 4, vertices, 1, 3, &region), BEMPD_OK);
     bempd_add_crack(each, 2, crack, nullptr);
     bempd_fix_edge(each, region, 4, BEMPD_BOTH, nullptr);

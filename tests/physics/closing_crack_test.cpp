@@ -200,7 +200,7 @@ TEST(ClosingCrack, energy_is_released_by_growth_beside_closed_faces) {
     model->set_tip_frozen(1, 0, true);
     const model::GrowthResult result = model->grow_cracks(0.01);
     const double by_rates = model->extensions()[0].released_energy;
-    std::printf("bem.contact %s: load factor %.5f, released over the integral of the rates - 1: %.1e\n", contact,
+    std::printf("contact %s: load factor %.5f, released over the integral of the rates - 1: %.1e\n", contact,
                 result.load_factor, result.released_energy / by_rates - 1);
     EXPECT_NEAR(result.released_energy / by_rates, 1, 1e-3);
     return model;
@@ -217,7 +217,7 @@ TEST(ClosingCrack, energy_is_released_by_growth_beside_closed_faces) {
 TEST(ClosingCrack, beside_a_lattice_that_breaks) {
   const auto run = [](const char* solver, const std::vector<std::vector<Point>>& cracks) {
     auto model = std::make_unique<model::Model>();
-    model->options().set_text("stepping.solver", solver);
+    model->options().set_text("test.solver", solver);
     scene::Scene& scene = model->editable_scene();
     scene::Material material;
     material.elasticity = {1, 1.0 / 3, PlaneState::stress, 1};
@@ -275,8 +275,8 @@ TEST(ClosingCrack, wings_grow_from_an_inclined_crack) {
   const double angle = pi / 4;
   const Point along(std::cos(angle), std::sin(angle));
   const auto model = plate(20, 4, {{-along, along}}, "faces", 1);
-  model->options().set_text("growth.direction", "chord");
-  model->options().set("growth.share", 0.01);  // both
+  model->options().set_text("crack.direction", "chord");
+  model->options().set("crack.tie_share", 0.01);  // both
   pull(*model, uniform(0, 0), uniform(0, -1));
   double last = 0;
   const double first = 2 / std::sqrt(3) * 0.5 * std::sqrt(pi);  // largest hoop factor of pure sliding (Erdogan and Sih)

@@ -34,7 +34,7 @@ void pull(model::Model& model, const Stress& constant, const Stress& proportiona
 std::unique_ptr<model::Model> plate(double half, double element, const std::vector<std::vector<Point>>& cracks,
                                     const char* contact, double fracture_energy) {
   auto model = std::make_unique<model::Model>();
-  model->options().set_text("bem.contact", contact);
+  model->options().set_text("contact", contact);
   scene::Scene& scene = model->editable_scene();
   scene::Material material;
   material.elasticity = {1, 0.3, PlaneState::stress, 1};

@@ -57,8 +57,8 @@ TEST(Compression, without_it_a_sound_block_bears_any_pressure) {
 TEST(Compression, without_it_blocks_on_any_lattice_bear_any_pressure) {
   for (const double angle : {0.0, 0.4}) {
     BondModel model;
-    model.set_text("pd.outline_points", "always");
-    model.set("pd.lattice_angle", angle);
+    model.set_text("test.outline_points", "always");
+    model.lattice_angle = angle;
     build(model, {}, "opening");
     EXPECT_NE(model.next_event(1e4 * 20 * critical).stop_reason, BEMPD_STOP_EVENT) << angle;
   }
@@ -74,7 +74,7 @@ TEST(Compression, between_rough_plates_more_is_borne) {
 std::vector<bempd_history_entry> pulled(const char* criterion, const char* solver) {
   BondModel model;
   model.set_text("pd.criterion", criterion);
-  model.set_text("stepping.solver", solver);
+  model.set_text("test.solver", solver);
   build(model, CentreCrack::small());
   model.run(1e4);
   return model.history();
@@ -104,7 +104,7 @@ TEST(Compression, a_pulled_crack_grows_as_before) {
 // A plate with a slot at 45 degrees, pressed and held at the sides.
 void build_slot(Model& model, const char* solver) {
   model.set_text("pd.criterion", "opening");
-  model.set_text("stepping.solver", solver);
+  model.set_text("test.solver", solver);
   const int32_t body =
       model.pd(model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, critical)), rectangle(0, 0, 36, 44), 1, 3);
   model.crack({{12.4, 16.6}, {23.6, 27.8}});

@@ -13,7 +13,7 @@ namespace contact_bodies {
 std::unique_ptr<model::Model> plate(const Size& size, const std::vector<std::vector<Point>>& cracks,
                                     const char* contact, double critical_stretch, double poisson_ratio) {
   auto model = std::make_unique<model::Model>();
-  model->options().set_text("pd.contact", contact);
+  model->options().set_text("contact", contact);
   scene::Scene& scene = model->editable_scene();
   scene::Material material;
   material.elasticity = {1, poisson_ratio, PlaneState::stress, 1};

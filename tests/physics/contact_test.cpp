@@ -135,32 +135,27 @@ TEST(Contact, a_gap_that_passed_zero_by_rounding_stays_as_it_is_while_it_goes_ba
 // --- Growth
 
 TEST(Contact, a_grown_crack_returns_from_pressure_to_where_it_was) {
-  for (const char* rule : {"faces", "rough"}) {
-    const auto model = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}, rule, 1e-3);
-    move_ends(*model, 0, 24e-3, 0.3);
-    std::int64_t broken = 0;
-    while (broken < 40) broken += model->advance(10, fracture::Goal::next_event).broken_bonds;
-    const double load_factor = model->load_factor();
-    model->advance(0.9 * load_factor, fracture::Goal::load_factor);
-    const Eigen::VectorXd before = displacement(*model);
-    const std::int64_t switches = model->prepared().evolution->state().contact_switches;
-    model->advance(-0.9 * load_factor, fracture::Goal::load_factor);
-    const coupling::Contacts& places = model->prepared().system->contacts();
-    const std::size_t closed = places.closed_count();
-    if (std::string(rule) == "faces") {  // a programme of 300 bonds takes a second
-      EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
-    }
-    model->advance(0.9 * load_factor, fracture::Goal::load_factor);
-    const fracture::EvolutionState& state = model->prepared().evolution->state();
-    std::printf(
-        "%s: %lld bonds broken, %zu of %zu places closed under pressure, %lld switches; comes back within %.1e\n", rule,
-        static_cast<long long>(broken), closed, places.size(),
-        static_cast<long long>(state.contact_switches - switches), difference(displacement(*model), before));
-    EXPECT_GT(closed, 9U);
-    EXPECT_GT(places.size(), 9U);
-    EXPECT_LE(difference(displacement(*model), before), 1e-10);
-    EXPECT_LE(state.worst_energy_balance_error, 1e-10);
-  }
+  const auto model = plate({24, 3}, {{{7.3, 12.5}, {16.7, 12.5}}}, "faces", 1e-3);
+  move_ends(*model, 0, 24e-3, 0.3);
+  std::int64_t broken = 0;
+  while (broken < 40) broken += model->advance(10, fracture::Goal::next_event).broken_bonds;
+  const double load_factor = model->load_factor();
+  model->advance(0.9 * load_factor, fracture::Goal::load_factor);
+  const Eigen::VectorXd before = displacement(*model);
+  const std::int64_t switches = model->prepared().evolution->state().contact_switches;
+  model->advance(-0.9 * load_factor, fracture::Goal::load_factor);
+  const coupling::Contacts& places = model->prepared().system->contacts();
+  const std::size_t closed = places.closed_count();
+  EXPECT_LE(difference(displacement(*model), by_quadratic_programme(*model)), 5e-12);
+  model->advance(0.9 * load_factor, fracture::Goal::load_factor);
+  const fracture::EvolutionState& state = model->prepared().evolution->state();
+  std::printf("%lld bonds broken, %zu of %zu places closed under pressure, %lld switches; comes back within %.1e\n",
+              static_cast<long long>(broken), closed, places.size(),
+              static_cast<long long>(state.contact_switches - switches), difference(displacement(*model), before));
+  EXPECT_GT(closed, 9U);
+  EXPECT_GT(places.size(), 9U);
+  EXPECT_LE(difference(displacement(*model), before), 1e-10);
+  EXPECT_LE(state.worst_energy_balance_error, 1e-10);
 }
 
 TEST(Contact, a_state_saved_among_closed_places_goes_on_alike) {
@@ -231,7 +226,7 @@ TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
   const int cells = 90;
   const double half = 20.5, middle_x = 45, level = 45.5;
   const auto model = plate({cells, 3}, {{{middle_x - half, level}, {middle_x + half, level}}}, "faces", 1e-3);
-  model->options().set_text("pd.crack_rule", "bond");
+  model->options().set_text("crack.rule", "bond");
   // Moved as under a pressure of 1e-3 at 45 degrees.
   for (int edge = 1; edge <= 4; ++edge) {
     model->editable_scene().add_support(
@@ -273,8 +268,8 @@ TEST(Contact, wings_leave_a_pressed_crack_where_the_hoop_strain_is_largest) {
 TEST(Contact, windows_and_whole_bodies_break_the_same_bonds) {
   const auto run = [](const char* solver) {
     auto model = plate({30, 3}, {{{8.3, 12.3}, {21.7, 17.6}}}, "faces", 1e-3);
-    model->options().set_text("stepping.solver", solver);
-    model->options().set_text("pd.crack_rule", "bond");
+    model->options().set_text("test.solver", solver);
+    model->options().set_text("crack.rule", "bond");
     move_ends(*model, 0, -30e-3, 1.1);
     for (int k = 0; k < 60; ++k) model->advance(10, fracture::Goal::next_event);
     return model;
@@ -296,8 +291,8 @@ TEST(Contact, windows_and_whole_bodies_break_the_same_bonds) {
 TEST(Contact, windows_switch_places_as_whole_bodies_do) {
   const auto run = [](const char* solver) {
     auto model = plate({39, 4}, {{{15.4, 19.5}, {23.6, 19.5}}}, "faces", 1e-3);
-    model->options().set_text("stepping.solver", solver);
-    model->options().set_text("pd.crack_rule", "bond");
+    model->options().set_text("test.solver", solver);
+    model->options().set_text("crack.rule", "bond");
     move_ends(*model, 0, 1);
     model->advance(1e9, fracture::Goal::separation);
     return model;
@@ -327,21 +322,9 @@ TEST(Contact, windows_switch_places_as_whole_bodies_do) {
 
 // --- What is said
 
-TEST(Contact, rough_is_of_symmetric_systems) {
-  const auto model = plate({10, 3}, {{{3.2, 5.3}, {6.8, 5.3}}}, "rough");
-  EXPECT_THROW(model->options().set_text("pd.contact", "sticky"), Error);
-  try {
-    model->options().set_text("scheme", "paper");
-  } catch (const Error&) {
-    GTEST_SKIP() << "built without scheme paper";
-  }
-  move_ends(*model, 0, 1);
-  try {
-    model->prepare();
-    ADD_FAILURE() << "was accepted";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("pd.contact is rough"), std::string::npos) << error.what();
-  }
+TEST(Contact, is_of_faces_or_none) {
+  EXPECT_THROW(plate({10, 3}, {})->options().set_text("contact", "sticky"), Error);
+  EXPECT_THROW(plate({10, 3}, {})->options().set_text("contact", "rough"), Error);
 }
 
 }  // namespace

@@ -197,7 +197,7 @@ struct Strip {
 
   explicit Strip(const char* control, const char* rule = "bond") {
     model.set_text("stepping.control", control);
-    model.set_text("pd.crack_rule", rule);
+    model.set_text("crack.rule", rule);
     bempd_material solid = material(1, nu);
     solid.fracture_energy = energy;
     body = model.pd(model.add(solid), rectangle(0, 0, length, height), 1, 3);
@@ -256,7 +256,7 @@ TEST(CrackPressure, acts_along_all_of_a_body_that_it_has_parted) {
 // The crack grows into one of two parts that other cracks have left on hinges: held parts take no pressure.
 TEST(CrackPressure, stays_out_of_parts_that_are_held) {
   Model model;
-  model.set_text("pd.crack_rule", "tips");
+  model.set_text("crack.rule", "tips");
   const int32_t lattice =
       model.pd(model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3)), rectangle(0, 0, 20, 9), 1, 3);
   model.crack({{6.75933227390331, 7.593102780025112}, {6.002266382103378, 6.543094407462361}});
@@ -274,9 +274,9 @@ TEST(CrackPressure, stays_out_of_parts_that_are_held) {
 TEST(CrackPressure, lets_go_of_a_sliver_that_it_no_longer_balances) {
   Model model;
   const int32_t glass = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
-  model.set_text("pd.contact", "none");
+  model.set_text("contact", "none");
   model.set_text("pd.criterion", "opening");
-  model.set("stepping.tie_band", 0);
+  model.set("crack.tie_share", 0);
   const int32_t left = model.pd(glass, rectangle(0, 0, 6, 10), 1, 4);
   const int32_t right = model.pd(glass, rectangle(6, 0, 15, 10), 1, 4);
   model.crack({{11.710645904933905, 4.731467647711591},

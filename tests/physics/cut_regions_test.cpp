@@ -63,7 +63,7 @@ struct CutStrip {
   int32_t region = 0, below = 0, above = 0;
 
   CutStrip(const Outline& cut, double element_length) {
-    model.set_text("bem.contact", "none");
+    model.set_text("contact", "none");
     region = model.bem(model.add(glass()), rectangle(0, 0, width, height), element_length);
     model.crack(cut);
     below = model.fix(region, 1, BEMPD_BOTH);
@@ -185,7 +185,7 @@ TEST(CutRegions, an_island_is_a_hole_to_the_rest) {
       model.crack(ring);
     model.fix(plate, 1, BEMPD_BOTH);
     model.traction(plate, 3, 0, 1, BEMPD_Y, 0, 0.01);
-    model.set_text("bem.contact", "none");
+    model.set_text("contact", "none");
     model.step(1);
     energies[with_hole] = model.history().back().stored_energy;
     moved[with_hole] = model.evaluate({0.85, 1.5}).displacement;
@@ -201,7 +201,7 @@ TEST(CutRegions, an_island_is_a_hole_to_the_rest) {
 // Faces that press on each other carry what the uncut strip carries.
 TEST(CutRegions, pieces_press_on_each_other) {
   Model model;
-  model.set_text("bem.contact", "faces");
+  model.set_text("contact", "faces");
   const int32_t plate = model.bem(model.add(glass()), rectangle(0, 0, width, height), 0.25);
   model.crack({{0, 1}, {1, 1}});
   const int32_t below = model.fix(plate, 1, BEMPD_Y), above = model.prescribe(plate, 3, BEMPD_Y, 0, -0.01);

@@ -141,8 +141,8 @@ TEST(DrivenCracks, follow_the_load_factor_or_the_path_of_equilibrium) {
 TEST(DrivenCracks, release_their_fracture_energy_at_long_steps) {
   const auto pulled = plate(centre), strip = opened_strip("path"), by_length = plate(centre);
   pulled->options().set_text("stepping.control", "path");
-  pulled->options().set("growth.step", 0.14 * 0.3);
-  strip->options().set("growth.step", 0.14);
+  pulled->options().set("crack.step", 0.14 * 0.3);
+  strip->options().set("crack.step", 0.14);
   for (int k = 0; k < 4; ++k) {
     pulled->advance(5, Goal::next_event);
     strip->advance(5, Goal::next_event);
@@ -293,7 +293,7 @@ TEST(DrivenCracks, beside_a_lattice) {
     scene.add_support(
         {std::make_shared<const regions::EdgePart>(lattice ? 2 : 1, 3, 0, 1), 2, scene::SampledValues{{0.0}, {1.0}}});
     model->options().set_text("stepping.control", "path");
-    model->options().set("growth.step", 1);
+    model->options().set("crack.step", 1);
     return model;
   };
   const std::vector<Point> low{{0, 5}, {8, 5.5}}, high{{24, 18.5}, {17.5, 18.5}};

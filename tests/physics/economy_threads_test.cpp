@@ -25,7 +25,7 @@ std::vector<double> fields(Model& model, int32_t region, std::initializer_list<i
 std::vector<double> torn_plate(int threads, const char* solver) {
   Model model;
   model.set("threads", threads);
-  model.set_text("stepping.solver", solver);
+  model.set_text("test.solver", solver);
   CentreCrack scene = CentreCrack::small();
   scene.horizon_ratio = 3;
   scene.element_length = 0.5;  // enough elements for the library to share them among threads

@@ -30,7 +30,7 @@ struct Run {
 std::unique_ptr<Run> torn(const char* control, const char* solver, CentreCrack scene) {
   auto run = std::make_unique<Run>();
   run->model.set_text("stepping.control", control);
-  run->model.set_text("stepping.solver", solver);
+  run->model.set_text("test.solver", solver);
   run->ids = build(run->model, scene);
   run->end = run->model.run(limit);
   run->events = events_of(run->model);
@@ -80,7 +80,7 @@ TEST_P(Path, snaps_back_and_ends_at_the_load_factor_asked_for) {
 
   BondModel model;
   model.set_text("stepping.control", "path");
-  model.set_text("stepping.solver", GetParam());
+  model.set_text("test.solver", GetParam());
   build(model, CentreCrack::small());
   const bempd_step_report below = model.step(0.999 * whole->events[0].load_factor);
   EXPECT_EQ(below.events, 0);
@@ -118,7 +118,7 @@ TEST_P(Path, with_constant_loads_is_the_same_path_shifted) {
 TEST_P(Path, ends_where_constant_loads_leave_no_load_factor) {
   BondModel model;
   model.set_text("stepping.control", "path");
-  model.set_text("stepping.solver", GetParam());
+  model.set_text("test.solver", GetParam());
   const int32_t lattice =
       model.pd(model.add(material(30e9, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-4)), rectangle(0, 0, 12, 8), 1, 3);
   model.fix(lattice, 1, BEMPD_BOTH);
@@ -139,7 +139,7 @@ TEST_P(Path, goes_down_as_it_goes_up) {
   scene.opening = -scene.opening;
   BondModel model;
   model.set_text("stepping.control", "path");
-  model.set_text("stepping.solver", GetParam());
+  model.set_text("test.solver", GetParam());
   build(model, scene);
   model.run(-limit);
   const auto down = events_of(model);
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(solvers, Path, testing::Values("window", "plain"),
 TEST_P(Path, ends_where_faces_meet_that_turn_it_back_from_both_sides) {
   BondModel model;
   model.set_text("stepping.control", "path");
-  model.set_text("stepping.solver", GetParam());
+  model.set_text("test.solver", GetParam());
   const int32_t plate =
       model.pd(model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3)), rectangle(0, 0, 12, 12), 1, 3);
   model.crack({{7.037109267705256, 2.522180158802326},
@@ -184,10 +184,10 @@ TEST(PathOptions, exclude_increments) {
   BondModel model;
   build(model, CentreCrack::small());
   model.set_text("stepping.control", "path");
-  model.set_text("stepping.mode", "paper");
+  model.set_text("paper.mode", "paper");
   EXPECT_EQ(bempd_step(model.get(), 1, nullptr), BEMPD_ERROR_ARGUMENT);
-  EXPECT_NE(std::string(bempd_last_error(model.get())).find("stepping.mode"), std::string::npos);
-  model.set_text("stepping.mode", "event");
+  EXPECT_NE(std::string(bempd_last_error(model.get())).find("paper.mode"), std::string::npos);
+  model.set_text("paper.mode", "event");
   EXPECT_EQ(bempd_step(model.get(), 1, nullptr), BEMPD_OK);
 }
 

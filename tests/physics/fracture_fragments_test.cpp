@@ -25,7 +25,7 @@ struct FramedSquare {
     model.prescribe(plate, 4, BEMPD_X, 0, -1e-3);
     right_end = model.prescribe(plate, 2, BEMPD_X, 0, 1e-3);
     model.fix_point({0, 10}, BEMPD_Y);
-    model.set("stepping.tie_band", 1e-3);
+    model.set("crack.tie_share", 1e-3);
   }
   void expect_finite_fields() {
     for (int32_t field : {BEMPD_DISPLACEMENT, BEMPD_STRESS, BEMPD_BOND_STRETCH, BEMPD_DAMAGE})

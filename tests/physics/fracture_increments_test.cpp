@@ -9,8 +9,8 @@ namespace {
 using namespace host;
 
 void step_by_increments(Model& model, double increment) {
-  model.check(bempd_set_option_text(model.get(), "stepping.mode", "paper"));
-  model.set("stepping.increment", increment);
+  model.check(bempd_set_option_text(model.get(), "paper.mode", "paper"));
+  model.set("paper.increment", increment);
 }
 
 // All loads are proportional, so the stretches before an increment are known from those at its start.
@@ -79,7 +79,7 @@ TEST(Increments, many_bonds_at_once_are_a_fresh_factor_and_few_a_changed_one) {
 
   Model by_events;
   build(by_events, scene);
-  by_events.set_text("stepping.solver", "plain");
+  by_events.set_text("test.solver", "plain");
   for (int event = 0; event < 5; ++event) by_events.next_event(1e9);
   EXPECT_GE(by_events.statistics().factor_updates, 4);
   EXPECT_EQ(by_events.statistics().sparse_factorizations, 1);

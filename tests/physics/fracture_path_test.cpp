@@ -97,7 +97,7 @@ TEST_F(CrackPath, updated_factors_answer_as_fresh_ones) {
     for (; events > 0; --events) ASSERT_EQ(model.next_event(1000).stop_reason, BEMPD_STOP_EVENT);
   };
   const auto compare_one_event_later = [&](Model& source, Model& fresh, int64_t stop) {
-    source.set_text("stepping.factorization", "fresh");
+    source.set_text("test.factorization", "fresh");
     go(source, 1);
     fresh.restore(source.save());
     ASSERT_EQ(fresh.next_event(1000).total_events, stop);

@@ -93,7 +93,7 @@ enum class Looks { never, always };
 Lines run(void (*build)(Model&), const char* solver, Looks looks, int events) {
   BondModel model;
   build(model);
-  model.set_text("stepping.solver", solver);
+  model.set_text("test.solver", solver);
   if (events == until_separation) model.run(1e9);
   for (int e = 0; e < events; ++e) {
     const bempd_step_report report = model.next_event(1e9);

@@ -141,8 +141,8 @@ TEST(Stepping, a_restored_state_repeats_the_step) {
 
 TEST(Stepping, a_tie_band_keeps_a_symmetric_scene_symmetric) {
   Plate exact, band;
-  exact.model.set("stepping.tie_band", 0.0);
-  band.model.set("stepping.tie_band", 1e-3);
+  exact.model.set("crack.tie_share", 0.0);
+  band.model.set("crack.tie_share", 1e-3);
   const bempd_step_report without = exact.model.run(1e4), with = band.model.run(1e4);
   std::printf("tie band 0: %lld events, %s; 1e-3: %lld events, %s\n", static_cast<long long>(without.total_events),
               symmetric(exact.parted()) ? "symmetric" : "not symmetric", static_cast<long long>(with.total_events),

@@ -1,4 +1,4 @@
-// Events computed ahead in a window (stepping.solver = window) are those of the plain loop, bond by bond.
+// Events computed ahead in a window (test.solver = window) are those of the plain loop, bond by bond.
 // Reference: the plain loop, which solves the whole body at every event.
 #include <gtest/gtest.h>
 
@@ -167,9 +167,9 @@ Run run(const Case& c, const char* solver) {
   ratio_of_plates = c.poisson_ratio;
   state_of_plates = c.plane_state;
   c.build(model);
-  model.check(bempd_set_option_text(model.get(), "stepping.solver", solver));
-  model.set("stepping.tie_band", c.tie_band);
-  model.set("stepping.window_length", c.window_length);
+  model.check(bempd_set_option_text(model.get(), "test.solver", solver));
+  model.set("crack.tie_share", c.tie_band);
+  model.set("test.window_length", c.window_length);
   model.prepare();
   Run result;
   std::vector<int32_t> before = bond_states(model);

@@ -208,9 +208,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FreeExpansion,
 // A strip with an edge crack, both of whose ends are held along it, shrinks with the load factor until it has parted.
 struct Shrinkage {
   const char* name;
-  double constant;        // share of lengths at no load
-  double constant_force;  // of bonds ahead of the crack, as a share of the force at which they break, at no load and
-  double growing_force;   // with the load factor
+  double constant;      // share of lengths at no load
+  double rest_stretch;  // of bonds ahead of the crack, as a share of the one at which they break, at no load and
+  double growing_with;  // with the load factor
   bool softens;
 };
 
@@ -223,8 +223,9 @@ class Shrinking : public testing::TestWithParam<Shrinkage> {
     const Shrinkage& given = GetParam();
     std::vector<coupling::DenseOperator> operators = swell(d, given.constant, -0.1 * critical);
     for (const int b : across(d, 9.5, 3, 5)) {
-      const double force = d.bonds.stiffness[b] * critical * d.bonds.length[b];
-      d.bonds.set_constant_force(b, given.constant_force * force, given.growing_force * force);
+      const double longest = critical * d.bonds.length[b];
+      d.bonds.set_rest_elongation(b, d.bonds.rest(b, 0) + given.rest_stretch * longest,
+                                  d.bonds.rest(b, 1) + given.growing_with * longest);
     }
     if (given.softens) {
       const int law = d.bonds.add_law(coupling::TermLaw({{1, 1}, {0.5, 1.5}}));
@@ -282,8 +283,8 @@ TEST_P(Shrinking, goes_on_from_a_saved_state_and_back_to_it) {
 INSTANTIATE_TEST_SUITE_P(Bodies, Shrinking,
                          testing::Values(Shrinkage{"growing_with_the_load_factor", 0, 0, 0, false},
                                          Shrinkage{"swollen_at_first", 2e-4, 0, 0, false},
-                                         Shrinkage{"with_forces_in_bonds", -1e-4, 0.1, -0.005, false},
-                                         Shrinkage{"softening", 1e-4, 0.1, 0, true}),
+                                         Shrinkage{"with_bonds_of_other_lengths", -1e-4, -0.1, 0.005, false},
+                                         Shrinkage{"softening", 1e-4, -0.1, 0, true}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST_P(Heat, that_is_linear_bends_without_stress) {
   const auto [ratio, plane] = GetParam();
   for (const std::string kind : {"lattice", "lattice with its rows turned", "boundary elements"}) {
     Model model;
-    if (kind == "lattice with its rows turned") model.set("pd.lattice_angle", 0.3);
+    if (kind == "lattice with its rows turned") model.lattice_angle = 0.3;
     const int32_t id = model.add(hot(ratio, plane));
     const Outline box = rectangle(0, 0, 1, 0.6);
     const int32_t body = kind == "boundary elements" ? model.bem(id, box, 0.2) : model.pd(id, box, 0.05, 3);

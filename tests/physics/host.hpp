@@ -115,9 +115,11 @@ class Model {
   }
   int32_t pd(int32_t material, const Outline& outline, double spacing, int horizon_ratio) {
     int32_t id = 0;
-    check(bempd_add_pd_region(get(), material, count(outline), data(outline), spacing, horizon_ratio, &id));
+    check(bempd_add_turned_pd_region(get(), material, count(outline), data(outline), nullptr, spacing, horizon_ratio,
+                                     lattice_angle, &id));
     return id;
   }
+  double lattice_angle = 0;  // of regions that are added from now on
   int32_t hole(int32_t region, const Outline& outline) {
     int32_t first_edge = 0;
     check(bempd_add_hole(get(), region, count(outline), data(outline), &first_edge));
@@ -317,7 +319,7 @@ class Model {
 // Model whose cracks grow bond by bond.
 class BondModel : public Model {
  public:
-  BondModel() { set_text("pd.crack_rule", "bond"); }
+  BondModel() { set_text("crack.rule", "bond"); }
 };
 
 inline double largest(const std::vector<double>& values) {

@@ -76,7 +76,7 @@ struct LineWay {
 LineWay by_lines(const Crack& crack, double lattice_degrees, int steps) {
   Model model;
   model.set_text("stepping.control", "path");
-  model.set("pd.lattice_angle", lattice_degrees * pi / 180);
+  model.lattice_angle = lattice_degrees * pi / 180;
   const int32_t plate = model.pd(model.add(solid()), rectangle(0, -side / 2, side, side / 2), 1, horizon_ratio);
   model.crack(crack.points());
   clamp(model, plate);

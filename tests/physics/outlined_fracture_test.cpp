@@ -23,7 +23,7 @@ struct Strip {
   int32_t region = 0;
 
   Strip(const char* solver, double angle, double ratio = 1.0 / 3) {
-    model.set_text("stepping.solver", solver);
+    model.set_text("test.solver", solver);
     const int32_t id = model.add(material(1, ratio, BEMPD_PLANE_STRESS, 1, 1e-3));
     Outline outline = rectangle(0, 0, 26, 18);
     for (Vector& p : outline) p = turned(p, angle);
@@ -57,7 +57,7 @@ TEST(OutlinedFracture, mouths_anywhere_on_long_outlines_have_networks) {
   std::vector<double> pulls;
   for (const double mouth : {0.0, 0.237, 0.513}) {
     BondModel model;
-    model.set("pd.lattice_angle", 20 * std::numbers::pi / 180);
+    model.lattice_angle = 20 * std::numbers::pi / 180;
     const int32_t plate = model.pd(model.add(material(1, 1.0 / 3)), rectangle(0, -80, 160, 80), 1, 3);
     model.crack({{0, mouth}, {40, mouth}});
     const int32_t low = model.prescribe(plate, 1, BEMPD_Y, 0, -1), high = model.prescribe(plate, 3, BEMPD_Y, 0, 1);
@@ -91,7 +91,7 @@ TEST(OutlinedFracture, crack_runs_into_the_hole_and_out_again) {
 // edge that leans.
 double load_across(bool divided) {
   BondModel model;
-  model.set_text("pd.outline_points", "always");
+  model.set_text("test.outline_points", "always");
   const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-4));
   std::vector<Outline> parts{rectangle(0, 0, 22, 14)};
   if (divided) parts = {{{0, 0}, {8, 0}, {14, 14}, {0, 14}}, {{8, 0}, {22, 0}, {22, 14}, {14, 14}}};
@@ -156,7 +156,7 @@ TEST(OutlinedFracture, cracks_may_lie_where_points_would_be) {
 TEST(OutlinedFracture, tips_are_those_of_a_region_on_lattice_rows) {
   const auto tip_with = [](const char* points) {
     BondModel model;
-    model.set_text("pd.outline_points", points);
+    model.set_text("test.outline_points", points);
     const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, 1e-3));
     const int32_t region = model.pd(id, rectangle(0, 0, 30, 30), 1, 3);
     model.fix(region, 1, BEMPD_BOTH);
@@ -206,7 +206,7 @@ TEST(OutlinedFracture, hole_breaks_where_and_when_its_edge_is_stressed_most) {
   const double reference = stretch / largest_stress_by_elements();
   for (const double angle : {0.0, 0.35}) {
     BondModel model;
-    model.set("pd.lattice_angle", angle);
+    model.lattice_angle = angle;
     const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, stretch));
     const int32_t region = Plate::finish(model, model.pd(id, Plate::corners(), 1, 3));
     model.next_event(1);
@@ -232,8 +232,8 @@ TEST(OutlinedFracture, bonds_made_for_linear_stress_break_when_the_stress_says_a
   for (const int horizon_ratio : {3, 4, 5}) {
     for (const double angle : {0.0, 0.13, 0.39, 0.52}) {
       BondModel model;
-      model.set("pd.lattice_angle", angle);
-      model.set_text("pd.outline_balance", "linear");
+      model.lattice_angle = angle;
+      model.set_text("test.outline_balance", "linear");
       const int32_t id = model.add(material(1, 1.0 / 3, BEMPD_PLANE_STRESS, 1, stretch));
       Plate::finish(model, model.pd(id, Plate::corners(), 1, horizon_ratio));
       model.next_event(1);

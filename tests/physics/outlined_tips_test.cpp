@@ -40,7 +40,7 @@ void pull(Model& model, int32_t region, const Outline& outline) {
 std::vector<bempd_crack_tip> cracked_hole(Method method, const Vector& lengths, double angle = 0) {
   constexpr double radius = 10, half = 32;
   Model model;
-  model.set("pd.lattice_angle", angle);
+  model.lattice_angle = angle;
   const Outline outline = rectangle(-half, -half, half, half);
   const int32_t region = add_body(model, method, outline, half / 4);
   model.circular_hole(region, {0, 0}, radius);

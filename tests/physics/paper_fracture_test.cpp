@@ -32,7 +32,7 @@ struct Plate {
   }
 };
 
-void step_by_increments(Model& model) { model.check(bempd_set_option_text(model.get(), "stepping.mode", "paper")); }
+void step_by_increments(Model& model) { model.check(bempd_set_option_text(model.get(), "paper.mode", "paper")); }
 
 TEST(PaperFracture, centre_crack_breaks_first_at_the_published_increment_or_next_to_it) {
   Model model;
@@ -140,7 +140,7 @@ TEST(PaperFracture, increments_before_the_last_equilibrium_are_kept) {
     model.fix_point({size - spacing / 2, size / 2 - spacing / 2}, BEMPD_BOTH);
     model.fix_point({size - spacing / 2, spacing / 2}, BEMPD_X);
     step_by_increments(model);
-    model.set("stepping.increment", 0.02);
+    model.set("paper.increment", 0.02);
     if (target > 0) {
       reached = model.step(target);
       EXPECT_EQ(reached.stop_reason, BEMPD_STOP_NO_EQUILIBRIUM);

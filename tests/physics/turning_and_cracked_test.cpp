@@ -36,7 +36,7 @@ void set_growth(model::Model& model, bool grows) {
 // A bar 2 wide and 6 high whose lower or upper edge is held.
 std::unique_ptr<model::Model> bar(const std::vector<Point>& crack, int held, const char* contact = "faces") {
   auto model = std::make_unique<model::Model>();
-  model->options().set_text("bem.contact", contact);
+  model->options().set_text("contact", contact);
   scene::Scene& scene = model->editable_scene();
   scene::Material material;
   material.elasticity = {1, 0.3, PlaneState::stress, 0.5};

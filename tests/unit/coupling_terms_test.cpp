@@ -66,7 +66,7 @@ class Mixed {
     for (std::size_t t = 0; t < terms.size(); ++t) {
       if (present[t] == 0) continue;
       for (int part = 0; part < 2; ++part) {
-        f.col(part) += (terms.constant(t, part) - present[t] * terms.rest(t, part)) * coefficients(t);
+        f.col(part) += -present[t] * terms.rest(t, part) * coefficients(t);
       }
     }
     return f;
@@ -93,8 +93,8 @@ class Mixed {
     terms.set_rest_elongation(1, 0.2, -0.4);
     terms.set_rest_elongation(cell, 0.3);
     terms.set_rest_elongation(3, 0, 0.7);
-    terms.set_constant_force(2, -1.1);
-    terms.set_constant_force(7, 0.4, 0.6);
+    terms.set_rest_elongation(2, -1.1);
+    terms.set_rest_elongation(7, 0.4, 0.6);
     op.rest = Affine::NullaryExpr(6, 2, [](Eigen::Index i, Eigen::Index j) { return 0.1 * std::cos(i + 2.0 * j); });
   }
 
@@ -164,7 +164,7 @@ TEST(EquilibriumSystem, terms_of_many_nodes_take_part_in_everything) {
   }
 }
 
-TEST(EquilibriumSystem, rest_elongations_and_constant_forces_load_it_also_after_breaks) {
+TEST(EquilibriumSystem, rest_elongations_load_it_also_after_breaks) {
   Mixed mixed;
   mixed.pull_without_elongation();
   EquilibriumSystem system(Mixed::nodes, {mixed.op}, mixed.terms, mixed.prescribed, mixed.ties);

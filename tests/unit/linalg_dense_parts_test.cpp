@@ -29,6 +29,18 @@ double difference(const MatrixXd& a, const MatrixXd& b) { return (a - b).norm() 
 
 MatrixXd some(Eigen::Index rows, Eigen::Index columns) { return MatrixXd::Random(rows, columns); }
 
+// Programs of tests have the engine's definition too, not Eigen's own, which would free the memory twice here.
+TEST(DenseStorage, is_empty_where_there_is_no_memory_for_its_new_size) {
+  MatrixXd matrix = MatrixXd::Ones(3, 3);
+  Eigen::VectorXd vector = Eigen::VectorXd::Ones(3);
+  constexpr Eigen::Index far = Eigen::Index{1} << 24;
+  EXPECT_THROW(matrix.resize(far, far), std::bad_alloc);
+  EXPECT_THROW(vector.resize(far * far), std::bad_alloc);
+  EXPECT_EQ(matrix.size(), 0);
+  EXPECT_EQ(vector.size(), 0);
+  matrix.resize(2, 2);
+}
+
 TEST(DenseParts, factorize_as_a_single_call_does) {
   DenseCholesky in_parts;
   in_parts.compute(positive());

@@ -8,6 +8,7 @@
 #include "pd/cell_grid.hpp"
 #include "pd/face_template.hpp"
 #include "unit/pd_bodies.hpp"
+#include "unit/pd_kernels.hpp"
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "unit/pd_bodies.hpp"
+#include "unit/pd_kernels.hpp"
 
 namespace {
 

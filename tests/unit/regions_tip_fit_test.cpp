@@ -30,7 +30,6 @@ struct Lattice {
     material.elasticity = elasticity;
     material.fracture_energy = 1;
     const int id = scene.add_material(material);
-    options.set("pd.lattice_angle", turned);
     regions::add_peridynamic_region(scene, id, outline, 1, horizon_ratio, {false, turned});
     for (const std::vector<Point>& points : cracks) scene.add_crack(points);
     d = regions::discretize(scene, options);

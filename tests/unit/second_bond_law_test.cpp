@@ -76,8 +76,8 @@ struct Case {
 std::unique_ptr<Model> model_of(const Case& body, const coupling::TermLaw& law, bool windows) {
   auto model = std::make_unique<Model>();
   body.build(model->editable_scene(), law);
-  model->options().set_text("stepping.solver", windows ? "window" : "plain");
-  model->options().set_text("pd.crack_rule", "bond");
+  model->options().set_text("test.solver", windows ? "window" : "plain");
+  model->options().set_text("crack.rule", "bond");
   return model;
 }
 

@@ -246,6 +246,14 @@ class Results:
         """
         return bool(self._number("bempd_are_connected", "int32_t", support, other))
 
+    def stress_orders(self, points: npt.ArrayLike) -> npt.NDArray[np.float64]:
+        """How strongly stress grows at places, shape (points,): 0 where it is bounded, else p where it grows as r^-p with
+        the distance r, and what evaluate() gives there depends on the elements."""
+        places = arguments.point_array("stress_orders: points", points)
+        orders = np.empty(len(places))
+        self._open().call("bempd_stress_orders", len(places), arguments.doubles(places), arguments.doubles(orders))
+        return orders
+
     def singularities(self) -> list[Singularity]:
         """Places where stress is unbounded, so that its number there depends on the elements.
 

@@ -98,21 +98,22 @@ class Scene:
         return region
 
     def add_pd_region(self, material: int, vertices: Union[npt.ArrayLike, Outline], spacing: float, horizon_ratio: int = 0, *,
-                      bulges: Optional[npt.ArrayLike] = None) -> int:
+                      bulges: Optional[npt.ArrayLike] = None, lattice_angle: float = 0) -> int:
         """Add a polygon treated by peridynamics; returns its id.
 
         With edges parallel to the axes material points lie on the corners of square cells of size `spacing`, also on the
         boundary; with others they lie on the edges, about `spacing` apart, and on a lattice inside. `horizon_ratio` is
-        the horizon over the spacing, 2 to 8; 0 takes the option pd.horizon_ratio. `bulges` make arcs of edges as in
-        add_bem_region(), and an Outline can be given in place of vertices.
+        the horizon over the spacing, 2 to 8; 0 stands for 4. `bulges` make arcs of edges as in add_bem_region(), and an
+        Outline can be given in place of vertices. `lattice_angle` is that from the x axis to the rows of the lattice [rad];
+        other than 0 there are material points on all edges.
         """
         if isinstance(vertices, Outline):
             return self._outlined("add_pd_region", vertices, bulges, lambda loop: self.add_pd_region(
-                material, loop.vertices, spacing, horizon_ratio, bulges=loop.bulges))
+                material, loop.vertices, spacing, horizon_ratio, bulges=loop.bulges, lattice_angle=lattice_angle))
         points = arguments.point_array("add_pd_region: vertices", vertices)
         bends = arguments.bulge_array("add_pd_region: bulges", bulges, len(points))
-        region = self._added("bempd_add_pd_region_with_arcs", material, len(points), arguments.doubles(points),
-                             arguments.doubles(bends), spacing, horizon_ratio)
+        region = self._added("bempd_add_turned_pd_region", material, len(points), arguments.doubles(points),
+                             arguments.doubles(bends), spacing, horizon_ratio, lattice_angle)
         self._sketch.regions[region] = Region("PD", arguments.pairs(points), material)
         self._sketch.regions[region].bend(1, bends)
         return region

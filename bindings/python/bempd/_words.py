@@ -20,6 +20,7 @@ NAMES: dict[str, str] = {
     "bempd_material_init": "Model.add_material",
     "bempd_add_bem_region_with_arcs": "Model.add_bem_region",
     "bempd_add_pd_region_with_arcs": "Model.add_pd_region",
+    "bempd_add_turned_pd_region": "Model.add_pd_region",
     "bempd_add_hole_with_arcs": "Model.add_hole",
     "bempd_set_progress": "Model.progress",
     "bempd_set_phase_progress": "Model.phase_progress",

@@ -37,7 +37,7 @@ class Model(Scene, Edges, Results):
     statement it is closed at the end; otherwise when nothing refers to it any more.
 
     >>> import bempd
-    >>> with bempd.Model(options={"pd.horizon_ratio": 3}) as model:
+    >>> with bempd.Model(options={"stepping.control": "path"}) as model:
     ...     glass = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, fracture_energy=300)
     ...     plate = model.add_pd_region(glass, bempd.rectangle(0, 0, 0.02, 0.02), spacing=0.001)
     ...     crack = model.add_crack([(0.0095, 0), (0.0095, 0.0055)])

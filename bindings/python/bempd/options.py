@@ -32,8 +32,8 @@ def describe_options() -> dict[str, OptionInfo]:
     """All options with their defaults and ranges.
 
     >>> import bempd
-    >>> bempd.describe_options()["pd.horizon_ratio"].default
-    4
+    >>> bempd.describe_options()["stepping.separation_share"].default
+    0.02
     """
     count = ffi.new("int64_t *")
     call("bempd_option_count", count)
@@ -58,12 +58,12 @@ class Options(MutableMapping[str, OptionValue]):
 
     >>> import bempd
     >>> model = bempd.Model()
-    >>> model.options["pd.horizon_ratio"] = 3
+    >>> model.options["crack.tie_share"] = 0.01
     >>> model.options["scheme"]
     'symmetric'
-    >>> model.options["horizon"] = 3  # doctest: +ELLIPSIS
+    >>> model.options["tie_share"] = 0  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    bempd.errors.UnknownOptionError: options: there is no option 'horizon'; near names are ...
+    bempd.errors.UnknownOptionError: options: there is no option 'tie_share'; near names are ...
     """
 
     def __init__(self, handle: Callable[[], Handle]) -> None:

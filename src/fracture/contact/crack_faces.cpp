@@ -50,8 +50,7 @@ CrackFaces::CrackFaces(coupling::EquilibriumSystem& system, const std::vector<Po
 
 bool CrackFaces::can_be_a_place(int term) const {
   if (system_.terms().is_wide(static_cast<std::size_t>(term))) return false;
-  return plan_.rule == ContactRule::rough ||
-         plan_.lattices.lattice_of_neighbours(system_.terms().first[term], system_.terms().second[term]).has_value();
+  return plan_.lattices.lattice_of_neighbours(system_.terms().first[term], system_.terms().second[term]).has_value();
 }
 
 bool CrackFaces::can_have(const GrownFace& face) const {
@@ -110,9 +109,6 @@ Point CrackFaces::normal_at(int term, std::span<const int> others) const {
 std::optional<Contact> CrackFaces::contact_at(int term, const Point& normal) const {
   const coupling::Terms& terms = system_.terms();
   const Point along(terms.cosine[term], terms.sine[term]);
-  if (plan_.rule == ContactRule::rough)
-    return Contact{{{terms.first[term], -along.x(), -along.y()}, {terms.second[term], along.x(), along.y()}},
-                   terms.stiffness[term]};
   const double across = std::abs(normal.dot(along));
   if (across < least_share_across) return std::nullopt;
   // A crack parts as many neighbours of either direction in a length as it crosses rows and columns.
@@ -174,7 +170,6 @@ class CrackFaces::PresentPlaces final : public FacePlaces {
 
 // Broken terms, and those near them: all that have a place or may have one now.
 std::vector<int> CrackFaces::around(std::span<const int> terms) const {
-  if (plan_.rule == ContactRule::rough) return {terms.begin(), terms.end()};
   std::vector<int> found;
   for (const int term : terms) {
     const std::vector<int> some = near(term);
@@ -218,11 +213,7 @@ void CrackFaces::forget_terms(std::span<const int> terms) {
 
 Contacts CrackFaces::contacts_of(const FaceState& state) const {
   Contacts contacts;
-  if (plan_.rule == ContactRule::faces) {
-    for (const pd::FacePlace& place : plan_.initial) contacts.add(contact_of(place));
-  } else {
-    for (const int term : cut_) contacts.add(*contact_at(term, Point::Zero()));
-  }
+  for (const pd::FacePlace& place : plan_.initial) contacts.add(contact_of(place));
   for (const GrownFace& face : state.grown) {
     if (auto contact = contact_at(face.term, {face.normal_x, face.normal_y})) contacts.add(std::move(*contact));
   }
@@ -244,7 +235,7 @@ void CrackFaces::go_on_from(const FaceState& state) {
 
 void CrackFaces::enter(const FaceState& state) {
   parted_.clear(), entered_.clear(), grown_.clear();
-  initial_count_ = plan_.rule == ContactRule::faces ? plan_.initial.size() : cut_.size();
+  initial_count_ = plan_.initial.size();
   for (const int term : cut_) enter(term);
   for (std::size_t i = 0; i < state.grown.size(); ++i) {
     grown_[state.grown[i].term] = i;

@@ -15,18 +15,15 @@
 
 namespace bempd::fracture {
 
-enum class ContactRule { none, faces, rough };
-
 // What a host has said of contact, and where its initial cracks can close.
 struct ContactPlan {
-  ContactRule rule = ContactRule::none;
+  bool faces_meet = false;
   pd::FacePlaces lattices;
   std::vector<pd::FacePlace> initial;
 };
 
 // The places where faces of cracks can meet: on the initial cracks, and one for every bond between neighbours that has
-// broken since, with the normal of the broken ones around it. The normal of a place may change while it is open. By the
-// rule `rough` each broken bond is a place instead, and presses along itself.
+// broken since, with the normal of the broken ones around it. The normal of a place may change while it is open.
 class CrackFaces {
  public:
   // Bonds in `cut` are broken from the start.
@@ -34,7 +31,7 @@ class CrackFaces {
              const std::vector<int>& cut);
 
   // No place will ever be there.
-  bool are_none() const { return plan_.rule == ContactRule::none; }
+  bool are_none() const { return !plan_.faces_meet; }
   const coupling::Contacts& places() const { return system_.contacts(); }
 
   std::size_t initial_count() const { return initial_count_; }

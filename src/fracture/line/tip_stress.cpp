@@ -141,8 +141,7 @@ Eigen::RowVector2d TipStress::tension(std::size_t term, const coupling::Affine& 
   Eigen::RowVector2d parts;
   for (int part = 0; part < 2; ++part) {
     parts[part] =
-        system_.present_stiffness()[term] * terms.elastic_elongation_part(term, displacement.col(part).data(), part) +
-        terms.constant(term, part);
+        system_.present_stiffness()[term] * terms.elastic_elongation_part(term, displacement.col(part).data(), part);
   }
   return parts;
 }

@@ -15,12 +15,7 @@ const scene::OptionGroup boundary_group(scene::OptionPlace::boundaries, [] {
           "Boundary elements of scheme symmetric near places where stress is singular: auto, smaller and smaller "
           "towards re-entrant corners and ends of supports on edges without bempd_set_edge_mesh(), on others near "
           "cracks; none.",
-          "auto | none", "auto")),
-      scene::shaping(scene::text_option(
-          "bem.contact",
-          "What faces of cracks in BEM regions do where they meet: faces, they press on each other without friction; "
-          "none, they pass through each other, and a warning tells.",
-          "faces | none", "faces"))};
+          "auto | none", "auto"))};
 });
 
 }  // namespace

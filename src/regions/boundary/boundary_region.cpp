@@ -160,7 +160,7 @@ void BoundaryRegion::build(const Preparation& preparation, Contributions& contri
   }
   // The stiffness depends on interfaces, so regions of one shape may differ in it.
   stiffness_ = own_stiffness(preparation);
-  if (cracks_ && preparation.options.text_value("bem.contact") == "faces")
+  if (cracks_ && preparation.options.text_value("contact") == "faces")
     closing_ = std::make_unique<const bem::NormalOpenings>(cracked());
 }
 

@@ -73,9 +73,7 @@ pd::BondStates BondedRegion::bond_states(const Solution& solution) const {
     states.share.push_back(share);
     if (!terms.have_offsets()) continue;
     const double rest = terms.rest(term, 0) + solution.load_factor * terms.rest(term, 1);
-    const double force = terms.constant(term, 0) + solution.load_factor * terms.constant(term, 1);
-    const double pushed = share > 0 ? force / (share * terms.stiffness[term]) : 0;
-    states.rest_stretch.push_back((rest - pushed) / terms.length[term]);
+    states.rest_stretch.push_back(rest / terms.length[term]);
   }
   return states;
 }

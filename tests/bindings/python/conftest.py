@@ -1,5 +1,6 @@
 """Scenes that the tests share."""
 
+import os
 import types
 
 import bempd
@@ -8,6 +9,7 @@ import pytest
 from bempd import rectangle
 
 matplotlib.use("Agg")
+os.environ["BEMPD_TEST_HOOKS"] = "1"  # options whose names begin with test.
 
 
 def make_strip(spacing=0.002, **options):

@@ -10,7 +10,7 @@ WIDTH, HEIGHT, SPACING = 0.06, 0.02, 0.001
 
 def plate(points, rule="line", kind="lattice", bent=False):
     model = bempd.Model()
-    model.options["pd.crack_rule"] = rule
+    model.options["crack.rule"] = rule
     acrylic = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
     if kind == "lattice":
         left = right = model.add_pd_region(acrylic, rectangle(0, 0, WIDTH, HEIGHT), spacing=SPACING, horizon_ratio=3)

@@ -15,7 +15,7 @@ def torn(limit=1e4, **options):
     return strip, report, strip.model.history()
 
 
-ways = pytest.mark.parametrize("options", [{}, {"stepping__solver": "plain"}, {"pd__crack_rule": "bond"}, {"stepping__control": "path"}],
+ways = pytest.mark.parametrize("options", [{}, {"test__solver": "plain"}, {"crack__rule": "bond"}, {"stepping__control": "path"}],
                                ids=["lines", "whole body", "bonds", "path"])
 
 
@@ -72,8 +72,8 @@ def test_the_load_curve_has_its_peak():
 
 def test_increments_end_in_the_curve_where_bonds_just_reach_what_they_bear():
     """A step overshoots the first break by 3 % of an increment, which no body bears."""
-    coarse, report, history = torn(pd__crack_rule="bond", stepping__mode="paper", stepping__increment=7.0)
-    exact = torn(pd__crack_rule="bond")[1].peak_resistance
+    coarse, report, history = torn(crack__rule="bond", paper__mode="paper", paper__increment=7.0)
+    exact = torn(crack__rule="bond")[1].peak_resistance
     y = plot.load_displacement(coarse.model, coarse.pulled).lines[0].get_ydata()
     first = history[history["event"] == 1][0]
     assert first["stretch_ratio"] > 1.001

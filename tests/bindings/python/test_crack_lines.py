@@ -1,8 +1,9 @@
-"""Cracks that grow as lines (option pd.crack_rule) against the path of boundary elements and the fracture energy."""
+"""Cracks that grow as lines (option crack.rule) against the path of boundary elements and the fracture energy."""
 
 from __future__ import annotations
 
 import math
+from typing import Optional
 
 import numpy as np
 import pytest
@@ -12,11 +13,12 @@ import bempd
 WIDTH = 40.0
 
 
-def plate(incline: float, kind: str) -> tuple[bempd.Model, int]:
-    """An edge crack at an incline in a plate whose clamps move apart; `kind` is "bem" or a crack rule."""
+def plate(incline: float, kind: Optional[str]) -> tuple[bempd.Model, int]:
+    """An edge crack at an incline in a plate whose clamps move apart; `kind` is "bem" or a crack rule, None the default."""
     model = bempd.Model()
+    if kind not in ("bem", None):
+        model.options["crack.rule"] = kind
     if kind != "bem":
-        model.options["pd.crack_rule"] = kind
         model.options["stepping.control"] = "path"
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
     box = bempd.rectangle(0, -WIDTH / 2, WIDTH, WIDTH / 2)
@@ -81,7 +83,7 @@ def crack_along_the_edge(kind: str) -> bempd.Model:
     """At 75 degrees, its tip four spacings from the edge that it leaves."""
     model = bempd.Model()
     if kind != "bem":
-        model.options["pd.crack_rule"] = "tips"
+        model.options["crack.rule"] = "tips"
         model.options["stepping.control"] = "path"
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
     box = bempd.rectangle(0, -30, 48, 30)
@@ -113,7 +115,7 @@ def test_the_last_ligament_bears_no_more_than_it_does(horizon_ratio: int) -> Non
     height = 0.02
 
     def strip(rule: str) -> bempd.Model:
-        model = bempd.Model() if rule == "bem" else bempd.Model(options={"pd.crack_rule": rule})
+        model = bempd.Model() if rule == "bem" else bempd.Model(options={"crack.rule": rule})
         material = model.add_material(young_modulus=3e9, poisson_ratio=1 / 3, thickness=0.005, fracture_energy=300)
         if rule == "bem":
             left = right = model.add_bem_region(material, bempd.rectangle(0, 0, 0.06, height), 0.002)
@@ -139,7 +141,7 @@ def test_the_last_ligament_bears_no_more_than_it_does(horizon_ratio: int) -> Non
 
 
 def test_a_line_ends_at_the_face_of_another_crack() -> None:
-    model = bempd.Model(options={"pd.crack_rule": "tips", "stepping.control": "path"})
+    model = bempd.Model(options={"crack.rule": "tips", "stepping.control": "path"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, fracture_energy=1)
     body = model.add_pd_region(material, bempd.rectangle(0, -12, 32, 12), 1.0, 3)
     model.add_crack([(0, 0.5), (12.5, 0.5)])
@@ -161,7 +163,7 @@ def crack_before_another(kind: str, horizon_ratio: int = 3) -> bempd.Model:
     """Its tip is 15 spacings from the face of the other crack, straight across its way."""
     model = bempd.Model()
     if kind != "bem":
-        model.options["pd.crack_rule"] = "tips"
+        model.options["crack.rule"] = "tips"
         model.options["stepping.control"] = "path"
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
     box = bempd.rectangle(0, -24, 48, 24)
@@ -193,9 +195,9 @@ def test_a_tip_does_not_see_behind_the_face_that_it_approaches(horizon_ratio: in
 
 
 def holed_strip() -> tuple[bempd.Model, int]:
-    model = bempd.Model(options={"pd.crack_rule": "line", "pd.lattice_angle": 0.3})
+    model = bempd.Model(options={"crack.rule": "line"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
-    body = model.add_pd_region(material, bempd.rectangle(0, 0, 32, 24), 1, 3)
+    body = model.add_pd_region(material, bempd.rectangle(0, 0, 32, 24), 1, 3, lattice_angle=0.3)
     model.add_circular_hole(body, (16, 12), 5)
     model.prescribe_edge(body, 4, "x", -1)
     model.prescribe_edge(body, 2, "x", 1)
@@ -244,7 +246,7 @@ def test_a_state_remembers_cracks_that_have_begun() -> None:
 
 def test_with_tips_nothing_else_breaks() -> None:
     model, body = holed_strip()
-    model.options["pd.crack_rule"] = "tips"
+    model.options["crack.rule"] = "tips"
     assert model.step_to_next_event(1e6).stop_reason == bempd.StopReason.NO_FURTHER_EVENT
     assert model.step(1.0).total_broken_bonds == 0
 
@@ -269,20 +271,20 @@ def test_a_state_remembers_its_tips() -> None:
 
 
 def test_lines_need_a_scheme_and_a_mode_that_have_them() -> None:
-    assert bempd.describe_options()["pd.crack_rule"].default == "auto"
-    for name in ("scheme", "stepping.mode"):
+    assert bempd.describe_options()["crack.rule"].default == "line"
+    for name in ("scheme", "paper.mode"):
         model, _ = plate(0, "line")
         model.options["stepping.control"] = "load"
         model.options[name] = "paper"
-        with pytest.raises(bempd.ArgumentError, match="pd.crack_rule is line or tips"):
+        with pytest.raises(bempd.ArgumentError, match="crack.rule is line, by which"):
             model.step(1.0)
-        model.options["pd.crack_rule"] = "auto"  # bond by bond
+        model.options["crack.rule"] = "bond"
         model.step(1.0)
 
 
 def test_by_itself_a_crack_grows_as_a_line() -> None:
     bonds = []
-    for kind in ("auto", "line", "bond"):
+    for kind in (None, "line", "bond"):
         model, _ = plate(0, kind)
         bonds.append(model.step_to_next_event(1e6).total_broken_bonds)
     assert bonds[0] == bonds[1] > bonds[2]
@@ -294,7 +296,7 @@ def test_with_constant_loads_lines_grow_where_they_do_in_small_steps(constant: f
     ones may have brought it there by themselves."""
     outcomes = []
     for steps in (1, 2, 20):
-        model = bempd.Model(options={"pd.crack_rule": "tips"})
+        model = bempd.Model(options={"crack.rule": "tips"})
         glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
         plate = model.add_pd_region(glass, bempd.rectangle(0, 0, 17, 13), 1, 3)
         model.add_crack([(9.4, 10.5), (12.4, 5.2)])

@@ -74,7 +74,7 @@ def test_misuse():
 
 def test_cracks_grow_straight_on_at_their_fracture_energy():
     model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
-    model.options["growth.share"] = 0.01
+    model.options["crack.tie_share"] = 0.01
     first = model.tips()[0].critical_load_factor
     growth = model.grow_cracks(0.05)
     assert (growth.tips, growth.ended) == (2, 0)
@@ -129,7 +129,7 @@ def test_recorded_tips(tmp_path):
 
 def test_growth_by_lengths_is_recorded():
     model, _ = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
-    model.options["growth.share"] = 0.01
+    model.options["crack.tie_share"] = 0.01
     model.options["tips.record"] = 1
     for _ in range(3):
         model.grow_cracks(0.05)
@@ -156,7 +156,7 @@ def test_history_goes_on_while_cracks_grow():
 
 def test_a_state_brings_shorter_cracks_back():
     model, crack = cracked_plate([(-0.3, 0), (0.3, 0)], fracture_energy=2)
-    model.options["growth.share"] = 0.01
+    model.options["crack.tie_share"] = 0.01
     model.grow_cracks(0.05)
     state = model.save()
     model.grow_cracks(0.05)
@@ -171,8 +171,8 @@ def test_misuse_of_growth():
         model.set_tip_frozen(2, bempd.TipEnd.END)
     with pytest.raises(bempd.ArgumentError, match="end is 3"):
         model.set_tip_frozen(crack, 3)
-    with pytest.raises(bempd.ArgumentError, match="growth.criterion"):
-        model.options["growth.criterion"] = "strain"
+    with pytest.raises(bempd.ArgumentError, match="crack.criterion"):
+        model.options["crack.criterion"] = "strain"
 
 
 def test_faces_of_crossing_cracks_meet_where_the_load_turns_round():

@@ -10,8 +10,8 @@ import bempd
 SIDE = 24.0
 
 
-def plate(crack: list[tuple[float, float]], rule: str = "auto", lattices: int = 1) -> bempd.Model:
-    model = bempd.Model(options={"pd.crack_rule": rule})
+def plate(crack: list[tuple[float, float]], rule: str = "line", lattices: int = 1) -> bempd.Model:
+    model = bempd.Model(options={"crack.rule": rule})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     for k in range(lattices):
         left, right = k * SIDE / lattices, (k + 1) * SIDE / lattices

@@ -73,7 +73,7 @@ def test_a_strip_pulled_by_a_falling_load_factor_separates_where_it_does_by_a_ri
 
 @pytest.mark.parametrize("control", ["load", "path"])
 def test_with_loads_and_load_factors_negated_all_events_are_the_same(control: str) -> None:
-    up, down = (strip(sign, stepping_solver="plain", stepping_control=control) for sign in (1, -1))
+    up, down = (strip(sign, test_solver="plain", stepping_control=control) for sign in (1, -1))
     expect_mirrored(followed(up, [1e4]), followed(down, [-1e4]))
 
 
@@ -81,7 +81,7 @@ def test_with_loads_and_load_factors_negated_all_events_are_the_same(control: st
 @pytest.mark.parametrize("constant", [0, 3e-5])
 @pytest.mark.parametrize("control", ["load", "path"])
 def test_constant_loads_and_loads_that_reverse(crack: bool, constant: float, control: str) -> None:
-    up, down = (plate(sign, constant, crack, stepping_solver="plain", stepping_control=control) for sign in (1, -1))
+    up, down = (plate(sign, constant, crack, test_solver="plain", stepping_control=control) for sign in (1, -1))
     targets = [0.2, -1.0, 50.0]
     a, b = followed(up, targets), followed(down, [-t for t in targets])
     assert a["total_broken_bonds"][-1] > 0 and a["load_factor"].min() < 0 < a["load_factor"].max()
@@ -108,7 +108,7 @@ def test_a_tip_that_is_overloaded_goes_on_wherever_the_load_factor_goes() -> Non
 
 def built(recorder: properties.Recorder, sign: int, control: str) -> bempd.Model:
     """The recorded scene with as many times its proportional loads."""
-    model = bempd.Model(options={**recorder.options, "stepping.solver": "plain", "stepping.control": control})
+    model = bempd.Model(options={**recorder.options, "test.solver": "plain", "stepping.control": control})
     for name, values, named in recorder.calls:
         place = {"prescribe_edge": 3, "add_traction": 3, "add_point_force": 2}.get(name)
         getattr(model, name)(*[sign * value if k == place else value for k, value in enumerate(values)], **named)
@@ -183,7 +183,7 @@ def test_after_the_load_fell_windows_break_the_bonds_of_the_whole_body(seed: int
 @pytest.mark.parametrize("crack", [True, False])
 @pytest.mark.parametrize("through", [0.0, -0.05])
 def test_a_load_that_goes_through_zero_and_back_without_a_break_leaves_the_same_state(crack: bool, through: float) -> None:
-    model = plate(1, 0, crack, pd_contact="faces")
+    model = plate(1, 0, crack, contact="faces")
     for _ in range(3):
         reached = model.step_to_next_event(1e3).load_factor
     there = model.step(0.3 * reached)

@@ -62,7 +62,7 @@ def test_random_scenes_raise_no_floating_point_exception(seed: int) -> None:
 
 def unloaded_tip() -> None:
     """Loads reach one of two cracks only, and none of them is proportional in the first step."""
-    model = bempd.Model(options={"pd.crack_rule": "line"})
+    model = bempd.Model(options={"crack.rule": "line"})
     glass = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     loose = model.add_pd_region(glass, bempd.rectangle(20, 0, 30, 9), 1, 3)
     body = model.add_pd_region(glass, bempd.rectangle(0, 0, 12, 9), 1, 3)

@@ -1,4 +1,4 @@
-"""Parts that springs hold where cracks have freed them, and the faces that press on them (option pd.contact)."""
+"""Parts that springs hold where cracks have freed them, and the faces that press on them (option contact)."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ SOLVERS = pytest.mark.parametrize("solver", ["window", "plain"])
 @SOLVERS
 def test_what_a_spring_holds_grows_as_bonds_break(solver: str) -> None:
     """A sliver at the edge; what may press on it was asked when the spring came, and never again."""
-    model, body = plate(10, 14, 3, [[(0, 6.681), (0.07, 1.831)]], pd__contact="faces", stepping__tie_band=0.02,
-                        stepping__solver=solver)
+    model, body = plate(10, 14, 3, [[(0, 6.681), (0.07, 1.831)]], contact="faces", crack__tie_share=0.02,
+                        test__solver=solver)
     model.fix_edge(body, 1, "y")
     model.fix_point((0, 0), "x")
     model.prescribe_edge(body, 3, "y", -0.014)
@@ -47,8 +47,8 @@ def test_what_a_spring_holds_grows_as_bonds_break(solver: str) -> None:
 @SOLVERS
 def test_a_part_that_comes_free_where_faces_open_takes_its_energy_along(solver: str) -> None:
     """Pressed and sheared until nothing but faces holds the upper part; nothing breaks where they open."""
-    model, body = plate(25, 9, 3, [[(0, 7.271), (0.07, 5.768)]], pd__contact="rough", stepping__tie_band=0.02,
-                        stepping__solver=solver)
+    model, body = plate(25, 9, 3, [[(0, 7.271), (0.07, 5.768)]], contact="faces", crack__tie_share=0.02,
+                        test__solver=solver)
     model.fix_edge(body, 1, "y")
     model.fix_point((0, 0), "x")
     model.prescribe_edge(body, 3, "x", 0.009)
@@ -60,7 +60,7 @@ def test_windows_in_which_faces_close_and_nothing_breaks() -> None:
     """All of a window's pending changes are of faces: the product with those of bonds, of which there are none, ended the
     process by a division."""
     cracks = [[(0, 2.5388), (13.93, 0.3298)], [(2.4863, 16.6179), (0.07, 17.93)]]
-    model, body = plate(14, 18, 4, cracks, pd__contact="rough", stepping__tie_band=0.0)
+    model, body = plate(14, 18, 4, cracks, contact="faces", crack__tie_share=0.0)
     model.fix_edge(body, 1, "both")
     model.prescribe_edge(body, 3, "y", -0.018)
     model.prescribe_edge(body, 3, "x", 0.018)

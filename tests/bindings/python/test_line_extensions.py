@@ -29,7 +29,7 @@ def plate(crack: bool = True, **options: str) -> bempd.Model:
 
 @pytest.mark.parametrize("solver", ["plain", "window"])
 def test_extensions_of_a_described_crack_follow_each_other(solver: str) -> None:
-    model = plate(stepping_solver=solver)
+    model = plate(test_solver=solver)
     for _ in range(11):
         model.step_to_next_event(1e6)
     extensions = model.extensions()
@@ -91,7 +91,7 @@ def test_a_step_that_is_taken_back_leaves_no_extensions() -> None:
 @pytest.mark.parametrize("what, state", [("edge", bempd.TipState.AT_EDGE), ("hole", bempd.TipState.AT_HOLE),
                                          ("crack", bempd.TipState.AT_CRACK)])
 def test_ends_at_an_edge_a_hole_and_a_crack_are_told_apart(what: str, state: bempd.TipState) -> None:
-    model = bempd.Model(options={"pd.crack_rule": "tips"})
+    model = bempd.Model(options={"crack.rule": "tips"})
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1)
     body = model.add_pd_region(material, bempd.rectangle(0, 0, 40, 40), 1.0, 3)
     model.add_crack([(0, 20.3), (10, 20.3)])

@@ -29,7 +29,7 @@ def clamped_strip(toughening: float, **options: str) -> bempd.Model:
 @pytest.mark.parametrize("toughening", [4, 0.25])
 @pytest.mark.parametrize("solver", ["plain", "window"])
 def test_a_line_takes_the_toughness_of_the_region_that_it_has_come_to(toughening: float, solver: str) -> None:
-    model = clamped_strip(toughening, pd_crack_rule="tips", stepping_control="path", stepping_solver=solver)
+    model = clamped_strip(toughening, crack_rule="tips", stepping_control="path", test_solver=solver)
     for _ in range(31):
         model.step_to_next_event(1e6)
     places = np.array([e.x for e in model.extensions()])
@@ -86,7 +86,7 @@ def two_equal_cracks(order: tuple[int, int]) -> bempd.Model:
 @pytest.mark.parametrize("solver", ["plain", "window"])
 def test_of_equal_cracks_the_one_that_was_added_first_grows_and_the_tie_is_counted(order: tuple[int, int], solver: str) -> None:
     model = two_equal_cracks(order)
-    model.options["stepping.solver"] = solver
+    model.options["test.solver"] = solver
     report = model.step_to_next_event(1e3)
     assert report.ties == 1
     assert model.extensions()[0].crack == 1
@@ -134,7 +134,7 @@ def test_the_energy_release_rate_may_say_when_a_line_grows() -> None:
     """Under shear G exceeds the square of the largest hoop stress, by 8 % before long; the way is the same."""
     found = {}
     for criterion in ("hoop", "energy"):
-        model = bempd.Model(options={"growth.criterion": criterion})
+        model = bempd.Model(options={"crack.criterion": criterion})
         glass = model.add_material(**MATERIAL, fracture_energy=1)
         body = model.add_pd_region(glass, bempd.rectangle(0, 0, 40, 40), 1, 3)
         model.add_crack([(0, 10.3), (16, 22.3)])

@@ -17,7 +17,7 @@ COLUMNS = ("load_factor", "stored_energy", "released_energy", "work", "critical_
 
 def plate(solver: str, rule: str = "line", control: str = "load", incline: float = 0) -> tuple[bempd.Model, int]:
     """An edge crack at an incline in a plate whose clamps move apart."""
-    model = bempd.Model(options={"pd.crack_rule": rule, "stepping.control": control, "stepping.solver": solver})
+    model = bempd.Model(options={"crack.rule": rule, "stepping.control": control, "test.solver": solver})
     material = model.add_material(young_modulus=8 / 9, poisson_ratio=1 / 3, fracture_energy=1, thermal_expansion=1e-3)
     body = model.add_pd_region(material, bempd.rectangle(0, -WIDTH / 2, WIDTH, WIDTH / 2), 1.0, 3)
     angle, start = math.radians(incline), 0.513
@@ -56,7 +56,7 @@ def test_windows_take_the_steps_of_the_whole_body(rule: str, control: str, incli
 
 def test_a_plate_is_torn_in_few_windows() -> None:
     """Straight across, a window a time: factorizations, each with a window, against a change of the factor a step."""
-    model = bempd.Model(options={"pd.crack_rule": "line"})
+    model = bempd.Model(options={"crack.rule": "line"})
     material = model.add_material(young_modulus=1, poisson_ratio=1 / 3, critical_stretch=1e-3)
     body = model.add_pd_region(material, bempd.rectangle(0, 0, 49, 49), 1, 4)
     model.add_crack([(24.5, 19.500001), (24.5, 29.499999)])

@@ -32,7 +32,7 @@ def elements(angle: float, sign: float = 1, **options: str) -> bempd.Model:
 @pytest.mark.parametrize("angle", ANGLES)
 def test_elements_grow_where_their_tips_tell(angle: float) -> None:
     for criterion in ("hoop", "energy"):
-        model = elements(angle, growth__criterion=criterion)
+        model = elements(angle, crack__criterion=criterion)
         model.step(1e-3)
         tips = model.tips()
         if abs(angle) == 90 and min(tip.critical_load_factor for tip in tips) > 100:
@@ -51,7 +51,7 @@ def test_elements_grow_where_their_tips_tell(angle: float) -> None:
 @pytest.mark.parametrize("angle", ANGLES[1:-1])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_steps_grow_elements_where_their_tips_tell(angle: float, sign: float) -> None:
-    model = elements(angle, sign, stepping__control="path", bem__contact="none")
+    model = elements(angle, sign, stepping__control="path", contact="none")
     model.step(0)
     for _ in range(2):
         first = first_of(model, sign > 0)
@@ -112,8 +112,8 @@ def test_lines_grow_where_their_tips_tell(angle: float, sign: float) -> None:
     for constant in (0.0, 0.02):
         model = lattice(angle, sign, constant)
         model.options["stepping.control"] = "path"
-        model.options["pd.crack_rule"] = "tips"
-        model.options["pd.contact"] = "none"  # faces that close on the way change what tips carry
+        model.options["crack.rule"] = "tips"
+        model.options["contact"] = "none"  # faces that close on the way change what tips carry
         model.step(0)
         for _ in range(3):
             first = first_of(model, sign > 0)

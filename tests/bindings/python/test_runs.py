@@ -24,12 +24,12 @@ def test_steps_report_what_they_did(strip):
 
 
 def test_the_path_of_equilibrium_costs_what_bonds_take(strip):
-    strip.model.options["pd.crack_rule"] = "bond"
+    strip.model.options["crack.rule"] = "bond"
     lowest, highest = strip.model.admissible_load_factors()
     assert lowest < 0 < highest
     held = strip.model.run_to_separation(1e4)
     other = make_strip()
-    other.model.options["pd.crack_rule"] = "bond"
+    other.model.options["crack.rule"] = "bond"
     other.model.options["stepping.control"] = "path"
     path = other.model.run_to_separation(1e4)
     assert path.stop_reason is bempd.StopReason.SEPARATED and path.unstable_event == 0 < held.unstable_event

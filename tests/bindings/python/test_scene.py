@@ -155,29 +155,29 @@ def test_holes_edges_and_meshes():
 
 def test_options_are_a_mapping(plate):
     options = plate.model.options
-    assert options["pd.horizon_ratio"] == 4 and isinstance(options["pd.horizon_ratio"], int)
-    options["pd.horizon_ratio"] = 3
-    options.update({"critical_stretch": "printed", "stepping.tie_band": 0})
-    assert plate.model.options["pd.horizon_ratio"] == 3 and options["critical_stretch"] == "printed"
+    assert options["tips.record"] == 0 and isinstance(options["tips.record"], int)
+    options["tips.record"] = 3
+    options.update({"critical_stretch": "printed", "crack.tie_share": 0})
+    assert plate.model.options["tips.record"] == 3 and options["critical_stretch"] == "printed"
     del options["critical_stretch"]
     assert options["critical_stretch"] == "exact"
     assert set(options) == set(bempd.describe_options()) and len(options) == len(list(options))
-    info = options.describe("stepping.tie_band")
-    assert (info.default, info.minimum, info.maximum, info.choices, info.unit) == (0.001, 0, 0.5, (), "-")
+    info = options.describe("crack.tie_share")
+    assert (info.default, info.minimum, info.maximum, info.choices, info.unit) == (0, 0, 1e9, (), "-")
     assert options.describe("critical_stretch").choices == ("exact", "running", "printed") and info.summary
     assert bempd.Model(options={"threads": 1}).options["threads"] == 1
 
 
 def test_wrong_options_are_explained(plate):
     options = plate.model.options
-    for use in (lambda: options["pd.horizon"], lambda: options.describe("pd.horizon")):
-        with pytest.raises(KeyError, match="^options: .*'pd.horizon'; near names are pd.horizon_ratio"):
+    for use in (lambda: options["tips.recrod"], lambda: options.describe("tips.recrod")):
+        with pytest.raises(KeyError, match="^options: .*'tips.recrod'; near names are tips.record"):
             use()
     with pytest.raises(bempd.UnknownOptionError):
-        options["pd.horizon"] = 3
-    assert "pd.horizon" not in options and options.get("pd.horizon", 7) == 7
-    with pytest.raises(bempd.ArgumentError, match="options: option pd.horizon_ratio is 99") as caught:
-        options["pd.horizon_ratio"] = 99
+        options["tips.recrod"] = 3
+    assert "tips.recrod" not in options and options.get("tips.recrod", 7) == 7
+    with pytest.raises(bempd.ArgumentError, match="options: option crack.exponent is 101") as caught:
+        options["crack.exponent"] = 101
     assert not isinstance(caught.value, KeyError)
     with pytest.raises(bempd.ArgumentError, match="must be one of: symmetric"):
         options["scheme"] = "fast"

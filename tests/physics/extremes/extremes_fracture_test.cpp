@@ -18,7 +18,7 @@ bempd_step_report tear_tall_strip(Model& model, int rows, double tie_band) {
   model.crack({{8.5, 0}, {8.5, 6.5}});
   model.fix(1, 4, BEMPD_BOTH);
   model.prescribe(3, 2, BEMPD_X, 0, 1e-3);
-  model.set("stepping.tie_band", tie_band);
+  model.set("crack.tie_share", tie_band);
   model.set("stepping.separation_share", 0);  // to the last bond
   return model.run(1e6);
 }
@@ -37,7 +37,7 @@ TEST(LongRuns, ten_thousand_breaks_keep_forces_and_energy_in_balance) {
 TEST(LoadReversal, unloading_is_elastic_and_reloading_finds_the_same_state) {
   CentreCrack scene = CentreCrack::small();
   BondModel model;
-  model.set_text("pd.contact", "none");  // faces that press are no linear body
+  model.set_text("contact", "none");  // faces that press are no linear body
   build(model, scene);
   const double first = model.next_event(1e4).load_factor;
   const bempd_step_report loaded = model.step(1.02 * first);

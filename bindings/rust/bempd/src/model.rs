@@ -87,7 +87,7 @@ impl Model {
     /// `spacing` [m], which must divide all edges, with material points on their corners; with others material points
     /// lie on the edges, about `spacing` apart, and on a lattice inside. `vertices` run counter-clockwise [m].
     ///
-    /// `horizon_ratio` is horizon over spacing, 2 to 8; `None` takes the option `pd.horizon_ratio`.
+    /// `horizon_ratio` is horizon over spacing, 2 to 8; `None` stands for 4.
     pub fn add_pd_region(
         &mut self,
         material: MaterialId,
@@ -111,6 +111,20 @@ impl Model {
     ) -> Result<RegionId> {
         let ratio = horizon_ratio.into().unwrap_or(0);
         self.handle.add_pd_region_with_arcs(material.0, vertices, bulges, spacing, ratio).map(RegionId)
+    }
+
+    /// Adds a region as [`Model::add_pd_region`] does, with a lattice whose rows are turned by `angle` from the x axis
+    /// [rad], counter-clockwise; other than 0 there are material points on all edges.
+    pub fn add_turned_pd_region(
+        &mut self,
+        material: MaterialId,
+        vertices: &[[f64; 2]],
+        spacing: f64,
+        horizon_ratio: impl Into<Option<i32>>,
+        angle: f64,
+    ) -> Result<RegionId> {
+        let ratio = horizon_ratio.into().unwrap_or(0);
+        self.handle.add_turned_pd_region(material.0, vertices, spacing, ratio, angle).map(RegionId)
     }
 
     /// Cuts a hole into a region and returns the number of its first edge: the hole's edges continue the region's

@@ -198,6 +198,11 @@ impl Model {
     }
 
     /// All places where stress is unbounded, so that its number there depends on the elements.
+    pub fn stress_orders(&self, places: &[[f64; 2]]) -> Result<Vec<f64>> {
+        self.handle.stress_orders(places)
+    }
+
+    /// Places where stress is unbounded, so that its number there depends on the elements.
     pub fn singularities(&self) -> Result<Vec<Singularity>> {
         let count = self.handle.singularity_count()?;
         (0..count).map(|index| Ok(Singularity::from_raw(&self.handle.singularity(index)?))).collect()
@@ -276,7 +281,7 @@ impl Model {
 
     /// Lets the tips of cracks in boundary element regions that reach their fracture energy first grow by a length [m].
     /// The load factor is solved for; the model is there afterwards, with the longer cracks; the history goes on. The
-    /// options named `growth.*` choose criterion, direction and which tips grow together.
+    /// options named `crack.*` choose the criterion and which tips grow together.
     pub fn grow_cracks(&mut self, length: f64) -> Result<Growth> {
         Ok(Growth::from_raw(&self.handle.grow_cracks(length)?))
     }

@@ -55,8 +55,8 @@ fn wrong_conditions_are_refused() {
 #[test]
 fn wrong_options_are_refused() {
     let mut model = Model::new().unwrap();
-    assert_fails!(model.set_option("pd.horizon_ratios", 4.0), Argument, "pd.horizon_ratio");
-    assert_fails!(model.set_option("pd.horizon_ratio", f64::NAN), Argument, "bempd_set_option: ");
+    assert_fails!(model.set_option("crack.exponents", 4.0), Argument, "crack.exponent");
+    assert_fails!(model.set_option("crack.exponent", f64::NAN), Argument, "bempd_set_option: ");
     assert_fails!(model.set_option_text("scheme", "fast"), Argument, "symmetric");
     assert_fails!(model.set_option_text("sch\0eme", "symmetric"), Argument, "zero byte");
     assert_fails!(model.option("scheme"), Argument, "bempd_get_option: ");

@@ -261,7 +261,7 @@ fn options_have_values_in_their_ranges() {
     let options = bempd::options().unwrap();
     assert!(options.iter().any(|option| option.name == "scheme"));
     for option in options {
-        let mut model = Model::new().unwrap(); // a fresh one: the option "accuracy" sets others
+        let mut model = Model::new().unwrap();
         assert!(!option.summary.is_empty() && !option.unit.is_empty());
         match option.kind {
             OptionKind::Number { default, minimum, maximum, .. } => {
@@ -282,16 +282,18 @@ fn options_have_values_in_their_ranges() {
 }
 
 #[test]
-fn a_region_takes_the_horizon_of_the_option() {
+fn a_region_without_a_horizon_ratio_has_that_of_four_spacings_and_rows_that_turn() {
     let mut model = Model::new().unwrap();
     let material = model.add_material(&Material::new(100.0, 1.0 / 3.0)).unwrap();
-    model.set_option("pd.horizon_ratio", 3.0).unwrap();
     let region = model.add_pd_region(material, &rectangle(0.0, 0.0, 8.0, 8.0), 1.0, None).unwrap();
-    let far = model.add_pd_region(material, &rectangle(20.0, 0.0, 28.0, 8.0), 1.0, 4).unwrap();
-    for region in [region, far] {
+    let same = model.add_pd_region(material, &rectangle(20.0, 0.0, 28.0, 8.0), 1.0, 4).unwrap();
+    let turned = model.add_turned_pd_region(material, &rectangle(40.0, 0.0, 48.0, 8.0), 1.0, 4, 0.3).unwrap();
+    for region in [region, same, turned] {
         model.fix_edge(region, 1, Component::Both).unwrap();
     }
-    assert!(model.bond_count(region).unwrap() < model.bond_count(far).unwrap());
+    assert_eq!(model.bond_count(region).unwrap(), model.bond_count(same).unwrap());
+    assert_ne!(model.node_count(turned).unwrap(), model.node_count(same).unwrap());
+    assert_eq!(model.stress_orders(&[[4.0, 4.0]]).unwrap(), [0.0]);
 }
 
 #[test]

@@ -150,6 +150,14 @@ impl Handle {
         Ok((displacement, stress, regions))
     }
 
+    pub(crate) fn stress_orders(&self, places: &[[f64; 2]]) -> Result<Vec<f64>> {
+        let mut orders = vec![0.0; places.len()];
+        let (count, places) = points(places);
+        let output = orders.as_mut_ptr();
+        self.call(|model| unsafe { sys::bempd_stress_orders(model, count, places, output) })?;
+        Ok(orders)
+    }
+
     pub(crate) fn evaluate_displacement(&self, places: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
         let mut displacement = vec![[0.0; 2]; places.len()];
         let (count, places) = points(places);

@@ -74,6 +74,23 @@ impl Handle {
         })
     }
 
+    pub(crate) fn add_turned_pd_region(
+        &mut self,
+        material: i32,
+        vertices: &[[f64; 2]],
+        spacing: f64,
+        horizon_ratio: i32,
+        angle: f64,
+    ) -> Result<i32> {
+        let (count, vertices) = points(vertices);
+        self.output(|model, region| unsafe {
+            let straight = std::ptr::null();
+            sys::bempd_add_turned_pd_region(
+                model, material, count, vertices, straight, spacing, horizon_ratio, angle, region,
+            )
+        })
+    }
+
     pub(crate) fn add_hole(&mut self, region: i32, vertices: &[[f64; 2]]) -> Result<i32> {
         let (count, vertices) = points(vertices);
         self.output(|model, first_edge| unsafe { sys::bempd_add_hole(model, region, count, vertices, first_edge) })

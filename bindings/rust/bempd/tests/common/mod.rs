@@ -40,7 +40,7 @@ pub struct Plate {
 
 pub fn plate() -> Plate {
     let mut model = Model::new().unwrap();
-    model.set_option_text("pd.crack_rule", "bond").unwrap();
+    model.set_option_text("crack.rule", "bond").unwrap();
     let material = model.add_material(&brittle()).unwrap();
     let left = model.add_bem_region(material, &rectangle(0.0, 0.0, 10.0, 8.0), 2.0).unwrap();
     let strip = model.add_pd_region(material, &rectangle(10.0, 0.0, 19.0, 8.0), 1.0, 3).unwrap();
