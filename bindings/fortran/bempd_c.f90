@@ -3143,11 +3143,10 @@ module bempd_c
     !> material's fracture_energy in the direction in which it grows, that of the largest hoop stress or, with the
     !> option crack.criterion = "energy", of the largest energy release rate. That tip grows, and with it those whose
     !> load factor is at most the share crack.tie_share higher; where crack.exponent is not 0, by lengths that follow
-    !> their energy release rates. An extension is straight: the chord of a curved path, which turns by half the angle
-    !> by which its end would turn on, so that paths of long extensions follow those of short ones. A tip that meets an
-    !> edge, a hole or a crack on 1.25 times its way ends there; one that passes the end of a crack by less than a tenth
-    !> of its way ends at that. Loads on crack faces stay where they are and go on beyond the ends of what they were
-    !> given on.
+    !> their energy release rates. An extension is straight; crack.direction = "chord" makes paths of long extensions
+    !> follow those of short ones. A tip that meets an edge, a hole or a crack on 1.25 times its way ends there; one
+    !> that passes the end of a crack by less than a tenth of its way ends at that. Loads on crack faces stay where they
+    !> are and go on beyond the ends of what they were given on.
     !>
     !> Growth is an event of the history, at constant load factor: the run goes on with the longer cracks, and only what
     !> they touch is computed again. bempd_extension() has what each tip did; a state that was saved before brings the

@@ -111,7 +111,7 @@ TEST(RestingTips, states_say_which_tips_of_lines_are_frozen) {
 
 // A plate of two regions, side by side, with a crack from its left edge.
 void describe_pair(Model& model, bool lattice_first, double second_modulus, double lattice_angle) {
-  if (lattice_angle != 0) model.set("pd.lattice_angle", lattice_angle);
+  if (lattice_angle != 0) model.lattice_angle = lattice_angle;
   const int32_t first = model.add(brittle()), second = second_modulus == 1 ? first : model.add(brittle(second_modulus));
   const Outline left = rectangle(0, 0, 20, side), right = rectangle(20, 0, 40, side);
   const int32_t a = lattice_first ? model.pd(first, left, 1, 3) : model.bem(first, left, 2);
