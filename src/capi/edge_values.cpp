@@ -75,8 +75,9 @@ scene::SampledValues values_as_samples(const bempd_edge_values& values) {
 scene::Condition condition_on(std::int32_t region, std::int32_t edge, double from, double to, std::int32_t component,
                               const bempd_edge_values& values) {
   require(values.kind != BEMPD_NODAL,
-          "values->kind is BEMPD_NODAL; nodes are known once the scene is whole: give BEMPD_UNIFORM with 0 now and the "
-          "values of nodes by bempd_set_support_edge_values() or bempd_set_load_edge_values()");
+          "nodes are known once the scene is whole: give one value of 0 for the whole edge now, and the values of its "
+          "nodes "
+          "by bempd_set_support_edge_values() or bempd_set_load_edge_values()");
   const auto place = std::make_shared<const regions::EdgePart>(region, edge, from, to);
   if (values.kind == BEMPD_FUNCTION) return {place, component, host_function(values.function, values.user)};
   if (are_samples(values)) return {place, component, values_as_samples(values)};
@@ -86,7 +87,7 @@ scene::Condition condition_on(std::int32_t region, std::int32_t edge, double fro
 // New values of a support or a load; as samples where it was made with as many.
 void set_edge_values(model::Model& m, bool of_support, std::int32_t id, const bempd_edge_values& values) {
   require(values.kind != BEMPD_FUNCTION,
-          "values->kind is BEMPD_FUNCTION; new values are numbers: give those of the function as BEMPD_TABLE");
+          "new values are numbers, not a function: give those of the function as a table");
   const auto& all = of_support ? m.scene().supports() : m.scene().loads();
   const auto sample_count = [&] {
     return id >= 1 && id <= static_cast<int>(all.size()) ? all[static_cast<std::size_t>(id) - 1].sample_count : 0;

@@ -135,7 +135,7 @@ static void misuse(void) {
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "function is NULL",
               bempd_add_traction_values(model, 1, 2, 0.0, 1.0, BEMPD_BOTH, &values, NULL));
   CHECK_OK(model, bempd_fix_edge(model, 1, 4, BEMPD_BOTH, NULL));
-  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "as BEMPD_TABLE", bempd_set_support_edge_values(model, 1, &values));
+  CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "as a table", bempd_set_support_edge_values(model, 1, &values));
   values = values_of(BEMPD_UNIFORM);
   CHECK_FAILS(model, BEMPD_ERROR_ARGUMENT, "load 7", bempd_set_load_edge_values(model, 7, &values));
   bempd_model_free(model);

@@ -2,7 +2,7 @@
 #define CRACK_RULE "bond"
 #include "scenes.h"
 
-/* The layout of format version 12: a head, numbers, then arrays that begin with the count of their entries. */
+/* The layout of format version 14: a head, numbers, then arrays that begin with the count of their entries. */
 enum {
   offset_version = 12,
   offset_load_factor = 16 + 3 * 8,
@@ -28,7 +28,7 @@ enum {
   closed_inside,
   array_count
 };
-static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 53, 136, 8, 8, 8, 129, 20, 1, 1};
+static const int64_t entry_size[array_count] = {8, 8, 8, 1, 36, 1, 53, 144, 8, 8, 8, 137, 20, 1, 1};
 
 typedef struct bytes {
   uint8_t* data;
