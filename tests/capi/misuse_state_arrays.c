@@ -116,6 +116,7 @@ static bytes bytes_of(bempd_model* model) {
     place += 8 + entry_size[array] * saved.count[array];
   }
   place = behind_lists(&saved, place, 4); /* terms whose faces wait */
+  place = behind(&saved, place, 8);       /* tips that have stopped */
   /* Positions of the members behind the arrays: the values in force of two supports with one each and of no load,
    * where a path of them ends, the acting values, which loads there are, whose values are not contained, and how the
    * run goes on. */

@@ -19,7 +19,7 @@ def sentences():
         text = re.sub(r"^#.*$|//.*$", "", path.read_text("utf-8"), flags=re.MULTILINE)
         for literals in re.findall(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*', text):
             sentence = "".join(re.findall(r'"((?:[^"\\\n]|\\.)*)"', literals))
-            if C_NAME.search(sentence) and not re.fullmatch(r"BEMPD_(OK|ERROR_[A-Z]+)", sentence):
+            if C_NAME.search(sentence) and not re.fullmatch(r"BEMPD_(OK|ERROR_[A-Z]+|TEST_HOOKS)", sentence):
                 yield sentence
 
 
