@@ -60,7 +60,8 @@ module bempd
     procedure :: set_progress, set_phase_progress, set_log, request_cancel, request_stop
     procedure :: prepare, step, step_to_next_event, run_to_separation, step_to_values, run_program
     procedure :: load_factor, admissible_load_factors, generation, copy_field, fill_field, view_field
-    procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities, stress_orders
+    procedure :: copy_elements, copy_bonds, reaction, reaction_moment, edge_reaction, evaluate, evaluate_in, singularities
+    procedure :: stress_orders
     procedure :: add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at
     procedure :: set_load_values_at, fractions_on_edge, edge_nodes, edge_elements, edge_forces
     procedure :: piece_count, piece, node_pieces, support_piece, load_piece, are_connected
@@ -91,7 +92,7 @@ module bempd
   private :: create, free, last_error, set_option_number, set_option_text, get_option_number, &
     get_option_text, refuse_copy, add_material, add_bem_region, add_pd_region, add_hole, add_circular_hole, add_crack, &
     add_bem_disc, set_edge_arc, set_edge_arc_about, set_edges_smooth, set_edge_mesh, &
-    edge_reaction, evaluate_in, singularities, &
+    edge_reaction, evaluate_in, singularities, stress_orders, &
     add_edge_forces, set_support_nodal_values, set_load_nodal_values, set_support_values_at, set_load_values_at, &
     fractions_on_edge, edge_nodes, edge_elements, edge_forces, &
     piece_count, piece, node_pieces, support_piece, load_piece, are_connected, &
