@@ -86,7 +86,15 @@ impl Handle {
         self.output(|model, region| unsafe {
             let straight = std::ptr::null();
             sys::bempd_add_turned_pd_region(
-                model, material, count, vertices, straight, spacing, horizon_ratio, angle, region,
+                model,
+                material,
+                count,
+                vertices,
+                straight,
+                spacing,
+                horizon_ratio,
+                angle,
+                region,
             )
         })
     }
