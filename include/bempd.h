@@ -533,8 +533,9 @@ BEMPD_API bempd_status bempd_set_edge_mesh(bempd_model* model, int32_t region, i
  * edge, a hole or another crack, and cracks may cross. A crack may run from a BEM region into a peridynamic region and
  * back. It crosses their straight interface half way between two material points: elsewhere it is bent to there, over
  * three spacings on either side, which is logged. It goes on for at least a spacing behind the interface, and no other
- * crack crosses between the same two points. It ends before interfaces of BEM regions. A crack beside all regions there
- * are is refused at once, everything else when the model is prepared.
+ * crack crosses between the same two points. From one BEM region into another of the same material it goes on straight,
+ * as if there were no interface; it ends before the interface with a BEM region of another material. A crack beside all
+ * regions there are is refused at once, everything else when the model is prepared.
  * @param[in] model the model @param[in] point_count number of points, >= 2
  * @param[in] points shape [point_count][2] [m] @param[out] crack its id; may be NULL @return status @since 0.1 */
 BEMPD_API bempd_status bempd_add_crack(bempd_model* model, int64_t point_count, const double* points, int32_t* crack);

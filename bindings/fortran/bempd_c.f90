@@ -1365,9 +1365,10 @@ module bempd_c
     !> There it may start or end at a free edge, a hole or another crack, and cracks may cross. A crack may run from a
     !> BEM region into a peridynamic region and back. It crosses their straight interface half way between two material
     !> points: elsewhere it is bent to there, over three spacings on either side, which is logged. It goes on for at
-    !> least a spacing behind the interface, and no other crack crosses between the same two points. It ends before
-    !> interfaces of BEM regions. A crack beside all regions there are is refused at once, everything else when the
-    !> model is prepared.
+    !> least a spacing behind the interface, and no other crack crosses between the same two points. From one BEM region
+    !> into another of the same material it goes on straight, as if there were no interface; it ends before the
+    !> interface with a BEM region of another material. A crack beside all regions there are is refused at once,
+    !> everything else when the model is prepared.
     !>
     !> model [in]: the model
     !> point_count [in]: number of points, >= 2

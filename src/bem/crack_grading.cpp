@@ -96,7 +96,8 @@ CrackSizes::CrackSizes(const CrackLines& cracks, const std::vector<Edge>& bounda
     ways_.push_back({0.0});
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
       ways_.back().push_back(ways_.back().back() + segment(line, i).length());
-    targets_.push_back(given_length(line) / grading.elements_per_line);
+    const double given = given_length(line);
+    targets_.push_back((given > 0 ? given : line.given_elsewhere) / grading.elements_per_line);
     ends_.insert(ends_.end(), {line.points.front(), line.points.back()});
     for (std::size_t v = 1; v + 1 < line.points.size(); ++v)
       if (turn(line, v) > least_kink) ends_.push_back(line.points[v]);

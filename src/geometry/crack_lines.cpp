@@ -112,7 +112,7 @@ void require_inside(const Path& path, double from, double to, const std::vector<
 
 CrackLine line_between(const Path& path, int crack, const Mark& from, const Mark& to, std::array<int, 2> joints,
                        double tolerance) {
-  CrackLine line{crack, {from.place}, from.way, joints, {}};
+  CrackLine line{crack, {from.place}, from.way, joints, {}, path.given.given_elsewhere};
   double reached = from.way;
   const auto add = [&](const Point& place, double way) {
     int segment = 0;

@@ -13,6 +13,7 @@ struct CrackPath {
   int id;
   std::vector<Point> points;
   int grown_at_start = 0, grown_at_end = 0;
+  double given_elsewhere = 0;  // length of what the crack was before it grew, if parts of it lie in other bodies [m]
 
   int segments() const { return static_cast<int>(points.size()) - 1; }
   bool grown(int segment) const { return segment < grown_at_start || segment >= segments() - grown_at_end; }
@@ -22,9 +23,10 @@ struct CrackPath {
 struct CrackLine {
   int crack;  // position of the path
   std::vector<Point> points;
-  double start;               // its way along the path
-  std::array<int, 2> joints;  // at its start and end; -1: a tip
-  std::vector<char> grown;    // by segment
+  double start;                // its way along the path
+  std::array<int, 2> joints;   // at its start and end; -1: a tip
+  std::vector<char> grown;     // by segment
+  double given_elsewhere = 0;  // CrackPath::given_elsewhere
 
   double length() const;
 };

@@ -160,8 +160,16 @@ std::vector<Point> Model::crack_openings(int crack, const std::vector<double>& f
   ensure_equilibrium();
   const std::vector<regions::PartedCrack>& cracks = prepared_->discretization.cracks;
   const auto number = static_cast<std::size_t>(crack) - 1;
-  if (number < cracks.size() && cracks[number].has_elements() && !cracks[number].cuts_bonds())
+  const bool elements_only = number < cracks.size() && cracks[number].has_elements() && !cracks[number].cuts_bonds();
+  if (elements_only && cracks[number].parts.size() == 1)
     return region(cracks[number].region_at(0)).crack_openings(crack, fractions, solution());
+  if (elements_only) {
+    std::vector<Point> openings;
+    for (const double fraction : fractions)
+      openings.push_back(
+          region(cracks[number].part_at(fraction).region).crack_openings(crack, {fraction}, solution()).front());
+    return openings;
+  }
   const std::vector<std::vector<Point>> paths = paths_in_lattices();
   require(paths[number].size() > 1, "crack ", crack, " was removed; ask for the openings of one that there is");
   std::vector<Point> openings =

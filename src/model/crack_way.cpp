@@ -28,13 +28,52 @@ constexpr double near_a_corner = 1e-3;
 // neither cross an interface nor lie on it.
 constexpr double before_an_interface = 0.25;
 
+// Tips do not lie closer than this part of the way to an interface that the crack crosses, before it or behind it.
+constexpr double beside_a_crossing = 0.25;
+
+// Whether a place lies on the interface of regions with boundary elements of one material.
+bool is_among_elements(const scene::Scene& scene, const Point& place, double tolerance) {
+  std::vector<int> ids;
+  for (const int id : scene.region_ids())
+    if (locate(scene.region(id).outline(), place, 10 * tolerance) != Location::outside) ids.push_back(id);
+  return ids.size() > 1 && std::all_of(ids.begin(), ids.end(), [&](int id) {
+           return scene.region(id).has_elements() && scene.material_of(id) == scene.material_of(ids.front());
+         });
+}
+
+bool is_inside(const scene::Scene& scene, const Point& place, double tolerance) {
+  const std::vector<int> ids = scene.region_ids();
+  return std::any_of(ids.begin(), ids.end(),
+                     [&](int id) { return locate(scene.region(id).outline(), place, tolerance) == Location::inside; });
+}
+
+// A step that crosses interfaces at some ways ends at its length, or a little before or behind that where it would end
+// too close to one of them.
+double length_beside_crossings(double length, const std::vector<double>& crossings) {
+  const double clear = beside_a_crossing * length;
+  const auto gap = [&](double way) {
+    double least = clear;
+    for (const double at : crossings) least = std::min(least, std::abs(at - way));
+    return least;
+  };
+  double best = length;
+  for (const double at : crossings)
+    for (const double way : {at - clear, at + clear})
+      if (std::abs(way - length) <= clear && gap(way) > (1 + 1e-6) * gap(best)) best = way;
+  return best;
+}
+
 class Meetings {
  public:
-  Meetings(const Segment& way, double length, double tolerance)
-      : way_(way), length_(length), tolerance_(tolerance), behind_tip_(10 * tolerance / way.length()) {}
+  Meetings(const scene::Scene& scene, const Segment& way, double length, double tolerance)
+      : scene_(scene), way_(way), length_(length), tolerance_(tolerance), behind_tip_(10 * tolerance / way.length()) {}
 
   void with(const Edge& edge, TipState state) {
     for (const Crossing& meeting : meeting_points(Edge(way_.start, way_.end), edge)) {
+      if (goes_on_behind(meeting.fraction_a)) {
+        crossings_.push_back(meeting.fraction_a * way_.length());
+        continue;
+      }
       Point place = way_.at(meeting.fraction_a);
       for (const Point& corner : {edge.start, edge.end})
         if ((corner - place).norm() <= near_a_corner * length_) place = corner;
@@ -59,6 +98,9 @@ class Meetings {
     if (!own || own_end == 0) ends_.push_back(crack.points.back());
   }
 
+  // Ways to interfaces that the crack crosses, because it goes on in elements behind them.
+  const std::vector<double>& crossings() const { return crossings_; }
+
   // First meeting on the path. Ends of cracks come last: they replace a meeting next to them.
   std::optional<TipWay> first() {
     for (const Point& end : ends_) {
@@ -71,14 +113,21 @@ class Meetings {
   }
 
  private:
+  bool goes_on_behind(double fraction) const {
+    if (!is_among_elements(scene_, way_.at(fraction), tolerance_)) return false;
+    return is_inside(scene_, way_.at(fraction) + near_a_corner * length_ * way_.direction().normalized(), tolerance_);
+  }
+
   void consider(double fraction, const Point& place, TipState state) {
     if (fraction <= behind_tip_ || fraction > first_) return;
     first_ = fraction;
     met_ = {place, state};
   }
 
+  const scene::Scene& scene_;
   Segment way_;
   double length_, tolerance_, behind_tip_, first_ = 1;
+  std::vector<double> crossings_;
   std::optional<TipWay> met_;
   std::vector<Point> ends_;
 };
@@ -133,6 +182,27 @@ bool is_on_interface(const scene::Scene& scene, const Point& place, double toler
   return regions > 1;
 }
 
+// Of a place from an edge; parts of it on which cracks go on in the region behind are nothing.
+double distance_without_crossable(const scene::Scene& scene, const Edge& edge, const Point& x, double tolerance) {
+  const double whole = distance(edge, x);
+  std::vector<double> ends{0.0, edge.joint(), 1.0};
+  for (const int id : scene.region_ids())
+    for (const Edge& other : edges_of(scene.region(id).outline()))
+      if (distance(edge, other.start) <= 10 * tolerance) ends.push_back(closest_fraction(edge, other.start));
+  std::sort(ends.begin(), ends.end());
+  double least = std::numeric_limits<double>::infinity();
+  bool crossable = false;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    if ((ends[k + 1] - ends[k]) * edge.length() <= 10 * tolerance) continue;
+    if (is_among_elements(scene, edge.at(0.5 * (ends[k] + ends[k + 1])), tolerance)) {
+      crossable = true;
+    } else {
+      least = std::min(least, distance(Edge(edge.part(ends[k], ends[k + 1])), x));
+    }
+  }
+  return crossable ? least : whole;
+}
+
 const Point& tip_of(const scene::Crack& crack, int end) {
   return end == 0 ? crack.points.front() : crack.points.back();
 }
@@ -142,7 +212,7 @@ const Point& tip_of(const scene::Crack& crack, int end) {
 TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end,
                   const Point& direction, double length, double tolerance) {
   const Point& from = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
-  Meetings meetings({from, from + reach * length * direction}, length, tolerance);
+  Meetings meetings(scene, {from, from + reach * length * direction}, length, tolerance);
   for (const int region : scene.region_ids()) {
     const Outline& outline = scene.region(region).outline();
     const std::size_t outer = outline.loops.front().size();
@@ -158,7 +228,7 @@ TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cr
       (!met || lattice->way <= (met->to - from).norm() + tolerance))
     return {from + (lattice->way + std::min(into_a_lattice * lattice->spacing, lattice->width / 2)) * direction,
             TipState::grows};
-  if (!met) return {from + length * direction, TipState::grows};
+  if (!met) return {from + length_beside_crossings(length, meetings.crossings()) * direction, TipState::grows};
   if (met->state == TipState::at_crack || !is_on_interface(scene, met->to, tolerance)) return *met;
   const double way = (met->to - from).norm(), left = std::min(before_an_interface * length, 0.5 * way);
   return {from + (1 - left / way) * (met->to - from), TipState::at_interface};
@@ -176,10 +246,12 @@ double length_of(const scene::Crack& crack) {
 }
 
 double clearance_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cracks, int crack, int end) {
+  const double tolerance = geometric_tolerance(scene.bounding_box());
   const Point& tip = tip_of(cracks[static_cast<std::size_t>(crack) - 1], end);
   double least = std::numeric_limits<double>::infinity();
   for (const int region : scene.region_ids())
-    for (const Edge& edge : edges_of(scene.region(region).outline())) least = std::min(least, distance(edge, tip));
+    for (const Edge& edge : edges_of(scene.region(region).outline()))
+      least = std::min(least, distance_without_crossable(scene, edge, tip, tolerance));
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     const std::vector<Point>& points = cracks[c].points;
     if (static_cast<int>(c) + 1 == crack) continue;

@@ -122,7 +122,7 @@ void Model::tell_of_growth(const fracture::Growth& growth, const PreparedScene& 
                 ")"));
     if (e.state == crack::TipState::at_interface)
       log(1, text("crack ", e.crack, " has stopped at (", e.x, ", ", e.y,
-                  "), before an interface of its region, across which it cannot go on"));
+                  "), before an interface of its region with another material, across which it cannot go on"));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "error.hpp"
 #include "regions/region.hpp"
@@ -60,7 +61,7 @@ struct Vertex {
 
 class Bending {
  public:
-  explicit Bending(const scene::Crack& crack) {
+  Bending(const scene::Crack& crack, double same) : same_(same) {
     double way = 0;
     const auto count = static_cast<int>(crack.points.size());
     for (int i = 0; i < count; ++i) {
@@ -76,7 +77,7 @@ class Bending {
   void bend(const CrackCrossing& c, double low, double high) {
     const Vertex at = at_way(c.way);
     double from = c.way, to = c.way;
-    if ((at.place - c.place).norm() > rounding_of_places * c.spacing) {
+    if (c.spacing > 0 && (at.place - c.place).norm() > rounding_of_places * c.spacing) {
       from = std::max(low, c.way - bent_reach * c.spacing), to = std::min(high, c.way + bent_reach * c.spacing);
       for (const Vertex& v : vertices_) {
         if (v.way <= c.way - straight_reach * c.spacing) from = std::max(from, v.way);
@@ -84,7 +85,7 @@ class Bending {
       }
     }
     std::vector<Vertex> bent;
-    const double same = rounding_of_places * c.spacing;
+    const double same = c.spacing > 0 ? rounding_of_places * c.spacing : same_;
     for (const Vertex& v : vertices_)
       if (v.way < from - same) bent.push_back(v);
     if (from < c.way) bent.push_back(at_way(from));
@@ -106,8 +107,25 @@ class Bending {
     return {way, Segment{a.place, b.place}.at(part), a.grown};
   }
 
+  double same_;
   std::vector<Vertex> vertices_;
 };
+
+// Elements of two regions share nodes on both sides of a crack only where both are of one material: at the interface
+// of two materials its tip and its mouth have stresses of their own.
+void require_one_body(const Preparation& p, int crack, const CrackCrossing& c) {
+  const auto about = [&] {
+    return text("crack ", crack, " crosses the interface of the regions ", c.before, " and ", c.after, " at (",
+                c.place.x(), ", ", c.place.y(), ")");
+  };
+  require(p.scene.material_of(c.before) == p.scene.material_of(c.after), about(),
+          ", which are of two materials; cracks go on in boundary elements of one material only: let it end before the "
+          "interface");
+  for (const auto& region : p.regions)
+    require(!region->takes_cracks() ||
+                locate(p.scene.region(region->id()).outline(), c.place, p.tolerance) == Location::outside,
+            about(), ", where the peridynamic region ", region->id(), " has a corner; let it pass that corner by");
+}
 
 }  // namespace
 
@@ -116,9 +134,11 @@ void move_between_rows(const Preparation& p, int crack, std::vector<CrackCrossin
   double before = 0;  // way of the crossing before
   for (std::size_t k = 0; k < crossings.size(); ++k) {
     CrackCrossing& c = crossings[k];
-    require(c.before == 0 || c.after == 0, "crack ", crack, " goes from the BEM region ", c.before,
-            " into the BEM region ", c.after, " before (", c.place.x(), ", ", c.place.y(),
-            "); end it at the interface");
+    if (c.among_elements()) {
+      require_one_body(p, crack, c);
+      before = c.way;
+      continue;
+    }
     const Middle middle = nearest_middle(p, crack, std::max(c.before, c.after), c);
     const double behind = (k + 1 < crossings.size() ? crossings[k + 1].way : length) - c.way;
     require(middle.spacing > 0 && std::min(c.way - before, behind) >= straight_reach * middle.spacing, "crack ", crack,
@@ -136,8 +156,8 @@ void move_between_rows(const Preparation& p, int crack, std::vector<CrackCrossin
   }
 }
 
-BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings) {
-  Bending bending(crack);
+BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same) {
+  Bending bending(crack, same);
   const double length = bending.length();
   for (std::size_t k = 0; k < crossings.size(); ++k) {
     const double way = crossings[k].way;
@@ -167,6 +187,27 @@ scene::Crack BentCrack::crack() const {
   return {points, at_start, at_end};
 }
 
+int SharedMouth::side_of(const Point& x) const {
+  const Point ahead = behind - place;
+  const auto turn = [&](const Point& direction) {
+    const double angle = std::atan2(cross(ahead, direction), ahead.dot(direction));
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+  };
+  return turn(x - place) < turn(before - place) ? 1 : -1;
+}
+
+std::vector<SharedMouth> shared_mouths(const std::vector<PartedCrack>& cracks) {
+  std::vector<SharedMouth> mouths;
+  for (const PartedCrack& crack : cracks) {
+    for (std::size_t k = 1; k < crack.parts.size(); ++k) {
+      const CrackPart &before = crack.parts[k - 1], &behind = crack.parts[k];
+      if (before.region > 0 && behind.region > 0)
+        mouths.push_back({behind.points.front(), before.points.end()[-2], behind.points[1]});
+    }
+  }
+  return mouths;
+}
+
 void require_mouths_apart(const std::vector<PartedCrack>& cracks, double tolerance) {
   struct Mouth {
     std::size_t crack;
@@ -178,8 +219,9 @@ void require_mouths_apart(const std::vector<PartedCrack>& cracks, double toleran
       const Point& place = cracks[c].parts[k].points.front();
       for (const Mouth& other : mouths)
         require((other.place - place).norm() > 8 * tolerance, "cracks ", other.crack + 1, " and ", c + 1,
-                " cross an interface between the same two material points, at (", place.x(), ", ", place.y(),
-                "); move them apart, or choose a smaller spacing");
+                " cross an interface ",
+                cracks[c].parts[k - 1].spacing_behind > 0 ? "between the same two material points" : "in one place",
+                ", at (", place.x(), ", ", place.y(), "); move them apart, or choose a smaller spacing");
       mouths.push_back({c, place});
     }
   }

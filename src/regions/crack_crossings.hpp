@@ -16,6 +16,8 @@ struct CrackCrossing {
   Point place, direction;  // direction: of the crack, a unit vector
   int before, after;       // regions that have elements on it; 0: it cuts bonds
   double spacing = 0;      // of the material points beside `place`, once it lies half way between two of them [m]
+
+  bool among_elements() const { return before > 0 && after > 0; }
 };
 
 // Moves the crossings between elements and bonds of a crack of some length along the interface, to half way between
@@ -24,7 +26,8 @@ struct CrackCrossing {
 void move_between_rows(const Preparation& preparation, int crack, std::vector<CrackCrossing>& crossings, double length,
                        std::vector<std::string>& warnings);
 
-// A crack that passes the places of its crossings, within a few spacings of which it may be bent.
+// A crack that passes the places of its crossings, within a few spacings of which it may be bent. Among elements it
+// stays straight.
 struct BentCrack {
   std::vector<Point> points;
   std::vector<char> grown;             // by segment
@@ -34,7 +37,18 @@ struct BentCrack {
   std::pair<int, int> grown_at_ends(std::size_t from, std::size_t to) const;
   scene::Crack crack() const;
 };
-BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings);
+// Vertices closer than `same` to each other are one.
+BentCrack bent_to(const scene::Crack& crack, const std::vector<CrackCrossing>& crossings, double same);
+
+// Where a crack passes from one region with elements to another: both have two nodes there, one on each face, which
+// they share. `before` and `behind` are next to the place on the crack.
+struct SharedMouth {
+  Point place, before, behind;
+
+  // 1 for what lies on the left of the crack beside the place, -1 on its right.
+  int side_of(const Point& x) const;
+};
+std::vector<SharedMouth> shared_mouths(const std::vector<PartedCrack>& cracks);
 
 // Throws Error (argument) where two of all crossings between elements and bonds lie between the same two points.
 void require_mouths_apart(const std::vector<PartedCrack>& cracks, double tolerance);

@@ -1,6 +1,7 @@
 #include "regions/crack_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cancellation.hpp"
 #include "error.hpp"
@@ -76,13 +77,33 @@ std::vector<CrackCrossing> crossings_of(const Preparation& p, int crack, const s
   return found;
 }
 
+// Smaller turns are those of a polygon that stands for a curve.
+constexpr double least_bend = 0.2;
+
+// From a vertex on, forwards or backwards: the way to where the crack bends or ends.
+double way_to_bend(const std::vector<Point>& points, std::size_t from, bool forwards) {
+  std::vector<Point> ahead(points.begin() + static_cast<std::ptrdiff_t>(forwards ? from : 0),
+                           forwards ? points.end() : points.begin() + static_cast<std::ptrdiff_t>(from) + 1);
+  if (!forwards) std::reverse(ahead.begin(), ahead.end());
+  double way = 0;
+  for (std::size_t i = 0; i + 1 < ahead.size(); ++i) {
+    const Point along = ahead[i + 1] - ahead[i];
+    if (i > 0) {
+      const Point before = ahead[i] - ahead[i - 1];
+      if (std::abs(std::atan2(cross(before, along), before.dot(along))) > least_bend) break;
+    }
+    way += along.norm();
+  }
+  return way;
+}
+
 PartedCrack parted(const Preparation& p, int id, const scene::Crack& crack, std::vector<std::string>& warnings) {
   if (crack.points.empty()) return {};
   int region = 0;
   std::vector<CrackCrossing> crossings = crossings_of(p, id, crack.points, region);
   if (crossings.empty()) return {crack, {{region, crack.points, crack.grown_at_start, crack.grown_at_end}}};
   move_between_rows(p, id, crossings, polyline_length(crack.points), warnings);
-  const BentCrack bent = bent_to(crack, crossings);
+  const BentCrack bent = bent_to(crack, crossings, 10 * p.tolerance);
   PartedCrack result{bent.crack(), {}};
   std::size_t from = 0;
   double start = 0;
@@ -97,6 +118,8 @@ PartedCrack parted(const Preparation& p, int id, const scene::Crack& crack, std:
     part.start = start, part.from_another = k > 0, part.into_another = !last;
     if (k > 0) part.spacing_before = crossings[k - 1].spacing;
     if (!last) part.spacing_behind = crossings[k].spacing;
+    if (k > 0 && crossings[k - 1].among_elements()) part.reach_before = way_to_bend(bent.points, from, false);
+    if (!last && crossings[k].among_elements()) part.reach_behind = way_to_bend(bent.points, to, true);
     start += polyline_length(part.points);
     result.parts.push_back(std::move(part));
     from = to;

@@ -20,6 +20,8 @@ struct CrackPart {
   bool from_another = false, into_another = false;  // whether another part of the crack is before or behind it
   // Of the material points between which it comes from that part and goes into it; 0 without [m].
   double spacing_before = 0, spacing_behind = 0;
+  // Where that part has elements too: the way from there along it to its next bend or end; 0 without [m].
+  double reach_before = 0, reach_behind = 0;
 };
 
 // A crack by the regions that it runs through.

@@ -18,7 +18,7 @@ int NodeRegistry::add(const Point& position) {
   return static_cast<int>(positions_.size()) - 1;
 }
 
-int NodeRegistry::add_shared(const Point& position, int region) {
+int NodeRegistry::add_shared(const Point& position, int region, int side) {
   const Cell centre = cell_of(position);
   for (std::int64_t dx = -1; dx <= 1; ++dx) {
     for (std::int64_t dy = -1; dy <= 1; ++dy) {
@@ -26,14 +26,15 @@ int NodeRegistry::add_shared(const Point& position, int region) {
       if (found == cells_.end()) continue;
       for (Entry& entry : found->second) {
         // A region's own nodes stay apart however close they are.
-        if (entry.last_region == region || (positions_[entry.node] - position).norm() > tolerance_) continue;
+        if (entry.last_region == region || entry.side != side) continue;
+        if ((positions_[entry.node] - position).norm() > tolerance_) continue;
         entry.last_region = region;
         return entry.node;
       }
     }
   }
   const int node = add(position);
-  cells_[centre].push_back({node, region});
+  cells_[centre].push_back({node, region, side});
   return node;
 }
 

@@ -16,8 +16,9 @@ class NodeRegistry {
   // Adds a node that belongs to one region only.
   int add(const Point& position);
 
-  // Node on an interface: the one that another region has put at this place, or a new one.
-  int add_shared(const Point& position, int region);
+  // Node on an interface: the one that another region has put at this place, or a new one. Where a crack crosses the
+  // interface each side of the crack has a node: `side` is 1 on its left, -1 on its right, 0 for all other nodes.
+  int add_shared(const Point& position, int region, int side = 0);
 
   const std::vector<Point>& positions() const { return positions_; }
 
@@ -25,6 +26,7 @@ class NodeRegistry {
   struct Entry {
     int node;
     int last_region;
+    int side;
   };
   using Cell = std::pair<std::int64_t, std::int64_t>;
   struct CellHash {

@@ -39,15 +39,23 @@ static void cracks_lie_in_the_body_and_reach_beyond_interfaces(void) {
   REFUSED("reaches the interface", 2, 8.5, 4.5, 10.0, 4.5);
 }
 
+static int32_t add_stiffer_material(bempd_model* model) {
+  bempd_material material = sound_material();
+  int32_t id = 0;
+  material.young_modulus *= 2;
+  CHECK_OK(model, bempd_add_material(model, &material, &id));
+  return id;
+}
+
 static void cracks_keep_off_interfaces_of_boundary_elements(void) {
   const double along[][4] = {{2, 4, 7, 4}, {0, 4, 10, 4}, {5, 2, 5, 4}, {5, 2, 5, 6}};
   const char* words[] = {"runs along the interface of the regions 1 and 2", "runs along the interface",
-                         "reaches the interface", "goes from the BEM region 1 into the BEM region 2"};
+                         "reaches the interface", "regions 1 and 2 at (5, 4), which are of two materials"};
   for (int k = 0; k < 4; ++k) {
     bempd_model* model = new_model();
-    const int32_t material = add_sound_material(model);
+    const int32_t material = add_sound_material(model), other = add_stiffer_material(model);
     const int32_t low = add_bem_rectangle(model, material, 0.0, 0.0, 10.0, 4.0, 2.0);
-    add_bem_rectangle(model, material, 0.0, 4.0, 10.0, 8.0, 2.0);
+    add_bem_rectangle(model, k < 3 ? material : other, 0.0, 4.0, 10.0, 8.0, 2.0);
     CHECK_OK(model, bempd_fix_edge(model, low, 1, BEMPD_BOTH, NULL));
     check_refused_by_prepare(model, words[k], bempd_add_crack(model, 2, along[k], NULL), "bempd_add_crack", __FILE__,
                              __LINE__);

@@ -6,6 +6,7 @@
 #include "bem/boundary_loads.hpp"
 #include "bem/galerkin_operator.hpp"
 #include "regions/boundary/region_cracks.hpp"
+#include "regions/crack_crossings.hpp"
 
 namespace bempd::regions {
 
@@ -111,15 +112,31 @@ void BoundaryRegion::follow_rows_to_mouths(NodeRoles& roles) const {
   }
 }
 
-void BoundaryRegion::number_nodes(NodeRegistry& registry) {
+// Where cracks pass from this region or beside it to another one with elements: on which side of the crack nodes lie.
+std::vector<int> BoundaryRegion::sides_of_cracks(const Preparation& p) const {
+  std::vector<int> sides(mesh_.nodes.size(), 0);
+  for (const SharedMouth& mouth : shared_mouths(p.cracks)) {
+    for (const BoundaryElement& element : mesh_.elements) {
+      if (panels_[element.panel].edge == 0) continue;  // on the crack itself
+      for (const int node : {element.nodes[0], element.nodes[2]})
+        if ((mesh_.nodes[node] - mouth.place).norm() <= 16 * p.tolerance)
+          sides[node] = mouth.side_of(mesh_.nodes[element.nodes[1]]);
+    }
+  }
+  return sides;
+}
+
+void BoundaryRegion::number_nodes(const Preparation& preparation, NodeRegistry& registry) {
   const std::size_t count = mesh_.nodes.size();
   const NodeRoles roles = this->roles();
+  const std::vector<int> sides = sides_of_cracks(preparation);
   node_of_mesh_node_.assign(count, -1);
   std::vector<int> column(count, -1);
   for (std::size_t i = 0; i < count; ++i) {
     if (roles.slaved[i]) continue;
     column[i] = static_cast<int>(nodes_.size());
-    nodes_.push_back(roles.shared[i] ? registry.add_shared(mesh_.nodes[i], id()) : registry.add(mesh_.nodes[i]));
+    nodes_.push_back(roles.shared[i] ? registry.add_shared(mesh_.nodes[i], id(), sides[i])
+                                     : registry.add(mesh_.nodes[i]));
     node_of_mesh_node_[i] = nodes_.back();
   }
   std::vector<Eigen::Triplet<double>> entries;
@@ -141,7 +158,7 @@ void BoundaryRegion::number_nodes(NodeRegistry& registry) {
 }
 
 void BoundaryRegion::build(const Preparation& preparation, Contributions& contributions) {
-  number_nodes(contributions.registry);
+  number_nodes(preparation, contributions.registry);
   if (cracks_) cracks_->warn_of_gap(mesh_, contributions.warnings);
   // The operator of a region before that differs by a translation only is taken over.
   for (const auto& other : preparation.regions) {

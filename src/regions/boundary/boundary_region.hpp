@@ -102,7 +102,8 @@ class BoundaryRegion : public Region {
 
   NodeRoles roles() const;
   void follow_rows_to_mouths(NodeRoles& roles) const;
-  void number_nodes(NodeRegistry& registry);
+  std::vector<int> sides_of_cracks(const Preparation& preparation) const;
+  void number_nodes(const Preparation& preparation, NodeRegistry& registry);
   std::shared_ptr<const Eigen::MatrixXd> stiffness_of_nodes() const;
   const Eigen::MatrixXd& mesh_stiffness() const { return stiffness_.size() > 0 ? stiffness_ : operator_->stiffness(); }
   bool has_operator_of(const BoundaryRegion& other) const;

@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "geometry/turning.hpp"
+#include "regions/crack_crossings.hpp"
 #include "regions/memory_limit.hpp"
 
 namespace bempd::regions {
@@ -20,12 +21,29 @@ constexpr double bytes_per_square_with_cracks = 600;
 // reason.
 constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
 
+// Ways along a crack to where what it was before it grew begins and ends.
+std::pair<double, double> given_part(const scene::Crack& crack) {
+  const auto first = crack.points.begin();
+  return {polyline_length({first, first + crack.grown_at_start + 1}),
+          polyline_length({first, crack.points.end() - crack.grown_at_end})};
+}
+
+double given_length(const scene::Crack& crack) {
+  const auto [from, to] = given_part(crack);
+  return to - from;
+}
+
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
   std::vector<CrackPath> paths;
-  for (std::size_t c = 0; c < p.cracks.size(); ++c)
-    for (const CrackPart& part : p.cracks[c].parts)
-      if (part.region == region)
-        paths.push_back({static_cast<int>(c) + 1, part.points, part.grown_at_start, part.grown_at_end});
+  for (std::size_t c = 0; c < p.cracks.size(); ++c) {
+    const double given = given_length(p.cracks[c].crack);
+    for (const CrackPart& part : p.cracks[c].parts) {
+      if (part.region != region) continue;
+      const bool goes_on = part.reach_before > 0 || part.reach_behind > 0;
+      paths.push_back(
+          {static_cast<int>(c) + 1, part.points, part.grown_at_start, part.grown_at_end, goes_on ? given : 0});
+    }
+  }
   return paths;
 }
 
@@ -34,9 +52,7 @@ std::vector<CrackExtent> extents_in(const Preparation& p, int region) {
   for (const PartedCrack& parted : p.cracks) {
     for (const CrackPart& part : parted.parts) {
       if (part.region != region) continue;
-      const auto first = parted.crack.points.begin();
-      const double from = polyline_length({first, first + parted.crack.grown_at_start + 1});
-      const double to = polyline_length({first, parted.crack.points.end() - parted.crack.grown_at_end});
+      const auto [from, to] = given_part(parted.crack);
       extents.push_back({part.start, polyline_length(parted.crack.points), from, to - from});
     }
   }
@@ -50,6 +66,21 @@ std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
       if (part.region != region) continue;
       if (part.spacing_before > 0) mouths.push_back({part.points.front(), part.spacing_before});
       if (part.spacing_behind > 0) mouths.push_back({part.points.back(), part.spacing_behind});
+    }
+  }
+  return mouths;
+}
+
+// Length of the elements at a mouth behind which the crack goes on in another region with elements, over the distance
+// from there to where it ends or bends.
+constexpr double longest_before_end = 0.5;
+
+std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region, std::vector<bem::MouthOnRow> mouths) {
+  for (const PartedCrack& parted : p.cracks) {
+    for (const CrackPart& part : parted.parts) {
+      if (part.region != region) continue;
+      if (part.reach_before > 0) mouths.push_back({part.points.front(), longest_before_end * part.reach_before});
+      if (part.reach_behind > 0) mouths.push_back({part.points.back(), longest_before_end * part.reach_behind});
     }
   }
   return mouths;
@@ -73,14 +104,17 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
       edges_(edges_of(p.scene.region(region).outline())),
       lines_(crack_lines(paths_, edges_, p.tolerance)),
       rows_(mouths_on_rows(p, region)),
-      sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region), rows_) {
+      sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region), short_elements_at(p, region, rows_)) {
+  const std::vector<SharedMouth> shared = shared_mouths(p.cracks);
   for (const Point& mouth : mouths()) {
-    if (is_on_row(mouth)) continue;
+    const auto is_there = [&](const SharedMouth& one) { return (one.place - mouth).norm() <= 8 * tolerance_; };
+    if (is_on_row(mouth) || std::any_of(shared.begin(), shared.end(), is_there)) continue;
     for (const auto& other : p.regions)
       require(other->id() == region ||
                   locate(p.scene.region(other->id()).outline(), mouth, p.tolerance) == Location::outside,
               "a crack in region ", region, " reaches the interface with region ", other->id(), " at (", mouth.x(),
-              ", ", mouth.y(), "); end it at a free edge or inside");
+              ", ", mouth.y(),
+              "); end it at a free edge or inside, or behind the interface if both regions are of one material");
   }
 }
 
@@ -263,10 +297,14 @@ void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPan
       const PanelSource& source = panels.sources[number++];
       const bool at_mouth = own && (own->is_on_row(panel.start) || own->is_on_row(panel.end));
       if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
-      if (own) panel.stations = own->sizes().refined(panel.arc(), panel.stations);
-      if (source.border != Border::elements) continue;
-      if (const auto other = cracks_of(p, source.other_region))
-        panel.stations = other->sizes().refined(panel.arc(), panel.stations);
+      // Regions on both sides of an interface come to the same elements if both begin with the same one of them.
+      const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
+      const auto refine_by = [&](const RegionCracks* cracks) {
+        if (cracks) panel.stations = cracks->sizes().refined(panel.arc(), panel.stations);
+      };
+      const bool other_first = other && own && source.other_region < own->region();
+      refine_by(other_first ? other.get() : own);
+      refine_by(other_first ? own : other.get());
     }
   }
 }

@@ -43,6 +43,7 @@ class RegionCracks {
   // Adds a warning if a narrow gap needs so many elements that preparing takes long.
   void warn_of_gap(const BoundaryMesh& boundary, std::vector<std::string>& warnings) const;
 
+  int region() const { return region_; }
   bool has(int crack) const;
   int id_of(const bem::CrackTip& tip) const { return paths_[lines_.lines[tip.line].crack].id; }
   // Traction of loads, of their constant part, their proportional part, or both at a load factor; empty without loads.
