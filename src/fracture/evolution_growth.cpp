@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "error.hpp"
 #include "fracture/balance.hpp"
 #include "fracture/crack_evolution.hpp"
 #include "number_range.hpp"
@@ -130,8 +131,13 @@ void CrackEvolution::take_over_body(const BodyState& old, const std::vector<int>
 LoadedBody::FirstEquilibrium CrackEvolution::find_equilibrium_of_pieces() {
   constexpr double balanced = 1e-8;
   BodyState given = state_;
-  const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
-  if (found.held.empty() || body_.residual() <= balanced) return found;
+  // Where bonds are broken as well, rounding above that looks like a motion that no spring holds, and finding fails.
+  try {
+    const LoadedBody::FirstEquilibrium found = body_.find_equilibrium();
+    if (found.held.empty() || body_.residual() <= balanced) return found;
+  } catch (const Error& error) {
+    if (error.failure() != Failure::unsolvable) throw;
+  }
   static_cast<BodyState&>(state_) = std::move(given);
   state_.total_displacement.setZero();
   sources_.abandon();

@@ -25,7 +25,7 @@ constexpr double room_in_elements = 8;
 
 // Closer than this to the interface, in horizons, the points ahead of a line no longer tell what its tip carries: from
 // there on it goes on in elements at once (docs/mixed_cracks.md).
-constexpr double near_elements = 1.5;
+constexpr double near_elements = 2;
 
 bool is_in(const scene::Scene& scene, int id, const Point& place, double tolerance) {
   return locate(scene.region(id).outline(), place, tolerance) != Location::outside;

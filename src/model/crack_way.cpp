@@ -133,14 +133,20 @@ class Meetings {
 };
 
 // Distances in spacings: a tip of elements that would come closer than the first to material points goes on to them, so
-// that no element becomes much shorter than their spacing; and into_a_lattice is how far it then goes behind the
-// interface.
-constexpr double near_a_lattice = 2, into_a_lattice = 4, least_into_a_lattice = 1;
+// that no element becomes much shorter than their spacing; and into_a_lattice is how far behind the interface it then
+// is, half way between two columns: on a column its first load is twice as far off.
+constexpr double near_a_lattice = 2, into_a_lattice = 4.5, least_into_a_lattice = 1;
+
+// Least cosine of the angle between a path and the normal of an interface by which into_a_lattice is divided.
+constexpr double least_cosine = 1.0 / 3;
 
 // Straight edge of a lattice of the same material that a path through one region meets first.
 struct LatticeAhead {
   Point place;
   double way, spacing, width;  // width: of the lattice on the way
+  double cosine;               // of the angle between the way and the normal of the edge
+
+  double into() const { return std::min(into_a_lattice * spacing / std::max(cosine, least_cosine), 0.5 * width); }
 };
 
 std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point& from, const Point& direction,
@@ -161,13 +167,14 @@ std::optional<LatticeAhead> lattice_ahead(const scene::Scene& scene, const Point
         const double way = meeting.fraction_a * farthest;
         const Point place = from + way * direction;
         const bool corner = std::min((edge.start - place).norm(), (edge.end - place).norm()) < spacing;
-        if (!corner && (!first || way < first->way)) first = LatticeAhead{place, way, spacing, 0};
+        const double cosine = std::abs(cross(direction, Point(edge.direction().normalized())));
+        if (!corner && (!first || way < first->way)) first = LatticeAhead{place, way, spacing, 0, cosine};
       }
     }
     if (!first || first->width > 0) continue;
     first->width = std::numeric_limits<double>::infinity();
     const Point begin = first->place + 0.1 * spacing * direction;
-    const double most = 3 * into_a_lattice * spacing;
+    const double most = 2 * into_a_lattice / least_cosine * spacing;
     for (const Edge& edge : edges_of(region.outline()))
       for (const Crossing& meeting : meeting_points(Edge(begin, begin + most * direction), edge))
         first->width = std::min(first->width, meeting.fraction_a * most);
@@ -226,8 +233,7 @@ TipWay way_of_tip(const scene::Scene& scene, const std::vector<scene::Crack>& cr
   const auto lattice = lattice_ahead(scene, from, direction, reach * length, tolerance);
   if (lattice && lattice->width >= 2 * least_into_a_lattice * lattice->spacing &&
       (!met || lattice->way <= (met->to - from).norm() + tolerance))
-    return {from + (lattice->way + std::min(into_a_lattice * lattice->spacing, lattice->width / 2)) * direction,
-            TipState::grows};
+    return {from + (lattice->way + lattice->into()) * direction, TipState::grows};
   if (!met) return {from + length_beside_crossings(length, meetings.crossings()) * direction, TipState::grows};
   if (met->state == TipState::at_crack || !is_on_interface(scene, met->to, tolerance)) return *met;
   const double way = (met->to - from).norm(), left = std::min(before_an_interface * length, 0.5 * way);

@@ -69,6 +69,23 @@ TEST(OutlinedTips, of_cracks_at_a_hole_are_those_of_boundary_elements) { expect_
 
 TEST(OutlinedTips, of_cracks_at_a_hole_in_a_turned_lattice) { expect_as_felt(0.4, 2.5e-2); }
 
+// A crack that begins at a round hole closely beside a point of the outline has the factors of one that begins at it: the
+// bond across its mouth lies off the body, and is parted all the same.
+TEST(OutlinedTips, of_a_crack_beside_a_point_of_a_round_hole) {
+  const auto factor = [](double aside) {
+    Model model;
+    const Outline outline = rectangle(-24, -24, 24, 24);
+    const int32_t region = add_body(model, Method::lattice, outline, 4);
+    model.circular_hole(region, {0, 0}, 6);
+    const double x = 6 * std::cos(aside / 6), y = 6 * std::sin(aside / 6);
+    model.crack({{x, y}, {x + 6, y}});
+    pull(model, region, outline);
+    return tips_of(model).at(0).stress_intensity_1;
+  };
+  const double reference = factor(0);
+  EXPECT_LT(std::abs(report("K_I", factor(0.02), reference, "0.02 spacings beside it")), 0.01 * reference);
+}
+
 // Tips of a crack from a corner of a square that stands on its corner, half-way to its middle.
 std::vector<bempd_crack_tip> cracked_corner(Method method, double length) {
   constexpr double half = 30;

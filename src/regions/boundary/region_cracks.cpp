@@ -17,57 +17,49 @@ namespace {
 // number of elements: measured with 400 to 900 elements.
 constexpr double bytes_per_square_with_cracks = 600;
 
-// Number of elements from which on preparing takes seconds, and gap over a crack's length below which the gap is the
-// reason.
+// Number of elements from which on preparing takes seconds; gap over a crack's length that is then the reason.
 constexpr double elements_to_tell_of = 500, narrow_gap = 0.03;
 
-// Ways along a crack to where what it was before it grew begins and ends.
-std::pair<double, double> given_part(const scene::Crack& crack) {
+// visit(crack, its number, part) for all parts of cracks that have elements in a region.
+template <class Visit>
+void for_each_part(const Preparation& p, int region, const Visit& visit) {
+  for (std::size_t c = 0; c < p.cracks.size(); ++c)
+    for (const CrackPart& part : p.cracks[c].parts)
+      if (part.region == region) visit(p.cracks[c].crack, static_cast<int>(c) + 1, part);
+}
+
+// Distances along a crack to where the described part of it begins and ends.
+std::pair<double, double> described_part(const scene::Crack& crack) {
   const auto first = crack.points.begin();
   return {polyline_length({first, first + crack.grown_at_start + 1}),
           polyline_length({first, crack.points.end() - crack.grown_at_end})};
 }
 
-double given_length(const scene::Crack& crack) {
-  const auto [from, to] = given_part(crack);
-  return to - from;
-}
-
 std::vector<CrackPath> paths_in(const Preparation& p, int region) {
   std::vector<CrackPath> paths;
-  for (std::size_t c = 0; c < p.cracks.size(); ++c) {
-    const double given = given_length(p.cracks[c].crack);
-    for (const CrackPart& part : p.cracks[c].parts) {
-      if (part.region != region) continue;
-      const bool goes_on = part.reach_before > 0 || part.reach_behind > 0;
-      paths.push_back(
-          {static_cast<int>(c) + 1, part.points, part.grown_at_start, part.grown_at_end, goes_on ? given : 0});
-    }
-  }
+  for_each_part(p, region, [&](const scene::Crack& crack, int number, const CrackPart& part) {
+    const auto [from, to] = described_part(crack);
+    const bool goes_on = part.reach_before > 0 || part.reach_behind > 0;
+    paths.push_back({number, part.points, part.grown_at_start, part.grown_at_end, goes_on ? to - from : 0});
+  });
   return paths;
 }
 
 std::vector<CrackExtent> extents_in(const Preparation& p, int region) {
   std::vector<CrackExtent> extents;
-  for (const PartedCrack& parted : p.cracks) {
-    for (const CrackPart& part : parted.parts) {
-      if (part.region != region) continue;
-      const auto [from, to] = given_part(parted.crack);
-      extents.push_back({part.start, polyline_length(parted.crack.points), from, to - from});
-    }
-  }
+  for_each_part(p, region, [&](const scene::Crack& crack, int, const CrackPart& part) {
+    const auto [from, to] = described_part(crack);
+    extents.push_back({part.start, polyline_length(crack.points), from, to - from});
+  });
   return extents;
 }
 
 std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
   std::vector<bem::MouthOnRow> mouths;
-  for (const PartedCrack& parted : p.cracks) {
-    for (const CrackPart& part : parted.parts) {
-      if (part.region != region) continue;
-      if (part.spacing_before > 0) mouths.push_back({part.points.front(), part.spacing_before});
-      if (part.spacing_behind > 0) mouths.push_back({part.points.back(), part.spacing_behind});
-    }
-  }
+  for_each_part(p, region, [&](const scene::Crack&, int, const CrackPart& part) {
+    if (part.spacing_before > 0) mouths.push_back({part.points.front(), part.spacing_before});
+    if (part.spacing_behind > 0) mouths.push_back({part.points.back(), part.spacing_behind});
+  });
   return mouths;
 }
 
@@ -76,13 +68,10 @@ std::vector<bem::MouthOnRow> mouths_on_rows(const Preparation& p, int region) {
 constexpr double longest_before_end = 0.5;
 
 std::vector<bem::MouthOnRow> short_elements_at(const Preparation& p, int region, std::vector<bem::MouthOnRow> mouths) {
-  for (const PartedCrack& parted : p.cracks) {
-    for (const CrackPart& part : parted.parts) {
-      if (part.region != region) continue;
-      if (part.reach_before > 0) mouths.push_back({part.points.front(), longest_before_end * part.reach_before});
-      if (part.reach_behind > 0) mouths.push_back({part.points.back(), longest_before_end * part.reach_behind});
-    }
-  }
+  for_each_part(p, region, [&](const scene::Crack&, int, const CrackPart& part) {
+    if (part.reach_before > 0) mouths.push_back({part.points.front(), longest_before_end * part.reach_before});
+    if (part.reach_behind > 0) mouths.push_back({part.points.back(), longest_before_end * part.reach_behind});
+  });
   return mouths;
 }
 
@@ -107,8 +96,8 @@ RegionCracks::RegionCracks(const Preparation& p, int region)
       sizes_(lines_, edges_, p.tolerance, {}, panel_ends(p, region), short_elements_at(p, region, rows_)) {
   const std::vector<SharedMouth> shared = shared_mouths(p.cracks);
   for (const Point& mouth : mouths()) {
-    const auto is_there = [&](const SharedMouth& one) { return (one.place - mouth).norm() <= 8 * tolerance_; };
-    if (is_on_row(mouth) || std::any_of(shared.begin(), shared.end(), is_there)) continue;
+    const auto is_at = [&](const SharedMouth& one) { return (one.place - mouth).norm() <= 8 * tolerance_; };
+    if (is_on_row(mouth) || std::any_of(shared.begin(), shared.end(), is_at)) continue;
     for (const auto& other : p.regions)
       require(other->id() == region ||
                   locate(p.scene.region(other->id()).outline(), mouth, p.tolerance) == Location::outside,
@@ -299,12 +288,10 @@ void refine_at_cracks(const Preparation& p, const RegionCracks* own, BoundaryPan
       if (source.border == Border::grid && !(source.tied && at_mouth)) continue;
       // Regions on both sides of an interface come to the same elements if both begin with the same one of them.
       const auto other = source.border == Border::elements ? cracks_of(p, source.other_region) : nullptr;
-      const auto refine_by = [&](const RegionCracks* cracks) {
+      std::array<const RegionCracks*, 2> both{own, other.get()};
+      if (own && other && other->region() < own->region()) std::swap(both[0], both[1]);
+      for (const RegionCracks* cracks : both)
         if (cracks) panel.stations = cracks->sizes().refined(panel.arc(), panel.stations);
-      };
-      const bool other_first = other && own && source.other_region < own->region();
-      refine_by(other_first ? other.get() : own);
-      refine_by(other_first ? own : other.get());
     }
   }
 }

@@ -64,7 +64,7 @@ std::vector<double> OutlinedRegion::stations_on(const Preparation& preparation, 
   }
   // The outline has a chord whose middle is the mouth of a crack.
   for (const scene::Crack& crack : preparation.scene.cracks()) {
-    for (const Point& p : crack.points) {
+    for (const Point& p : crack.given()) {
       if (distance(edge, p) > 8 * preparation.tolerance) continue;
       const double mouth = closest_fraction(edge, p);
       wanted.insert(wanted.end(), {mouth - 0.5 / length, mouth + 0.5 / length});
@@ -113,10 +113,11 @@ pd::LatticePlace OutlinedRegion::place_of_lattice(const Preparation& preparation
   constexpr int steps = 8;
   const Eigen::Matrix2d turn(Eigen::Rotation2Dd(choice_.angle));
   std::vector<Segment> segments;  // in coordinates of the lattice
-  for (const scene::Crack& crack : preparation.scene.cracks())
-    for (std::size_t k = 0; k + 1 < crack.points.size(); ++k)
-      segments.push_back(
-          {turn.transpose() * to_grid(crack.points[k]), turn.transpose() * to_grid(crack.points[k + 1])});
+  for (const scene::Crack& crack : preparation.scene.cracks()) {
+    const std::span<const Point> points = crack.given();
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      segments.push_back({turn.transpose() * to_grid(points[k]), turn.transpose() * to_grid(points[k + 1])});
+  }
   double best = -1;
   Point best_shift = Point::Zero();
   for (int k = 0; k < steps * steps; ++k) {
@@ -184,10 +185,11 @@ std::optional<LatticeGrid> OutlinedRegion::lattice_grid() const {
 }
 
 // Cuts bonds. A crack that begins at a corner, or where two pieces of a round edge meet, meets a point there: it passes
-// on the right of it.
+// on the right of it. At a round hole the bonds between neighbouring points of the outline lie off the body, so that a
+// crack that ends on the hole has to reach a little farther to part them.
 void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>& bonds,
                          std::vector<std::string>& warnings) const {
-  constexpr double on_point = 1e-8, aside = 1e-3;  // in spacings
+  constexpr double on_point = 1e-8, on_arc = 1e-6, aside = 1e-3, beyond_arc = 0.5;  // in spacings
   scene::Crack beside = crack;
   const auto pass_by = [&](Point& end, const Point& next) {
     const Point inward = (next - end).normalized(), place = to_grid(end);
@@ -196,6 +198,11 @@ void OutlinedRegion::cut(const scene::Crack& crack, int number, std::vector<int>
       end += aside * spacing() * (Point(inward.y(), -inward.x()) - inward);
       return;
     }
+    for (const Piece& piece : pieces_)
+      if (!piece.arc.straight() && distance(Edge(piece.arc), place) <= on_arc) {
+        end -= beyond_arc * spacing() * inward;
+        return;
+      }
   };
   if (crack.points.size() > 1) {
     pass_by(beside.points.front(), crack.points[1]);
