@@ -129,7 +129,7 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   EXPECT_LT(behind, 7e-3);
   EXPECT_LT(largest_height(found), 0.25);
   EXPECT_LT(report.energy_balance_error, 1e-11);
-  // The same again from a state before the border.
+  // A state before the border brings the same again.
   plate.model.restore(first);
   plate.model.run(1e9);
   const std::vector<Vertex> again = plate.vertices();

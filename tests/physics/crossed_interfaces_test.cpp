@@ -85,7 +85,7 @@ double difference(const std::vector<bempd_crack_tip>& found, const std::vector<b
   return worst;
 }
 
-// From the middle of one half to a way behind the interface.
+// The crack runs from the middle of one half to a place behind the interface.
 TEST(CrossedInterfaces, leave_the_factors_of_tips_as_they_are) {
   for (const double degrees : {0.0, 45.0, 70.0}) {
     const double angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
@@ -100,7 +100,7 @@ TEST(CrossedInterfaces, leave_the_factors_of_tips_as_they_are) {
   }
 }
 
-// Through the corner of four regions, and with a load on the faces.
+// The crack passes through the corner of four regions, with a load on its faces.
 TEST(CrossedInterfaces, pass_through_corners_and_under_pressure) {
   const Outline crack{{24, 24}, {56, 40}};
   Plate whole(Division::none, crack, 1e-3);
@@ -120,8 +120,7 @@ TEST(CrossedInterfaces, pass_through_corners_and_under_pressure) {
   }
 }
 
-// From an edge to the opposite one: loads, path, energies and separation are those of one region, and what is saved on
-// the way brings the same again.
+// A crack runs from an edge to the opposite one: loads, path, energies and separation are those of one region.
 TEST(CrossedInterfaces, are_crossed_by_growing_cracks) {
   const Outline crack{{0, 26}, {20, 21}};
   const auto torn = [&](Division division) {
