@@ -137,15 +137,16 @@ TEST(CrossedBorders, from_a_lattice_into_elements) {
   EXPECT_EQ(again.back().load_factor, found.back().load_factor);
 }
 
-// A piece with bonds and elements that is cut off while the load is so large that it has moved by many times its size: it
-// is held, though rounding of its motion makes forces. Finding how to hold it failed.
+// A piece with bonds and elements that is cut off while the load is so large that it has moved by many times its size:
+// it is held, though rounding of its motion makes forces. Finding how to hold it failed.
 TEST(CrossedBorders, a_piece_that_comes_off_far_away_is_held) {
   Model model;
   model.set_text("stepping.control", "path");
   bempd_material glass = material(1, 1.0 / 3);
   glass.fracture_energy = 1;
   const int32_t id = model.add(glass);
-  const int32_t lattice = model.pd(id, rectangle(0, 0, 8, 8), 1, 3), elements = model.bem(id, rectangle(8, 0, 12, 8), 3);
+  const int32_t lattice = model.pd(id, rectangle(0, 0, 8, 8), 1, 3),
+                elements = model.bem(id, rectangle(8, 0, 12, 8), 3);
   model.crack({{0, 6.5}, {9.5, 6.9}});
   model.fix(lattice, 4, BEMPD_BOTH);
   model.prescribe(elements, 2, BEMPD_Y, 0, 1);

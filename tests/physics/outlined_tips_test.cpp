@@ -69,8 +69,8 @@ TEST(OutlinedTips, of_cracks_at_a_hole_are_those_of_boundary_elements) { expect_
 
 TEST(OutlinedTips, of_cracks_at_a_hole_in_a_turned_lattice) { expect_as_felt(0.4, 2.5e-2); }
 
-// A crack that begins at a round hole closely beside a point of the outline has the factors of one that begins at it: the
-// bond across its mouth lies off the body, and is parted all the same.
+// A crack that begins at a round hole closely beside a point of the outline has the factors of one that begins at it:
+// the bond across its mouth lies off the body, and is parted all the same.
 TEST(OutlinedTips, of_a_crack_beside_a_point_of_a_round_hole) {
   const auto factor = [](double aside) {
     Model model;
