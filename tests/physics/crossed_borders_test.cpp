@@ -64,7 +64,7 @@ struct Plate {
 const std::vector<Vertex>& elements_alone() {
   static const std::vector<Vertex> known = [] {
     Plate plate({{false, 0, width}});
-    plate.model.set("growth.step", 1);
+    plate.model.set("crack.step", 1);
     EXPECT_EQ(plate.model.run(1e9).stop_reason, BEMPD_STOP_SEPARATED);
     return plate.vertices();
   }();

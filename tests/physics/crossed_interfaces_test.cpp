@@ -126,7 +126,7 @@ TEST(CrossedInterfaces, are_crossed_by_growing_cracks) {
   const auto torn = [&](Division division) {
     auto plate = std::make_unique<Plate>(division, crack);
     plate->model.set_text("stepping.control", "path");
-    plate->model.set("growth.step", 6);
+    plate->model.set("crack.step", 6);
     return plate;
   };
   const auto whole = torn(Division::none);
@@ -164,7 +164,7 @@ TEST(CrossedInterfaces, are_crossed_by_growing_cracks) {
 TEST(CrossedInterfaces, are_crossed_again_from_states) {
   Plate plate(Division::halves, {{0, 30}, {30, 31}});
   plate.model.set_text("stepping.control", "path");
-  plate.model.set("growth.step", 8);
+  plate.model.set("crack.step", 8);
   plate.model.next_event(1e6);
   const SavedState before = plate.model.save();
   const auto go_on = [&] {
