@@ -32,7 +32,11 @@ class EventSources {
   Outcome perform();
 
   // Cracks that grow as lines, of a state that is up to date; null where cracks grow bond by bond.
-  crack::Carrier* lines() { return lines_ ? &*lines_ : nullptr; }
+  crack::Carrier* lines() {
+    if (!lines_) return nullptr;
+    lines_->look(window_.is_open());
+    return &*lines_;
+  }
 
   // Displacements and forces in the body's state, which fall behind while events come from a window.
   void bring_up_to_date() { window_.bring_up_to_date(); }

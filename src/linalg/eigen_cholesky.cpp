@@ -71,6 +71,13 @@ class EigenCholesky final : public SparseCholesky {
     solve_backward(transposed, known);
   }
 
+  Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const override {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(diagonal_.size(), static_cast<Eigen::Index>(unknowns.size()));
+    for (std::size_t k = 0; k < unknowns.size(); ++k) columns(unknowns[k], static_cast<Eigen::Index>(k)) = 1;
+    solve_in_place(columns);
+    return columns(unknowns, Eigen::all);
+  }
+
   Eigen::MatrixXd trailing_factor(int size) const override {
     const SparseMatrix& lower = factor_.unit_lower();
     const Eigen::Index first = lower.rows() - size;

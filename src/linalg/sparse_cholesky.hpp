@@ -30,6 +30,9 @@ class SparseCholesky : public SparseFactorization {
   virtual void solve_backward_at(const std::vector<int>& places, Eigen::Ref<Eigen::MatrixXd> transposed,
                                  int known) const = 0;
 
+  // Block of A^-1 on some unknowns, with any factor.
+  virtual Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const = 0;
+
   // Lower right corner of L: the Cholesky factor of the Schur complement on the last `size` unknowns.
   virtual Eigen::MatrixXd trailing_factor(int size) const = 0;
 };

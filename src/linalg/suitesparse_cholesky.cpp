@@ -13,6 +13,7 @@
 
 #include "cancellation.hpp"
 #include "linalg/cholmod_handles.hpp"
+#include "linalg/inverse_block.hpp"
 #include "linalg/sparse_cholesky.hpp"
 #include "linalg/sparsity_pattern.hpp"
 #include "linalg/supernodal_cholesky.hpp"
@@ -159,6 +160,13 @@ class SuiteSparseCholesky final : public SparseCholesky {
     const SupernodalFactor factor(*factor_.get());
     const std::vector<char> asked = factor.supernodes_needed_for(places);
     factor.solve_backward(transposed, known, &asked);
+  }
+
+  Eigen::MatrixXd inverse_block(const std::vector<int>& unknowns) const override {
+    assert(has_factor_);
+    std::vector<int> places(unknowns.size());
+    std::transform(unknowns.begin(), unknowns.end(), places.begin(), [&](int u) { return position_[u]; });
+    return linalg::inverse_block(*factor_.get(), places);
   }
 
   Eigen::MatrixXd trailing_factor(int size) const override {

@@ -20,6 +20,9 @@ namespace {
 constexpr double aside = 1e-3;
 constexpr int ways_aside = 8;
 
+// A tip within so many spacings of another lattice is held by bonds of both.
+constexpr double beside_lattice = 1.5;
+
 // Crack moved to its right, or in a direction turned from there by an angle; a mouth reaches a little farther, so that
 // it stays a mouth.
 scene::Crack moved(const Scene& scene, const Discretization& d, scene::Crack crack, double distance, double angle) {
@@ -85,6 +88,22 @@ void shift_off_points(const Scene& scene, const Discretization& d, int number, L
   }
 }
 
+// Whether tips of initial cracks in a lattice end where they are described. Beside another lattice bonds of both hold a
+// tip, so that those of one do not tell where it is felt.
+bool ends_as_stated(const Scene& scene, const Discretization& d, const scene::Options& options, const Region& region,
+                    const Point& tip) {
+  const std::string choice = options.text_value("pd.crack_tip");
+  if (choice != "auto") return choice == "stated";
+  const std::optional<LatticeGrid> grid = region.lattice_grid();
+  if (!grid || options.text_in_effect("pd.crack_rule") == "bond") return false;
+  return std::none_of(d.regions.begin(), d.regions.end(), [&](const auto& other) {
+    if (other->id() == region.id() || !other->lattice_grid()) return false;
+    const std::vector<Edge> edges = edges_of(scene.region(other->id()).outline());
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](const Edge& edge) { return distance(edge, tip) < beside_lattice * grid->spacing; });
+  });
+}
+
 }  // namespace
 
 LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, const scene::Options& options) {
@@ -93,7 +112,6 @@ LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, co
   for (std::size_t c = 0; c < found.cracks.size(); ++c)
     if (d.cracks[c].cuts_bonds() && found.cracks[c].points.size() > 1)
       shift_off_points(scene, d, static_cast<int>(c) + 1, found);
-  if (options.text_value("pd.crack_tip") == "ahead") return found;
   for (std::size_t c = 0; c < found.cracks.size(); ++c) {
     const std::vector<Point> points = found.cracks[c].points;
     if (!d.cracks[c].cuts_bonds() || points.size() < 2) continue;
@@ -102,6 +120,7 @@ LatticeCracks cracks_in_lattices(const Scene& scene, const Discretization& d, co
       const double length = (tip - before).norm(), backward = (points.size() > 2 ? 0.9 : 0.45) * length;
       for (const auto& region : d.regions) {
         if (locate(scene.region(region->id()).outline(), tip, d.tolerance) != Location::inside) continue;
+        if (!ends_as_stated(scene, d, options, *region, tip)) continue;
         const pd::FeltEnd felt = region->end_felt_at(tip, (tip - before) / length, backward);
         end = felt.end;
         for (const int bond : felt.weakened) found.weakened.emplace_back(bond, felt.share);

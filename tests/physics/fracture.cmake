@@ -1,6 +1,6 @@
 if(TARGET bempd)
   bempd_add_host_tests(fracture_tests heat_test.cpp crack_pressure_test.cpp changing_heat_test.cpp
-    compression_test.cpp fracture_increments_test.cpp strength_test.cpp crack_meshes_test.cpp line_directions_test.cpp fracture_centre_crack_test.cpp fracture_griffith_test.cpp
+    compression_test.cpp fracture_increments_test.cpp strength_test.cpp crack_meshes_test.cpp line_directions_test.cpp line_loads_test.cpp fracture_centre_crack_test.cpp fracture_griffith_test.cpp
     fracture_tip_test.cpp lattice_tips_test.cpp mixed_cracks_test.cpp fracture_path_test.cpp fracture_stepping_test.cpp
     fracture_window_test.cpp fracture_sources_test.cpp fracture_fragments_test.cpp fracture_new_loads_test.cpp
     many_cracks_test.cpp fracture_dead_load_test.cpp fracture_equilibrium_path_test.cpp fracture_scaling_test.cpp

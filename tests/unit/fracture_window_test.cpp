@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "fracture/window/window_solver.hpp"
 #include "fracture/window/window_certificate.hpp"
+#include "fracture/window/window_solver.hpp"
 
 namespace fracture_window_test {
 namespace {

@@ -64,7 +64,8 @@ struct Lattice {
       const Point moved = own.x() * tip.direction + own.y() * left_of(tip.direction);
       displacement.block<2, 1>(2 * static_cast<Eigen::Index>(n), 1) = moved;
     }
-    const AffineIntensity found = stress->at(tip, law, displacement, Eigen::RowVector2d::Zero());
+    const AffineIntensity found =
+        stress->fitted(tip, law, displacement, Eigen::RowVector2d::Zero()).factors(law.horizon);
     return {found.one[1], found.two[1]};
   }
 

@@ -6,7 +6,7 @@
 namespace bempd::fracture {
 
 double LineSteps::kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const {
-  const AffineIntensity fit = stress_.at(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack));
+  const AffineIntensity fit = intensity_at(tip, displacement);
   const AffineIntensity turning = has_begun(tip) ? turning_of(tip, fit, displacement, load_factor) : fit;
   const Eigen::Vector2d at(1, load_factor);
   return kink_of({turning.one.dot(at), turning.two.dot(at)}).angle;
@@ -19,17 +19,16 @@ std::vector<crack::Tip> LineEvents::tips() {
   std::vector<crack::Tip> found(state.tips.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     const GrowingTip& tip = state.tips[k];
-    const pd::TipLaw& law = steps_.law_of(tip);
     found[k].id = tip.id, found[k].place = tip.place, found[k].direction = tip.direction;
     found[k].law = steps_.growth_law(tip.law);
     if (LineSteps::has_ended(tip)) continue;
-    const AffineIntensity fit = steps_.stress().at(tip, law, state.displacement, body_.pressure_in(tip.id.crack));
+    const AffineIntensity fit = steps_.intensity_at(tip, state.displacement);
     found[k].factors = {{fit.one[0], fit.two[0]}, {fit.one[1], fit.two[1]}};
     found[k].kink_angle = steps_.kink_at(tip, state.displacement, state.load_factor);
   }
   for (const bool upwards : {true, false}) {
     const LoadWay way{state.load_factor, upwards, Control::path};
-    for (const LineStep& step : steps_.all(state.tips, state.displacement, way, true)) {
+    for (const LineStep& step : steps_.all(state.tips, state.displacement, way, &trials_, true)) {
       (upwards ? found[step.tip].range.highest : found[step.tip].range.lowest) = step.load_factor;
       if (upwards) found[step.tip].critical_kink_angle = step.angle;
     }

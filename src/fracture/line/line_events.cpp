@@ -16,7 +16,7 @@ constexpr double reach_of_resting_tip = 1;
 }  // namespace
 
 LineEvents::LineEvents(LoadedBody& body, WholeBodyEvents& whole_body, pd::TipLaws laws)
-    : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)) {}
+    : body_(body), whole_body_(whole_body), steps_(body, std::move(laws)), trials_(body.system()) {}
 
 // None where two parts of other materials meet, and beside a tip that rests.
 std::optional<LineEvents::Birth> LineEvents::birth_at(int bond, double load_factor) const {
@@ -88,16 +88,17 @@ void LineEvents::spare_relaxing(const LoadWay& way, std::vector<char>& intact) c
 
 std::vector<crack::Candidate> LineEvents::candidates(const crack::LoadWay& way) {
   const BodyState& state = body_.state();
-  return LineSteps::candidates(steps_.all(state.tips, state.displacement, way), way);
+  return LineSteps::candidates(steps_.all(state.tips, state.displacement, way, &trials_), way);
 }
 
 const Event* LineEvents::next(double target, const SteppingOptions& options) {
   step_.reset();
   birth_.reset();
   ties_ = 0;
+  trials_.stand_apart(false);
   const BodyState& state = body_.state();
   const LoadWay way = body_.way_to(target, options.control);
-  const LineSteps::Choice choice = steps_.choose(state.tips, state.displacement, way);
+  const LineSteps::Choice choice = steps_.choose(state.tips, state.displacement, way, &trials_);
   std::vector<char> intact;
   std::optional<double> bonds;
   if (laws().more_begin) {

@@ -21,6 +21,9 @@ class LineEvents final : public EventSource, public crack::Carrier {
   Outcome perform() override;
 
   const LineSteps& steps() const { return steps_; }
+  // Someone asks for tips and candidates, whether events come from a window now, which has changed terms, or not: no
+  // factor is left behind.
+  void look(bool in_window) { trials_.stand_apart(in_window || !body_.system().has_current_factor()); }
   void freeze(const std::set<crack::TipId>& tips) { steps_.freeze(tips); }
   std::vector<crack::Tip> tips() override;
   std::vector<crack::Candidate> candidates(const crack::LoadWay& way) override;
@@ -43,6 +46,7 @@ class LineEvents final : public EventSource, public crack::Carrier {
   LoadedBody& body_;
   WholeBodyEvents& whole_body_;
   LineSteps steps_;
+  WholeBodyTrials trials_;
   std::optional<LineStep> step_;  // that the event told is
   std::optional<Birth> birth_;    // likewise
   Event event_;

@@ -57,7 +57,8 @@ LineSteps::LineSteps(LoadedBody& body, pd::TipLaws laws)
       system_(body.system()),
       laws_(std::move(laws)),
       stress_(body.system(), body.positions(), laws_),
-      way_(body.system(), body.positions(), stress_) {}
+      way_(body.system(), body.positions(), stress_),
+      trials_(body.system(), body.positions(), laws_, way_) {}
 
 // Whether its crack began in the run: its other tip lies closely behind it at first, which the fitted series does not
 // know.
@@ -85,7 +86,8 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   const GrowingTip& tip = tips[number];
   const pd::TipLaw& law = law_of(tip);
   if (std::isinf(law.toughness)) return std::nullopt;
-  const AffineIntensity by_fit = stress_.at(tip, law, displacement, body_.pressure_in(tip.id.crack));
+  const WilliamsFit fit = stress_.fitted(tip, law, displacement, body_.pressure_in(tip.id.crack));
+  const AffineIntensity by_fit = intensity_of(tip, fit);
   const double present = load_way.ahead(load_way.present);
   const AffineIntensity intensity = on_way(by_fit, load_way);
   const AffineIntensity turning =
@@ -100,16 +102,22 @@ std::optional<LineStep> LineSteps::next(const std::vector<GrowingTip>& tips, std
   step.load_factor = load_way.ahead(load->load_factor);
   step.constant = load->constant, step.growing = load_way.ahead(load->growing);
   step.way = way_.next(tip.place, step.direction, law);
-  return step.way.bonds.empty() ? std::nullopt : std::optional(std::move(step));
+  if (step.way.bonds.empty()) return std::nullopt;
+  judge_fit(tips, fit, step);
+  return step;
 }
 
 std::vector<LineStep> LineSteps::all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                     const LoadWay& way, bool with_frozen) const {
+                                     const LoadWay& way, TrialBody* body, bool with_frozen) const {
   std::vector<LineStep> steps;
   for (std::size_t k = 0; k < tips.size(); ++k) {
     if (has_ended(tips[k]) || (!with_frozen && rests(tips[k]))) continue;
     if (std::optional<LineStep> step = next(tips, k, displacement, way)) steps.push_back(std::move(*step));
   }
+  if (body && need_body(steps, way))
+    std::erase_if(steps, [&](LineStep& step) {
+      return !step.fit_holds && !try_step(tips[step.tip], displacement, way, *body, step);
+    });
   return steps;
 }
 
@@ -125,8 +133,9 @@ bool LineSteps::is_driven(const LineStep& step, const LoadWay& way, double load_
 }
 
 LineSteps::Choice LineSteps::choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                                    const LoadWay& way) const {
-  Choice choice{all(tips, displacement, way), std::nullopt, way.end()};
+                                    const LoadWay& way, TrialBody* body) const {
+  Choice choice{all(tips, displacement, way, body), std::nullopt, way.end()};
+  choice.needs_body = !body && need_body(choice.steps, way);
   const std::optional<crack::FirstToGrow> first = crack::first_to_grow(candidates(choice.steps, way), way.upwards);
   if (!first) return choice;
   choice.first = choice.steps[first->index], choice.ties = first->ties;
@@ -155,7 +164,7 @@ std::vector<GrowingTip> LineSteps::guarded(const std::vector<LineStep>& steps, c
 double LineSteps::ratio_after(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                               double load_factor) const {
   const Eigen::Vector2d at(1, load_factor);
-  const AffineIntensity found = stress_.at(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack));
+  const AffineIntensity found = intensity_at(tip, displacement);
   const double factor = kink_of({found.one.dot(at), found.two.dot(at)}, laws_.criterion).equivalent_factor;
   const double modulus = law_of(tip).modulus;
   return factor / law.toughness * (modulus == law.modulus ? 1 : std::sqrt(law.modulus / modulus));
@@ -195,18 +204,21 @@ crack::Extension LineSteps::remember(const LineStep& step, double ratio, double 
   GrowingTip& tip = tips[step.tip];
   const pd::TipLaw& law = laws_.laws[static_cast<std::size_t>(step.law)];
   // The ratio of the event holds the correction that was made; what is remembered must not.
-  const double before = ratio / correction(tip);
+  const double before = step.by_energy ? ratio : ratio / correction(tip);
   // Behind a kink, or as an edge comes or goes, the energy release rate changes within a spacing by up to a half: what
   // is expected is the mean of the rates at both ends of the step.
   const bool arrives = step.way.arrives();
-  const double after = arrives ? before : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
+  const double after = arrives          ? before
+                       : step.by_energy ? before * step.after_step
+                                        : std::max(ratio_after(tip, law, displacement, load_factor), 0.0);
   const double fracture_energy = growth_law(step.law).resistance();
   const double rate = fracture_energy * (before * before + after * after) / 2;
   const double expected = rate * law.thickness * step.way.length;
   const double released = expected > 0 ? released_energy / expected : 1;
   // The first step releases more or less by where among the points the crack was described to end.
   const bool is_first = tip.energy_ratios.empty();
-  tip.energy_ratios.push_back(is_first ? 1 : std::clamp(released, least_ratio, largest_ratio));
+  const bool is_exact = is_first || step.by_energy;  // an energy needs no correction
+  tip.energy_ratios.push_back(is_exact ? 1 : std::clamp(released, least_ratio, largest_ratio));
   if (tip.energy_ratios.size() > remembered_steps) tip.energy_ratios.erase(tip.energy_ratios.begin());
   const bool at_hole = step.way.ends_as == crack::TipState::at_edge &&
                        distance_to(laws_.hole_edges, tip.place) < distance_to(laws_.outer_edges, tip.place);

@@ -12,6 +12,7 @@
 #include "fracture/line/line_load.hpp"
 #include "fracture/line/line_way.hpp"
 #include "fracture/line/tip_stress.hpp"
+#include "fracture/line/trial_steps.hpp"
 #include "fracture/load_way.hpp"
 #include "fracture/loaded_body.hpp"
 
@@ -28,6 +29,14 @@ struct LineStep {
   int law = 0;                       // by which it grows
   double angle = 0;                  // by which it turns, counter-clockwise
   crack::AffineFactors factors{};    // of the tip
+
+  // Whether the stress ahead is the tip's own, so that its fit says when the tip grows; how far off the load may be, as
+  // a share of it; and what the fit leaves of the stress.
+  bool fit_holds = true, is_shut = false;  // shut: its faces press on each other at the tip
+  double error = 0, residual = 0;
+  // The load is that of the energy of a trial step; then: the ratio of energy rates after the step to that before it.
+  bool by_energy = false;
+  double after_step = 1;
 
   double ratio_at(double at) const { return constant + at * growing; }
 };
@@ -55,9 +64,12 @@ class LineSteps {
   }
 
   // One step for each tip whose way meets bonds and that something drives; on request also for frozen ones, as if they
-  // were free.
+  // were free. Where the fit does not hold a trial step of the body tells the load. Without a body, as in a window, the
+  // step is told by the fit that does not hold.
   std::vector<LineStep> all(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement,
-                            const LoadWay& way, bool with_frozen = false) const;
+                            const LoadWay& way, TrialBody* body = nullptr, bool with_frozen = false) const;
+  // Whether one of these steps, which were told without a body, may matter and needs one.
+  static bool need_body(const std::vector<LineStep>& steps, const LoadWay& way);
   // Load factors at which steps are taken.
   static std::vector<crack::Candidate> candidates(const std::vector<LineStep>& steps, const LoadWay& way);
   // The tip that grows first on a way (crack/order.hpp), and where: in the whole body and in windows.
@@ -66,8 +78,10 @@ class LineSteps {
     std::optional<LineStep> first;  // null if no tip grows
     double load_factor;             // of its event; without one the end of the way
     int ties = 0;                   // other tips that would have grown as soon
+    bool needs_body = false;        // without one: an energy has to tell the load of a step that may matter
   };
-  Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way) const;
+  Choice choose(const std::vector<GrowingTip>& tips, const coupling::Affine& displacement, const LoadWay& way,
+                TrialBody* body = nullptr) const;
   // The event at which a step is taken, but for what follows the bonds that it breaks.
   Event event_of(const LineStep& step, double load_factor) const;
   // Whether what drives the tip is more than rounding, where something happens at this load factor.
@@ -76,6 +90,8 @@ class LineSteps {
   std::vector<GrowingTip> guarded(const std::vector<LineStep>& steps, const std::vector<GrowingTip>& tips,
                                   const LoadWay& way, double load_factor) const;
 
+  // Stress intensity factors of a tip.
+  AffineIntensity intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const;
   // By how much a tip that grows at a load factor turns, counter-clockwise [rad].
   double kink_at(const GrowingTip& tip, const coupling::Affine& displacement, double load_factor) const;
 
@@ -108,6 +124,14 @@ class LineSteps {
                             std::vector<GrowingTip>& tips) const;
   std::optional<LineStep> next(const std::vector<GrowingTip>& tips, std::size_t tip,
                                const coupling::Affine& displacement, const LoadWay& way) const;
+  // As they are read from the fit, and K_I of a tip whose faces press on each other is 0.
+  AffineIntensity intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const;
+  bool faces_press_at(const GrowingTip& tip) const;
+  bool is_shut(const GrowingTip& tip, const WilliamsFit& fit) const;
+  void judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const;
+  // False where the faces press on each other and a trial step would close, too: the tip does not grow.
+  bool try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way, TrialBody& body,
+                LineStep& step) const;
   AffineIntensity turning_of(const GrowingTip& tip, const AffineIntensity& by_fit, const coupling::Affine& displacement,
                              double present) const;
   int law_ahead_of(const GrowingTip& tip) const;
@@ -122,6 +146,7 @@ class LineSteps {
   TipStress stress_;
   LineWay way_;
   std::set<crack::TipId> frozen_;
+  TrialSteps trials_;
 };
 
 }  // namespace bempd::fracture

@@ -108,6 +108,14 @@ std::vector<int> LineWay::across(const Point& from, const Point& to, double hori
   return found;
 }
 
+int LineWay::clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const {
+  for (int k = 0; k < most; ++k) {
+    const Point here = place + k * law.spacing * direction;
+    if (across(here, here + law.spacing * direction, law.horizon).empty() || face_ahead(here, direction, law)) return k;
+  }
+  return most;
+}
+
 LineWay::Step LineWay::next(const Point& place, const Point& direction, const pd::TipLaw& law) const {
   using crack::TipState;
   const auto step_of = [&](double length, TipState ends_as) {

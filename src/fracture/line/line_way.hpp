@@ -28,6 +28,9 @@ class LineWay {
   // Bonds that are left across a way.
   std::vector<int> across(const Point& from, const Point& to, double horizon) const;
 
+  // How many spacings lie ahead before the face of a crack or an edge, at most so many.
+  int clear_spacings(const Point& place, const Point& direction, const pd::TipLaw& law, int most) const;
+
   const linalg::Adjacency& terms_from() const { return terms_from_; }
 
  private:

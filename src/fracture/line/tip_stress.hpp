@@ -6,16 +6,13 @@
 #include "coupling/equilibrium_system.hpp"
 #include "fracture/line/growing_tip.hpp"
 #include "fracture/line/near_points.hpp"
+#include "fracture/line/outline_points.hpp"
 #include "fracture/line/tip_sight.hpp"
+#include "fracture/line/williams_fit.hpp"
 #include "linalg/adjacency.hpp"
 #include "pd/tip_law.hpp"
 
 namespace bempd::fracture {
-
-// Stress intensity factors, each with a constant part and one that is proportional to the load factor [Pa m^(1/2)].
-struct AffineIntensity {
-  Eigen::RowVector2d one{0, 0}, two{0, 0};
-};
 
 // Stresses around tips from the forces of terms: half of force times bond vector of every bond belongs to the point at
 // either end, a quarter of what a cell's squares carry to each of its corners (the mean of the stress over the area of
@@ -29,6 +26,10 @@ class TipStress {
   // which the crack's faces are free.
   AffineIntensity at(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
                      const Eigen::RowVector2d& pressure) const;
+  // The series as it is fitted, and its factors as a tip has them: K_II is fitted too large.
+  WilliamsFit fitted(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
+                     const Eigen::RowVector2d& pressure) const;
+  static AffineIntensity as_read(AffineIntensity fitted);
 
   // By the mean stress closely ahead, which tells the ratio of both better where another tip lies closely behind.
   AffineIntensity closely_ahead_of(const GrowingTip& tip, const pd::TipLaw& law, const coupling::Affine& displacement,
@@ -40,11 +41,16 @@ class TipStress {
   // Unit vector across the largest principal stress where a bond is.
   Point across_tension(int bond, const pd::TipLaw& law, const coupling::Affine& displacement, double load_factor) const;
 
+  // Whether something lies so near that the stress ahead is not the tip's own: an edge, the face of another crack, or
+  // points of another material.
+  bool is_crowded(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
+  bool meets_other_material(const GrowingTip& tip, const pd::TipLaw& law, double reach) const;
+
   const NearPoints& near() const { return near_; }
   double nearest_outline(const Point& place, double at_most) const;
 
  private:
-  using Stress = Eigen::Matrix<double, 3, 2>;  // xx, yy, xy; constant and proportional part
+  using Stress = WilliamsFit::Stress;
   struct Reach {
     double inner, outer;  // in horizons, of what is asked around a tip
   };
@@ -86,7 +92,7 @@ class TipStress {
   const pd::TipLaws& laws_;
   NearPoints near_;
   linalg::Adjacency bonds_at_, wide_at_;  // nodes
-  std::vector<char> on_outline_;
+  OutlinePoints outline_;
 };
 
 }  // namespace bempd::fracture

@@ -14,7 +14,9 @@ bool EventForecast::choose_place_of_lines(const BodyState& state, double load_fa
   if (!state.displacement.col(0).isZero(0) || !(state.load_factor >= 0)) return false;
   std::vector<WindowLocator::Way> ways;
   const LoadWay load_way{state.load_factor, true, options_.control};
-  for (const LineStep& step : lines_->all(state.tips, state.displacement, load_way)) {
+  const std::vector<LineStep> steps = lines_->all(state.tips, state.displacement, load_way);
+  if (LineSteps::need_body(steps, load_way)) return false;
+  for (const LineStep& step : steps) {
     if (!LineSteps::is_driven(step, load_way, load_factor)) continue;
     const GrowingTip& tip = state.tips[step.tip];
     const pd::TipLaw& law = lines_->law_of(tip);
@@ -40,7 +42,7 @@ std::optional<LineSteps::Choice> EventForecast::choose_step(double from, Forecas
   const std::vector<GrowingTip>& tips = last_tips();
   const LoadWay way{from, true, options_.control};
   LineSteps::Choice choice = lines_->choose(tips, near_tips_, way);
-  if (!choice.first) return std::nullopt;
+  if (!choice.first || choice.needs_body) return std::nullopt;
   const double at = choice.load_factor;
   if (!(at >= 0) || (from > 0 && !LineSteps::is_driven(*choice.first, way, WindowSettings::surely_driven * from)))
     return std::nullopt;

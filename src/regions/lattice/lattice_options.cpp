@@ -41,8 +41,9 @@ const scene::OptionGroup lattice_group(scene::OptionPlace::lattices, [] {
                                         "opens them: ahead, all bonds that meet the crack are cut, so that it acts as "
                                         "if its tip were up to 0.6 spacings ahead, by its place between points; "
                                         "stated, fewer are, and the last ones are weaker, so that it acts as if its "
-                                        "tip were where it is, within 0.15 spacings.",
-                                        "ahead | stated", "ahead")),
+                                        "tip were where it is, within 0.15 spacings; auto, stated where cracks grow as "
+                                        "lines, but for tips within 1.5 spacings of another lattice, else ahead.",
+                                        "auto | ahead | stated", "ahead")),
       scene::shaping(
           scene::text_option("pd.criterion",
                              "What counts of a bond's stretch in peridynamic regions: stretch, all of it; opening, all "

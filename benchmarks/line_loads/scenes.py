@@ -1,0 +1,138 @@
+"""Cracks that grow as lines in lattices where the field around their tips is not theirs alone, and the same in boundary elements.
+
+Lengths are in spacings, E = 1, Poisson's ratio 1/3, G0 = 1."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Callable
+
+import bempd
+import numpy as np
+
+Polyline = list[tuple[float, float]]
+SIDE = 90.0
+
+
+@dataclasses.dataclass
+class Scene:
+    name: str
+    cracks: list[Polyline]
+    steps: int
+    build: Callable[["Scene", bempd.Model, bool, int], None]  # regions, supports and loads, for elements or of a horizon
+    downwards: bool = False  # pressed: load factors fall from zero
+    values: dict[str, float] = dataclasses.field(default_factory=dict)
+
+
+def material(model: bempd.Model, young: float = 1.0, energy: float = 1.0) -> int:
+    return model.add_material(young_modulus=young, poisson_ratio=1 / 3, fracture_energy=energy)
+
+
+def region(model: bempd.Model, solid: int, box: list, elements: bool, m: int) -> int:
+    return model.add_bem_region(solid, box, SIDE / 24) if elements else model.add_pd_region(solid, box, 1.0, m)
+
+
+def sheared(scene: Scene, model: bempd.Model, elements: bool, m: int) -> None:
+    """A plate whose upper edge moves at an angle to the vertical."""
+    body = region(model, material(model), bempd.rectangle(0, -SIDE / 2, SIDE, SIDE / 2), elements, m)
+    angle = math.radians(scene.values["angle"])
+    model.fix_edge(body, 1, "both")
+    model.prescribe_edge(body, 3, "y", math.cos(angle))
+    model.prescribe_edge(body, 3, "x", -math.sin(angle))
+
+
+def beam(scene: Scene, model: bempd.Model, elements: bool, m: int) -> None:
+    """Four-point shear: the notch lies between two forces that shear it."""
+    body = region(model, material(model), bempd.rectangle(0, 0, 160, 48), elements, m)
+    for edge, middle, value in ((1, 10, 0.0), (1, 90, 0.0), (3, 70, -1.0), (3, 150, -0.125)):
+        part = sorted(((middle - 3) / 160, (middle + 3) / 160) if edge == 1 else ((160 - middle - 3) / 160, (160 - middle + 3) / 160))
+        if edge == 1:
+            model.prescribe_edge(body, edge, "y", value, part=tuple(part))
+        else:
+            model.add_traction(body, edge, "y", value, part=tuple(part))
+    model.fix_point((0, 0), "x")
+
+
+def pulled(scene: Scene, model: bempd.Model, elements: bool, m: int) -> None:
+    half = SIDE / 2
+    body = region(model, material(model), bempd.rectangle(-half, -half, half, half), elements, m)
+    for edge, value in ((1, -1.0), (3, 1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+    model.fix_point((-half, -half), "x")
+
+
+def pressed(scene: Scene, model: bempd.Model, elements: bool, m: int) -> None:
+    half = SIDE / 2
+    body = region(model, material(model), bempd.rectangle(-half, -half, half, half), elements, m)
+    for edge, value in ((1, 1.0), (3, -1.0)):
+        model.prescribe_edge(body, edge, "y", value)
+    model.fix_point((-half, -half), "x")
+
+
+def joined(scene: Scene, model: bempd.Model, elements: bool, m: int) -> None:
+    """An edge crack runs towards another material, pulled up and down."""
+    half = SIDE / 2
+    left, right = bempd.rectangle(0, -half, half, half), bempd.rectangle(half, -half, SIDE, half)
+    soft, stiff = material(model), material(model, scene.values["young"])
+    for body in (region(model, soft, left, elements, m), region(model, stiff, right, elements, m)):
+        model.prescribe_edge(body, 1, "y", -1.0)
+        model.prescribe_edge(body, 3, "y", 1.0)
+    model.fix_point((0, -half), "x")
+
+
+def inner(length: float, degrees: float, middle: tuple[float, float]) -> Polyline:
+    a = math.radians(degrees)
+    d = length / 2 * np.array([math.cos(a), math.sin(a)])
+    return [tuple(np.array(middle) - d), tuple(np.array(middle) + d)]
+
+
+def scenes() -> list[Scene]:
+    kink = [[(0.0, 0.3), (45.5, 0.3)]]
+    found = [Scene(f"L1 kink, upper edge at {angle}", kink, 6, sheared, values={"angle": angle}) for angle in (45, 65, 80, 90)]
+    found.append(Scene("L2 four-point shear, notch 12.5", [[(80.3, 0.0), (80.3, 12.5)]], 6, beam))
+    found.append(Scene("L2 sheared square, inner crack", [inner(24.0, 0, (45.3, 0.4))], 4, sheared, values={"angle": 90}))
+    for half in (3, 6, 10, 12):
+        found.append(Scene(f"L3 pressed crack at 45, half length {half}", [inner(2 * half, 45, (0.3, 0.45))], 8, pressed))
+    for young in (3.0, 1 / 3):
+        found.append(Scene(f"L4 towards modulus {young:.2g}, from 13 spacings before", [[(0.0, 0.4), (32.3, 0.4)]], 10, joined, values={"young": young}))
+    for length in (8, 6, 4, 2):
+        for degrees, middle in ((0, (0.3, 0.4)), (30, (0.15, 0.3))):
+            found.append(Scene(f"L5 crack of {length}, at {degrees}", [inner(length, degrees, middle)], 1, pulled))
+    return found
+
+
+def make(scene: Scene, elements: bool, m: int, cracks: list[Polyline]) -> bempd.Model:
+    model = bempd.Model()
+    if not elements:
+        model.options["pd.crack_rule"] = "tips"
+        model.options["stepping.control"] = "path"
+    scene.build(scene, model, elements, m)
+    for crack in cracks:
+        model.add_crack(crack)
+    return model
+
+
+def reference(scene: Scene, cracks: list[Polyline], crack: int, end: int) -> float:
+    """Load factor at which a tip grows by boundary elements."""
+    model = make(scene, True, 0, cracks)
+    model.step(1.0)
+    tip = next(t for t in model.tips() if t.crack == crack and int(t.end) == end)
+    return float(tip.critical_load_factor)
+
+
+def compare(scene: Scene, m: int) -> list[tuple[float, float]]:
+    """Loads of the steps of a lattice, and those of boundary elements with the same cracks before each of them."""
+    model = make(scene, False, m, scene.cracks)
+    cracks = [list(crack) for crack in scene.cracks]
+    loads = []
+    for _ in range(scene.steps):
+        report = model.step_to_next_event(1e9)
+        if report.stop_reason != bempd.StopReason.EVENT:
+            break
+        for extension in model.extensions()[len(loads):]:
+            crack = cracks[extension.crack - 1]
+            loads.append((extension.load_factor, reference(scene, cracks, extension.crack, int(extension.end))))
+            place = (extension.x, extension.y)
+            crack.append(place) if int(extension.end) == 2 else crack.insert(0, place)
+    return loads

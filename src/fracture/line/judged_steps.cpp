@@ -1,0 +1,117 @@
+// Whether the fit of stresses says when a tip grows, and the load by the energy of a trial step where it does not.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "elasticity/kinked_tip.hpp"
+#include "fracture/line/line_steps.hpp"
+#include "geometry/turning.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// What the fit may leave of the stress, times the spacings of a horizon. Behind kinks loads by the fit are wrong by 1.8
+// times what it leaves less 5 %, those by the energy of a step by some 2.5 % with four spacings and 5 % with three, where
+// fewer bonds are cut.
+constexpr double residual_times_spacings = 0.17;
+// By a fit that leaves more than this the crack does not turn.
+constexpr double residual_without_direction = 0.2;
+// Under more shear than this share of its opening a tip turns so far that K_II decides, which the fit reads worse.
+constexpr double largest_shear = 0.25;
+// Within this many horizons of a tip there is nothing else where its fit holds; nor is its crack shorter than so many.
+constexpr double clear_horizons = 2, shortest_crack = 3;
+
+// Loads by fits are at most so many times too high, but for those before a stiffer material.
+constexpr double most_by_fit = 4;
+
+// Errors of loads: by a fit that holds, how they grow with what it leaves, and by the energy.
+constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
+
+}  // namespace
+
+// By the place that lies nearest, within a horizon.
+bool LineSteps::faces_press_at(const GrowingTip& tip) const {
+  const coupling::Contacts& contacts = system_.contacts();
+  if (contacts.closed_count() == 0) return false;
+  double nearest = law_of(tip).horizon;
+  bool presses = false;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    Point middle(0, 0);
+    for (const coupling::TermEntry& e : contacts[i].pull) middle += body_.positions()[static_cast<std::size_t>(e.node)];
+    const double away = (middle / static_cast<double>(contacts[i].pull.size()) - tip.place).norm();
+    if (away < nearest) nearest = away, presses = contacts.is_closed(i);
+  }
+  return presses;
+}
+
+// A kink beside pressed faces may be open: then the fit has opening.
+bool LineSteps::is_shut(const GrowingTip& tip, const WilliamsFit& fit) const {
+  const AffineIntensity found = fit.factors(law_of(tip).horizon);
+  return found.one.dot(Eigen::Vector2d(1, body_.state().load_factor)) <= 0 && faces_press_at(tip);
+}
+
+AffineIntensity LineSteps::intensity_of(const GrowingTip& tip, const WilliamsFit& fit) const {
+  AffineIntensity found = TipStress::as_read(fit.factors(law_of(tip).horizon));
+  if (is_shut(tip, fit)) found.one.setZero();
+  return found;
+}
+
+AffineIntensity LineSteps::intensity_at(const GrowingTip& tip, const coupling::Affine& displacement) const {
+  return intensity_of(tip, stress_.fitted(tip, law_of(tip), displacement, body_.pressure_in(tip.id.crack)));
+}
+
+void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit& fit, LineStep& step) const {
+  const GrowingTip& tip = tips[step.tip];
+  const pd::TipLaw& law = law_of(tip);
+  const Eigen::Vector2d at(1, step.load_factor);
+  const AffineIntensity factors = TipStress::as_read(fit.factors(law.horizon));
+  const bool is_sheared = std::abs(factors.two.dot(at)) > largest_shear * std::abs(factors.one.dot(at));
+  step.is_shut = is_shut(tip, fit);
+  step.residual = fit.residual(step.load_factor);
+  step.error = error_of_fit + error_by_residual * std::max(step.residual - least_residual, 0.0);
+  const double clear = clear_horizons * law.horizon;
+  const bool beside_tip = std::ranges::any_of(tips, [&](const GrowingTip& other) {
+    const double reach = other.id.crack == tip.id.crack ? shortest_crack * law.horizon : clear;
+    return &other != &tip && (other.place - tip.place).norm() < reach;
+  });
+  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress &&
+                   step.residual * law.horizon < residual_times_spacings * law.spacing &&
+                   !is_sheared && !beside_tip && !faces_press_at(tip) && !stress_.is_crowded(tip, law, clear) &&
+                   !stress_.meets_other_material(tip, law, clear);
+}
+
+bool LineSteps::need_body(const std::vector<LineStep>& steps, const LoadWay& way) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const LineStep& step : steps) first = std::min(first, std::abs(way.place_of(step.load_factor)));
+  return std::ranges::any_of(steps, [&](const LineStep& step) {
+    return !step.fit_holds && std::abs(way.place_of(step.load_factor)) <= most_by_fit * first;
+  });
+}
+
+// The fit has told that the tip opens and where to. Of pressed cracks fluid follows into the step, which the energy
+// without it does not know.
+bool LineSteps::try_step(const GrowingTip& tip, const coupling::Affine& displacement, const LoadWay& way,
+                         TrialBody& body, LineStep& step) const {
+  if (!body_.pressure_in(tip.id.crack).isZero(0) || body_.has_fluid()) return true;
+  const pd::TipLaw& law = law_of(tip);
+  if (step.residual > residual_without_direction && !has_begun(tip)) {
+    const Point better = trials_.best_direction(tip, law, step.direction, step.load_factor, displacement, body);
+    const LineWay::Step its = way_.next(tip.place, better, law);
+    if (!its.bonds.empty()) {
+      step.angle += std::atan2(cross(step.direction, better), step.direction.dot(better));
+      step.direction = better, step.way = its;
+    }
+  }
+  const std::optional<TrialGrowth> growth = trials_.along(tip, law, step.direction, displacement, body);
+  if (!growth) return true;
+  const std::optional<LineLoad> load = growth->load(step.load_factor, way.sense(), displacement.col(0).isZero(0));
+  if (!load) return !step.is_shut;
+  step.by_energy = true;
+  step.load_factor = load->load_factor, step.constant = load->constant, step.growing = load->growing;
+  step.after_step = growth->ratio_after(load->load_factor) / growth->ratio(load->load_factor);
+  step.error = error_by_energy + growth->error(load->load_factor);
+  return true;
+}
+
+}  // namespace bempd::fracture

@@ -1,0 +1,70 @@
+#include "fracture/line/trial_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/term_flexibility.hpp"
+#include "error.hpp"
+
+namespace bempd::fracture {
+
+namespace {
+
+// A pivot of 1 - k^1/2 F k^1/2 below which rounding decides whether the body still resists.
+constexpr double smallest_trial_pivot = 1e-10;
+
+// Ways and directions that are tried between two changes of the matrix.
+constexpr std::size_t most_answers_kept = 32;
+
+}  // namespace
+
+std::optional<Eigen::MatrixXd> WholeBodyTrials::flexibility(std::span<const int> terms) {
+  try {
+    if (is_apart_) return coupling::flexibility_apart(system_, terms);
+    const coupling::SolverCounters& counters = system_.counters();
+    const std::int64_t matrix = counters.sparse_factorizations + counters.factor_updates;
+    if (matrix != matrix_known_ || answers_.size() >= most_answers_kept) answers_.clear();
+    for (const Answer& answer : answers_)
+      if (std::equal(answer.terms.begin(), answer.terms.end(), terms.begin(), terms.end())) return answer.flexibility;
+    answers_.push_back({{terms.begin(), terms.end()}, coupling::flexibility_of(system_, terms)});
+    matrix_known_ = counters.sparse_factorizations + counters.factor_updates;
+    return answers_.back().flexibility;
+  } catch (const Error& error) {
+    if (error.failure() != Failure::unsolvable) throw;
+    return std::nullopt;
+  }
+}
+
+// The triangle by rows, so that it ends before the first pivot that is too small.
+TrialEnergy::TrialEnergy(const Eigen::VectorXd& stiffness, const Eigen::MatrixXd& flexibility,
+                         const coupling::Affine& elongation)
+    : root_stiffness_(stiffness.cwiseSqrt()), y_(root_stiffness_.asDiagonal() * elongation) {
+  const Eigen::Index terms = stiffness.size();
+  lower_ = -(root_stiffness_.asDiagonal() * flexibility * root_stiffness_.asDiagonal());
+  lower_.diagonal().array() += 1;
+  for (count_ = 0; count_ < terms; ++count_) {
+    const Eigen::Index n = count_;
+    if (n > 0) {
+      Eigen::VectorXd row = lower_.row(n).head(n);
+      lower_.topLeftCorner(n, n).triangularView<Eigen::Lower>().solveInPlace(row);
+      lower_.row(n).head(n) = row;
+    }
+    const double pivot = lower_(n, n) - lower_.row(n).head(n).squaredNorm();
+    if (!(pivot > smallest_trial_pivot)) break;
+    lower_(n, n) = std::sqrt(pivot);
+    y_.row(n) = (y_.row(n) - lower_.row(n).head(n) * y_.topRows(n)).eval() / lower_(n, n);
+  }
+}
+
+double TrialEnergy::released(Eigen::Index terms, double load_factor) const {
+  return 0.5 * (y_.topRows(terms) * Eigen::Vector2d(1, load_factor)).squaredNorm();
+}
+
+// With z = (1 - k^1/2 F k^1/2)^-1 k^1/2 e the elongations are k^-1/2 z.
+Eigen::VectorXd TrialEnergy::elongations_without(Eigen::Index terms, double load_factor) const {
+  Eigen::VectorXd z = y_.topRows(terms) * Eigen::Vector2d(1, load_factor);
+  lower_.topLeftCorner(terms, terms).triangularView<Eigen::Lower>().transpose().solveInPlace(z);
+  return z.cwiseQuotient(root_stiffness_.head(terms));
+}
+
+}  // namespace bempd::fracture

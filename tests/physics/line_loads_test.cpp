@@ -1,0 +1,107 @@
+// Loads of cracks that grow as lines where the stress ahead of a tip is not the tip's own: behind a kink, of short
+// cracks, before another material. Against boundary elements with the same crack before each step.
+#include <gtest/gtest.h>
+
+#include <claims.hpp>
+#include <functional>
+
+#include "host.hpp"
+
+namespace line_loads_test {
+namespace {
+
+using namespace host;
+
+constexpr double side = 60;  // of a plate, in spacings
+constexpr int horizon_ratio = 4;
+
+bempd_material solid(double young) {
+  bempd_material result = material(young, 1.0 / 3);
+  result.fracture_energy = 1;
+  return result;
+}
+
+struct Scene {
+  Outline crack;
+  int steps;
+  double sideways;     // motion of the upper edge, for a unit upwards
+  double right_young;  // of the right part of the plate, where it is not 1
+};
+
+void build(const Scene& scene, bool elements, Model& model) {
+  const auto add = [&](double young, double left, double right) {
+    const Outline box = rectangle(left, 0, right, side);
+    const int32_t id = model.add(solid(young));
+    const int32_t body = elements ? model.bem(id, box, side / 16) : model.pd(id, box, 1, horizon_ratio);
+    model.fix(body, 1, BEMPD_BOTH);
+    model.prescribe(body, 3, BEMPD_Y, 0, 1);
+    model.prescribe(body, 3, BEMPD_X, 0, scene.sideways);
+  };
+  if (scene.right_young == 1) {
+    add(1, 0, side);
+  } else {
+    add(1, 0, side / 2), add(scene.right_young, side / 2, side);
+  }
+}
+
+// Of the last tip of the crack.
+double known_load(const Scene& scene, const Outline& crack) {
+  Model model;
+  build(scene, true, model);
+  model.crack(crack);
+  int64_t count = 0;
+  model.check(bempd_tip_count(model.get(), &count));
+  bempd_crack_tip tip;
+  bempd_crack_tip_init(&tip, sizeof tip);
+  model.check(bempd_tip(model.get(), count - 1, &tip));
+  return tip.critical_load_factor;
+}
+
+// Load factors of the steps of the crack's end over those of boundary elements.
+std::vector<double> ratios_of(const Scene& scene) {
+  Model model;
+  model.set_text("pd.crack_rule", "tips");
+  model.set_text("stepping.control", "path");
+  build(scene, false, model);
+  model.crack(scene.crack);
+  Outline crack = scene.crack;
+  std::vector<double> ratios;
+  for (int k = 0; k < scene.steps; ++k) {
+    const double load = model.next_event(1e6).load_factor;
+    bempd_crack_extension last;
+    model.check(bempd_crack_extension_init(&last, sizeof last));
+    model.check(bempd_extension(model.get(), k, &last));
+    ratios.push_back(load / known_load(scene, crack));
+    crack.push_back({last.x, last.y});
+  }
+  return ratios;
+}
+
+double worst_of(const char* name, const Scene& scene) {
+  double worst = 0;
+  std::printf("%s:", name);
+  for (const double ratio : ratios_of(scene)) {
+    std::printf(" %.3f", ratio);
+    worst = std::max(worst, std::abs(ratio - 1));
+  }
+  std::printf("\n");
+  return worst;
+}
+
+TEST(LineLoads, behind_a_kink) {
+  const double worst = worst_of("kink", {{{0, 30.3}, {24.5, 30.3}}, 4, 2, 1});
+  EXPECT_LE(worst, claims::line_kink_loads / 100);
+}
+
+TEST(LineLoads, of_a_short_crack) {
+  const double worst = worst_of("crack of 6", {{{27.3, 30.4}, {33.3, 30.4}}, 1, 0, 1});
+  EXPECT_LE(worst, claims::line_short_load / 100);
+}
+
+TEST(LineLoads, before_a_stiffer_material) {
+  const double worst = worst_of("towards three times the modulus", {{{0, 30.4}, {21.3, 30.4}}, 5, 0, 3});
+  EXPECT_LE(worst, claims::line_interface_loads / 100);
+}
+
+}  // namespace
+}  // namespace line_loads_test
