@@ -105,7 +105,7 @@ def scenes() -> list[Scene]:
 def make(scene: Scene, elements: bool, m: int, cracks: list[Polyline]) -> bempd.Model:
     model = bempd.Model()
     if not elements:
-        model.options["pd.crack_rule"] = "tips"
+        model.options["crack.rule"] = "tips"
         model.options["stepping.control"] = "path"
     scene.build(scene, model, elements, m)
     for crack in cracks:

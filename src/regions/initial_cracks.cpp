@@ -95,7 +95,7 @@ bool ends_as_stated(const Scene& scene, const Discretization& d, const scene::Op
   const std::string choice = options.text_value("pd.crack_tip");
   if (choice != "auto") return choice == "stated";
   const std::optional<LatticeGrid> grid = region.lattice_grid();
-  if (!grid || options.text_in_effect("pd.crack_rule") == "bond") return false;
+  if (!grid || options.text_in_effect("crack.rule") == "bond") return false;
   return std::none_of(d.regions.begin(), d.regions.end(), [&](const auto& other) {
     if (other->id() == region.id() || !other->lattice_grid()) return false;
     const std::vector<Edge> edges = edges_of(scene.region(other->id()).outline());

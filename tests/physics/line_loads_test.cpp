@@ -60,7 +60,7 @@ double known_load(const Scene& scene, const Outline& crack) {
 // Load factors of the steps of the crack's end over those of boundary elements.
 std::vector<double> ratios_of(const Scene& scene) {
   Model model;
-  model.set_text("pd.crack_rule", "tips");
+  model.set_text("crack.rule", "tips");
   model.set_text("stepping.control", "path");
   build(scene, false, model);
   model.crack(scene.crack);

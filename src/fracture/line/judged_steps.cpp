@@ -11,10 +11,10 @@ namespace bempd::fracture {
 
 namespace {
 
-// What the fit may leave of the stress, times the spacings of a horizon. Behind kinks loads by the fit are wrong by 1.8
-// times what it leaves less 5 %, those by the energy of a step by some 2.5 % with four spacings and 5 % with three, where
-// fewer bonds are cut.
-constexpr double residual_times_spacings = 0.17;
+// What the fit may leave of the stress: with few spacings a horizon more, where the lattice is rough and the energy of a
+// step, which cuts fewer bonds, tells loads within 5 % only; with four within 2.5 %. Behind kinks loads by the fit are
+// wrong by 1.8 times what it leaves less 5 %.
+constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
 // By a fit that leaves more than this the crack does not turn.
 constexpr double residual_without_direction = 0.2;
 // Under more shear than this share of its opening a tip turns so far that K_II decides, which the fit reads worse.
@@ -27,6 +27,10 @@ constexpr double most_by_fit = 4;
 
 // Errors of loads: by a fit that holds, how they grow with what it leaves, and by the energy.
 constexpr double error_of_fit = 0.02, error_by_residual = 1.8, least_residual = 0.025, error_by_energy = 0.025;
+
+double largest_residual(const pd::TipLaw& law) {
+  return std::max(least_limit, limit_of_residual * std::pow(law.spacing / law.horizon, 2));
+}
 
 }  // namespace
 
@@ -75,9 +79,12 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
     const double reach = other.id.crack == tip.id.crack ? shortest_crack * law.horizon : clear;
     return &other != &tip && (other.place - tip.place).norm() < reach;
   });
+  // An initial crack acts longer than it is where all bonds across it are cut, which beside an edge counts more in the
+  // energy than in the fit.
+  const bool is_crowded = !tip.energy_ratios.empty() && stress_.is_crowded(tip, law, clear);
   step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress &&
-                   step.residual * law.horizon < residual_times_spacings * law.spacing &&
-                   !is_sheared && !beside_tip && !faces_press_at(tip) && !stress_.is_crowded(tip, law, clear) &&
+                   step.residual < largest_residual(law) &&
+                   !is_sheared && !beside_tip && !faces_press_at(tip) && !is_crowded &&
                    !stress_.meets_other_material(tip, law, clear);
 }
 

@@ -183,7 +183,6 @@ std::optional<TrialGrowth> TrialSteps::along(const GrowingTip& tip, const pd::Ti
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto t = static_cast<std::size_t>(order[k]);
     const auto row = static_cast<Eigen::Index>(k);
-    if (terms.constant(t, 0) != 0 || terms.constant(t, 1) != 0) return std::nullopt;
     stiffness[row] = system_.present_stiffness()[t];
     opening[row] = stiffness[row] * std::pow(Point(terms.cosine[t], terms.sine[t]).dot(normal), 2);
     for (int part = 0; part < 2; ++part)
