@@ -1646,7 +1646,8 @@ BEMPD_API bempd_status bempd_grow_cracks(bempd_model* model, double length, bemp
 /** @brief Keep the tip at an end of a crack from growing, or let it grow again.
  *
  * A frozen tip stays where it is in boundary elements and in a lattice in which cracks grow as lines, where no bond
- * within three horizons of it breaks by itself. bempd_tip() tells of it as if it were free. Where cracks grow bond by bond, a tip is no more than a place among bonds, and freezing has no effect.
+ * within three horizons of it breaks by itself. bempd_tip() tells of it as if it were free. Where cracks grow bond by
+ * bond, a tip is no more than a place among bonds, and freezing has no effect.
  * @param[in] model the model
  * @param[in] crack id of a crack, also of one that began in the run @param[in] end a bempd_tip_end
  * @param[in] frozen 1: it does not grow; 0: it does @return status @since 0.3 */

@@ -92,7 +92,8 @@ std::unique_ptr<PreparedScene> Model::with_cracks(std::vector<scene::Crack> long
   if (!has_same_bonds(*next, *prepared_))
     throw crack::CannotGrow(
         "a crack that grows on would move the material points of a peridynamic region, whose broken bonds are those "
-        "of the present points; it stops. Give that region edges along the axes and no angle of its lattice, or make it "
+        "of the present points; it stops. Give that region edges along the axes and no angle of its lattice, or make "
+        "it "
         "so large that the crack stays inside");
   next->fingerprint = prepared_->fingerprint;
   next->anchored_pieces = prepared_->anchored_pieces;

@@ -128,7 +128,8 @@ static void the_most_critical_tip_grows_alone(void) {
   bempd_model_free(model);
 }
 
-/** Two tips grow together if crack.tie_share allows it, by lengths that follow their rates if crack.exponent says so. */
+/** Two tips grow together if crack.tie_share allows it, by lengths that follow their rates if crack.exponent says so.
+ */
 static void lengths_follow_the_rates(void) {
   bempd_model* model = square(1);
   add_crack(model, -1, -0.3, -0.6, -0.3);
