@@ -11,7 +11,7 @@ namespace bempd::coupling {
 // system's factor, or makes one where there is none of the present matrix.
 Eigen::MatrixXd flexibility_of(EquilibriumSystem& system, std::span<const int> terms);
 
-// The same by a factor of its own: the system's belongs to another matrix, or must stay as it is.
+// Flexibility by a factor of its own, where the system's factor belongs to another matrix or must stay as it is.
 Eigen::MatrixXd flexibility_apart(const EquilibriumSystem& system, std::span<const int> terms);
 
 }  // namespace bempd::coupling

@@ -58,7 +58,7 @@ class FactorColumns {
 
 }  // namespace
 
-// With L y = b and b the unit vectors of the places, the block is y^T y, or y^T D^-1 y.
+// The block is y^T y, or y^T D^-1 y, where L y = b and b are the unit vectors of the places.
 Eigen::MatrixXd inverse_block(const cholmod_factor& factor, const std::vector<int>& places) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const FactorColumns columns(factor);

@@ -44,7 +44,7 @@ void build(const Scene& scene, bool elements, Model& model) {
   }
 }
 
-// Of the last tip of the crack.
+// Load factor at which the last tip of the crack grows.
 double known_load(const Scene& scene, const Outline& crack) {
   Model model;
   build(scene, true, model);

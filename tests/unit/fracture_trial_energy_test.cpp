@@ -127,7 +127,7 @@ TEST(TrialEnergy, is_the_difference_of_the_energies_of_two_equilibria) {
                       1e-9 * left.cwiseAbs().maxCoeff());
       }
     }
-    // After a change of the matrix by low rank the flexibility is that of the changed body.
+    // The flexibility after a change of the matrix by low rank is that of the changed body.
     const std::vector<coupling::StageChange> first{{step[0], 1}};
     body.system.commit(first, {});
     const std::vector<int> others(step.begin() + 1, step.end());
@@ -136,7 +136,7 @@ TEST(TrialEnergy, is_the_difference_of_the_energies_of_two_equilibria) {
   }
 }
 
-// Where the last bonds of a part are among them the rest is told.
+// A trial ends before the terms that would free a part.
 TEST(TrialEnergy, ends_before_a_part_comes_free) {
   Body body(false);
   const Terms& terms = body.system.terms();
