@@ -11,9 +11,9 @@ namespace bempd::fracture {
 
 namespace {
 
-// What the fit may leave of the stress: with few spacings a horizon more, where the lattice is rough and the energy of a
-// step, which cuts fewer bonds, tells loads within 5 % only; with four within 2.5 %. Behind kinks loads by the fit are
-// wrong by 1.8 times what it leaves less 5 %.
+// What the fit may leave of the stress: with few spacings a horizon more, where the lattice is rough and the energy of
+// a step, which cuts fewer bonds, tells loads within 5 % only; with four within 2.5 %. Behind kinks loads by the fit
+// are wrong by 1.8 times what it leaves less 5 %.
 constexpr double least_limit = 0.035, limit_of_residual = 0.7;  // the latter over the square of the spacings
 // By a fit that leaves more than this the crack does not turn.
 constexpr double residual_without_direction = 0.2;
@@ -82,8 +82,7 @@ void LineSteps::judge_fit(const std::vector<GrowingTip>& tips, const WilliamsFit
   // An initial crack acts longer than it is where all bonds across it are cut, which beside an edge counts more in the
   // energy than in the fit.
   const bool is_crowded = !tip.energy_ratios.empty() && stress_.is_crowded(tip, law, clear);
-  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress &&
-                   step.residual < largest_residual(law) &&
+  step.fit_holds = laws_.criterion == KinkCriterion::hoop_stress && step.residual < largest_residual(law) &&
                    !is_sheared && !beside_tip && !faces_press_at(tip) && !is_crowded &&
                    !stress_.meets_other_material(tip, law, clear);
 }
